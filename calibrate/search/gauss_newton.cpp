@@ -2,8 +2,8 @@
 
 #include <cmath>
 #include <limits>
-
-#include "calibrate/search/marquardt_steps.hpp"
+#include <string_view>
+#include <utility>
 
 namespace plastica::calibrate {
 namespace {
@@ -27,86 +27,85 @@ std::string_view outcome_of(LeastSquaresOutcome outcome) {
   return "failure";
 }
 
-class ExactSquares {
- public:
-  ExactSquares(const Problem& problem, const MinimizeOptions& options)
-      : problem_(problem),
-        options_(options),
-        lower_(vector_of(problem.lower)),
-        upper_(vector_of(problem.upper)),
-        steps_(lower_, upper_,
-               {.max_evaluations = options.max_evaluations,
-                .x_tolerance = options.x_tolerance,
-                .cost_tolerance = options.cost_tolerance}) {}
-
-  Minimum run() {
-    Eigen::VectorXd x = vector_of(problem_.start);
-    SquaresModel model = at(x);
-    const bool any = std::isfinite(model.cost);
-    const LeastSquaresOutcome outcome = any ? descend(x, model) : LeastSquaresOutcome::NoStart;
-    Minimum end;
-    end.outcome = outcome_of(outcome);
-    end.evaluations = evaluations_;
-    end.usable = any;
-    if (!any) return end;
-    end.x.assign(x.data(), x.data() + x.size());
-    end.cost = model.cost;
-    end.promised = promised_decrease(x, model, lower_, upper_);
-    return end;
-  }
-
- private:
-  static Eigen::VectorXd vector_of(const std::vector<double>& v) {
-    return Eigen::Map<const Eigen::VectorXd>(v.data(), static_cast<Eigen::Index>(v.size()));
-  }
-
-  LeastSquaresOutcome descend(Eigen::VectorXd& x, SquaresModel& model) {
-    double cost = model.cost;
-    double promised = promised_decrease(x, model, lower_, upper_);
-    int last = evaluations_;
-    for (;;) {
-      if (evaluations_ >= last + kPatience) {
-        if (cost - model.cost < kKept * promised) return LeastSquaresOutcome::Stalled;
-        cost = model.cost;
-        promised = promised_decrease(x, model, lower_, upper_);
-        last = evaluations_;
-      }
-      if (const auto end = steps_.propose(x, model)) return *end;
-      if (evaluations_ >= options_.max_evaluations) return LeastSquaresOutcome::EvaluationsReached;
-      const Eigen::VectorXd to = steps_.target(x);
-      SquaresModel there = at(to);
-      const auto end = steps_.judge(model.cost, there.cost);
-      if (steps_.accepted()) {
-        x = to;
-        model = std::move(there);
-      }
-      if (end) return *end;
-    }
-  }
-
-  SquaresModel at(const Eigen::VectorXd& x) {
-    const auto n = static_cast<std::size_t>(x.size());
-    SquaresModel model;
-    model.gradient.resize(x.size());
-    model.normal.resize(x.size(), x.size());  // symmetric: rows or columns
-    ++evaluations_;
-    model.cost =
-        problem_.squares({x.data(), n}, {model.gradient.data(), n}, {model.normal.data(), n * n});
-    if (!std::isfinite(model.cost)) model.cost = std::numeric_limits<double>::infinity();
-    return model;
-  }
-
-  const Problem& problem_;
-  const MinimizeOptions& options_;
-  Eigen::VectorXd lower_, upper_;
-  MarquardtSteps steps_;
-  int evaluations_ = 0;
-};
+Eigen::VectorXd vector_of(const std::vector<double>& v) {
+  return Eigen::Map<const Eigen::VectorXd>(v.data(), static_cast<Eigen::Index>(v.size()));
+}
 
 }  // namespace
 
+GaussNewton::GaussNewton(const Problem& problem, const std::vector<double>& start,
+                         const MinimizeOptions& options)
+    : problem_(problem),
+      lower_(vector_of(problem.lower)),
+      upper_(vector_of(problem.upper)),
+      x_(vector_of(start)),
+      steps_(lower_, upper_,
+             {.max_evaluations = options.max_evaluations,
+              .x_tolerance = options.x_tolerance,
+              .cost_tolerance = options.cost_tolerance}) {}
+
+Minimum GaussNewton::advance(int evaluations) {
+  const int before = evaluations_;
+  if (evaluations_ == 0) {
+    model_ = at(x_);
+    if (!std::isfinite(model_.cost)) outcome_ = LeastSquaresOutcome::NoStart;
+    cost_before_ = model_.cost;
+    promised_before_ = found() ? promised() : 0.0;
+    watched_ = evaluations_;
+  }
+  auto outcome = outcome_;
+  while (!outcome) {
+    outcome_ = step(before + evaluations);
+    outcome = outcome_;
+    if (outcome == LeastSquaresOutcome::EvaluationsReached) outcome_.reset();
+  }
+  Minimum end;
+  end.outcome = outcome_of(*outcome);
+  end.evaluations = evaluations_ - before;
+  end.usable = found();
+  if (!found()) return end;
+  end.x.assign(x_.data(), x_.data() + x_.size());
+  end.cost = model_.cost;
+  end.promised = promised();
+  return end;
+}
+
+/// A step, unless `last` evaluations have been made. @return how the search has ended, if it has
+std::optional<LeastSquaresOutcome> GaussNewton::step(int last) {
+  if (evaluations_ >= watched_ + kPatience) {
+    if (cost_before_ - model_.cost < kKept * promised_before_) return LeastSquaresOutcome::Stalled;
+    cost_before_ = model_.cost;
+    promised_before_ = promised();
+    watched_ = evaluations_;
+  }
+  if (const auto end = steps_.propose(x_, model_)) return end;
+  if (evaluations_ >= last) return LeastSquaresOutcome::EvaluationsReached;
+  const Eigen::VectorXd to = steps_.target(x_);
+  SquaresModel there = at(to);
+  const auto end = steps_.judge(model_.cost, there.cost);
+  if (steps_.accepted()) {
+    x_ = to;
+    model_ = std::move(there);
+  }
+  return end;
+}
+
+double GaussNewton::promised() const { return promised_decrease(x_, model_, lower_, upper_); }
+
+SquaresModel GaussNewton::at(const Eigen::VectorXd& x) {
+  const auto n = static_cast<std::size_t>(x.size());
+  SquaresModel model;
+  model.gradient.resize(x.size());
+  model.normal.resize(x.size(), x.size());  // symmetric: rows or columns
+  ++evaluations_;
+  model.cost =
+      problem_.squares({x.data(), n}, {model.gradient.data(), n}, {model.normal.data(), n * n});
+  if (!std::isfinite(model.cost)) model.cost = std::numeric_limits<double>::infinity();
+  return model;
+}
+
 Minimum minimize_exact_squares(const Problem& problem, const MinimizeOptions& options) {
-  return ExactSquares(problem, options).run();
+  return GaussNewton(problem, problem.start, options).advance(options.max_evaluations);
 }
 
 }  // namespace plastica::calibrate

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "calibrate/problem/traced_misfit.hpp"
+#include "calibrate/search/gauss_newton.hpp"
 #include "calibrate/search/minimize_alone.hpp"
 #include "calibrate/search/multi_start.hpp"
 #include "calibrate/search/screening.hpp"
@@ -23,13 +24,22 @@ constexpr double kGlobalReach = 1.6094379124341003746;
 constexpr double kCloseFit = 0.02;
 constexpr int kSearchesAround = 16;
 constexpr double kRiseAround = 0.1;
-constexpr MultiStartOptions kAround{.short_evaluations = 10, .polished = 5};
 /// With three or more parameters of the stress (a hardening law's) there are other minima far away
 /// too, unless the misfit is below this fraction of the largest stress.
 constexpr std::size_t kManyParameters = 3;
 constexpr double kExactFit = 0.002;
+/// A misfit below which nothing is left to look for, rounding of six digits.
+constexpr double kNoMisfit = 1e-6;
 constexpr std::size_t kSearchesWide = 10;
-constexpr MultiStartOptions kWide{.short_evaluations = 10, .polished = 7};
+/// Evaluations of a search before it is compared with others: gauss-newton's patience, within which
+/// it tells a kink from a slope.
+constexpr int kShort = 8;
+/// How many of the wide searches go on, and how far a basin that is known reaches: as far as
+/// `search_around` looks.
+constexpr MultiStartOptions kWide{.short_evaluations = kShort, .polished = 7, .rise = kRiseAround};
+/// A basin found later is kept for a cost that is lower by more than this fraction: back-stresses
+/// may be numbered the other way round there.
+constexpr double kLower = 1e-6;
 /// Tolerances of searches that are compared with each other, before the best goes to its end.
 constexpr double kCompared = 1e-6;
 constexpr double kComparedCost = 1e-9;
@@ -91,10 +101,28 @@ class Search {
     keep(std::move(end));
   }
 
+  /// From the start to the bottom of its basin.
   void descend() {
+    GaussNewton search(problem_, problem_.start, how_);
+    Minimum end = search.advance(how_.max_evaluations);
+    listener()(kGaussNewton, end);
+    if (end.x.empty()) return;
+    known_.push_back({search.x(), search.model()});
+    keep(pass_kinks(problem_, std::move(end), how_, listener()));
+    descended_ = best_.cost;
+  }
+
+  /// The best point to its end, unless that is where `descend` has ended and no step leads on.
+  void descend_again() {
     Problem from = problem_;
-    if (found()) from.start = best_.x;
-    keep(calibrate::descend(from, how_, listener()));
+    from.start = best_.x;
+    MinimizeOptions smooth = how_;
+    smooth.algorithm = kGaussNewton;
+    Minimum end = minimize(from, smooth);
+    listener()(kGaussNewton, end);
+    if (end.cost < descended_ * (1.0 - kWorthwhile)) {
+      keep(pass_kinks(problem_, std::move(end), how_, listener()));
+    }
   }
 
   /// Whether a minimum was found that leaves nothing to look for elsewhere. One of many parameters
@@ -106,7 +134,7 @@ class Search {
     for (std::size_t i = 0; i < size(); ++i) {
       at_bound = at_bound || best_.x[i] <= problem_.lower[i] || best_.x[i] >= problem_.upper[i];
     }
-    return best_.cost <= kExactFit * kExactFit && !at_bound;
+    return fits_exactly() && !at_bound;
   }
 
   /// Looks for minima far away: from the best of Sobol's points within the box and kGlobalReach
@@ -114,28 +142,47 @@ class Search {
   void search_widely(std::span<const StartPoint> further) {
     std::vector<Point> starts = screened();
     for (const StartPoint& values : further) starts.push_back(point_at(values));
-    search_among(starts, kWide);
+    MultiStartOptions options = kWide;
+    options.known = best_.cost;
+    Ends ends = search_from(problem_, starts, options, compared(), listener(), known_);
+    for (Minimum& end : ends.apart) {
+      if (end.cost < best_.cost * (1.0 - kLower)) keep(std::move(end));
+    }
+    alike_ = std::move(ends.alike);
+    for (const Minimum& end : alike_) keep(end);
   }
 
-  /// Looks for other minima near the best point: from seeded points around it, at which the cost
-  /// would be up to kRiseAround higher if it were a parabola.
+  /// Looks for the least of the minima that kinks make near the best point: from where wide
+  /// searches came near, and from seeded points around it, at which the cost would be up to
+  /// kRiseAround higher if it were a parabola.
   void search_around() {
     const std::vector<double> curvature = curvatures(best_.x);
     const double reach = std::sqrt(2.0 * kRiseAround * best_.cost);
     std::mt19937_64 random(how_.seed);
-    std::vector<Point> starts(kSearchesAround, best_.x);
-    for (Point& start : starts) {
+    const bool few = size() < kManyParameters;
+    const int evaluations = few ? how_.max_evaluations : std::min(kShort, how_.max_evaluations);
+    std::vector<Minimum> points = std::move(alike_);
+    for (int i = 0; i < kSearchesAround; ++i) {
+      Point start = best_.x;
       for (std::size_t k = 0; k < size(); ++k) {
         const double x = start[k] + reach * uniform(random) / std::sqrt(curvature[k]);
         start[k] = std::clamp(x, problem_.lower[k], problem_.upper[k]);
       }
+      Minimum end = GaussNewton(problem_, start, compared()).advance(evaluations);
+      listener()(kGaussNewton, end);
+      if (!end.x.empty()) points.push_back(std::move(end));
     }
-    MultiStartOptions around = kAround;
-    if (size() < kManyParameters) around.polished = starts.size();
-    search_among(starts, around);
+    AgreementOptions options;
+    // Searches in a plane are short.
+    if (few) options.enough = options.max = points.size() + 1;
+    best_ = least_of_basin(problem_, std::move(points), std::move(best_), options, compared(),
+                           listener());
   }
 
-  bool fits_closely() const { return best_.cost < kCloseFit * kCloseFit; }
+  /// Whether the misfit is too small for minima by kinks that matter.
+  bool fits() const {
+    return size() < kManyParameters ? fits_closely() : best_.cost < kNoMisfit * kNoMisfit;
+  }
   bool found() const { return std::isfinite(best_.cost); }
 
   void finish() {
@@ -150,6 +197,17 @@ class Search {
   }
 
  private:
+  bool fits_closely() const { return best_.cost < kCloseFit * kCloseFit; }
+  bool fits_exactly() const { return best_.cost <= kExactFit * kExactFit; }
+
+  /// How searches go that are compared with each other.
+  MinimizeOptions compared() const {
+    MinimizeOptions how = how_;
+    how.x_tolerance = std::max(how.x_tolerance, kCompared);
+    how.cost_tolerance = std::max(how.cost_tolerance, kComparedCost);
+    return how;
+  }
+
   std::vector<Point> screened() {
     if (options_.stopping.global_evaluations == 0) return {};
     Box box{problem_.lower, problem_.upper};
@@ -180,14 +238,6 @@ class Search {
       }
     }
     return x;
-  }
-
-  void search_among(const std::vector<Point>& starts, MultiStartOptions options) {
-    MinimizeOptions how = how_;
-    how.x_tolerance = std::max(how.x_tolerance, kCompared);
-    how.cost_tolerance = std::max(how.cost_tolerance, kComparedCost);
-    options.known = best_.cost;
-    keep(search_from(problem_, starts, options, how, listener()));
   }
 
   StageListener listener() {
@@ -222,6 +272,9 @@ class Search {
   Problem problem_;
   MinimizeOptions how_;
   Minimum best_;
+  std::vector<Basin> known_;    ///< where smooth searches ended
+  std::vector<Minimum> alike_;  ///< wide searches that came near one of these
+  double descended_ = std::numeric_limits<double>::infinity();  ///< where `descend` ended
 };
 
 }  // namespace
@@ -239,8 +292,8 @@ Solution minimize_misfit(Misfit& misfit, const ParameterSet& parameters, const F
     search.descend();
     if (!search.settled()) {
       search.search_widely(further);
-      if (search.found() && !search.fits_closely()) search.search_around();
-      if (search.found()) search.descend();
+      if (search.found() && !search.fits()) search.search_around();
+      if (search.found()) search.descend_again();
     }
   }
   search.finish();

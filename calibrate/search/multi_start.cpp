@@ -4,34 +4,90 @@
 #include <limits>
 #include <utility>
 
+#include "calibrate/search/gauss_newton.hpp"
 #include "calibrate/search/screening.hpp"
 
 namespace plastica::calibrate {
+namespace {
 
-Minimum search_from(const Problem& problem, const std::vector<std::vector<double>>& starts,
-                    const MultiStartOptions& options, const MinimizeOptions& how,
-                    const StageListener& tell) {
-  Problem from = problem;
-  MinimizeOptions brief = how;
-  brief.algorithm = kGaussNewton;
-  brief.max_evaluations = std::min(how.max_evaluations, options.short_evaluations);
-  std::vector<std::vector<double>> ends;
+/// Searches that end by a tolerance of the cost are so many times that above their minimum.
+constexpr double kOpen = 10.0;
+
+}  // namespace
+
+bool same_basin(const Basin& a, const Basin& b, double rise) {
+  const Eigen::VectorXd dx = a.x - b.x;
+  const double highest = rise * std::min(a.model.cost, b.model.cost);
+  return dx.dot(a.model.normal * dx) <= highest && dx.dot(b.model.normal * dx) <= highest;
+}
+
+Ends search_from(const Problem& problem, const std::vector<std::vector<double>>& starts,
+                 const MultiStartOptions& options, const MinimizeOptions& how,
+                 const StageListener& tell, std::vector<Basin>& known) {
+  const int few = std::min(how.max_evaluations, options.short_evaluations);
+  std::vector<GaussNewton> searches;
+  std::vector<Minimum> now;
   std::vector<double> costs;
-  for (const std::vector<double>& start : starts) {
-    from.start = start;
-    Minimum end = minimize(from, brief);
-    tell(brief.algorithm, end);
-    costs.push_back(end.x.empty() ? std::numeric_limits<double>::infinity() : end.cost);
-    ends.push_back(std::move(end.x));
-  }
-  Minimum best;
   double least = options.known;
-  for (const double cost : costs) least = std::min(least, cost);
+  for (const std::vector<double>& start : starts) {
+    searches.emplace_back(problem, start, how);
+    const Minimum& end = now.emplace_back(searches.back().advance(few));
+    tell(kGaussNewton, end);
+    costs.push_back(end.x.empty() ? std::numeric_limits<double>::infinity() : end.cost);
+    least = std::min(least, costs.back());
+  }
+  Ends ends;
   for (const std::size_t k : ranked(costs, options.polished)) {
-    from.start = ends[k];
-    Minimum end = descend(from, how, tell, {.rounds = 1, .highest_cost = options.near * least});
+    GaussNewton& search = searches[k];
+    Minimum& end = now[k];
+    const auto is_known = [&] {
+      const Basin here{search.x(), search.model()};
+      return std::ranges::any_of(
+          known, [&](const Basin& basin) { return same_basin(here, basin, options.rise); });
+    };
+    bool alike = is_known();
+    int more = 0;
+    while (!alike && !search.ended() && more + few <= how.max_evaluations) {
+      end = search.advance(few);
+      more += end.evaluations;
+      alike = is_known();
+    }
+    if (more > 0) {
+      end.evaluations = more;
+      tell(kGaussNewton, end);
+    }
+    if (alike) {
+      ends.alike.push_back(std::move(end));
+      continue;
+    }
+    known.push_back({search.x(), search.model()});
+    if (end.cost <= options.near * least) {
+      end = pass_kinks(problem, std::move(end), how, tell, {.rounds = 1});
+    }
     least = std::min(least, end.cost);
-    if (best.x.empty() || end.cost < best.cost) best = std::move(end);
+    ends.apart.push_back(std::move(end));
+  }
+  return ends;
+}
+
+Minimum least_of_basin(const Problem& problem, std::vector<Minimum> points, Minimum best,
+                       const AgreementOptions& options, const MinimizeOptions& how,
+                       const StageListener& tell) {
+  std::ranges::stable_sort(points, {}, &Minimum::cost);
+  std::size_t at_least = 1;
+  std::size_t searches = 0;
+  for (Minimum& point : points) {
+    if (at_least >= options.enough || searches >= options.max) break;
+    const int before = point.evaluations;
+    Minimum end = pass_kinks(problem, std::move(point), how, tell, {.rounds = 1});
+    // Where the slopes promise nothing there was none.
+    if (end.evaluations > before) ++searches;
+    if (end.cost < best.cost * (1.0 - options.same)) {
+      at_least = 1;
+    } else if (end.cost <= best.cost * (1.0 + options.same)) {
+      ++at_least;
+    }
+    if (end.cost < best.cost * (1.0 - kOpen * how.cost_tolerance)) best = std::move(end);
   }
   return best;
 }

@@ -77,6 +77,8 @@ TEST(PublishedFits, CyclicSteelByEveryLaw) {
     ASSERT_EQ(chaboche.status, FitStatus::Fitted) << chaboche.reason;
     EXPECT_LE(chaboche.cost, 600e12) << seed;
     EXPECT_NEAR(chaboche.cost, 366.43e12, tolerance(0.05e12)) << seed;
+    // 1123 to 1213; of 20 seeds at most 1294. Searches that come to where others were must stop.
+    EXPECT_LE(chaboche.evaluations() + chaboche.simpler_evaluations, 1350U) << seed;
   }
   EXPECT_NEAR(fit_law(target, options, Law::Ideal).cost, 3617.9732e12, tolerance(0.01e12));
   const FitResult linear = fit_law(target, options, Law::Linear);

@@ -5,6 +5,7 @@
 #include <limits>
 #include <stdexcept>
 
+#include "calibrate/search/gauss_newton.hpp"
 #include "calibrate/search/optimizer.hpp"
 
 namespace plastica::calibrate {
@@ -45,6 +46,23 @@ TEST(GaussNewton, GoesDownACurvedValleyInFewEvaluations) {
   EXPECT_LT(found.cost, 1e-20);
   EXPECT_LT(found.evaluations, 60);
   EXPECT_LT(found.promised, 1e-20);
+}
+
+TEST(GaussNewton, GoesOnWhereItWasLeft) {
+  const Problem problem = valley_problem();
+  const Minimum at_once = descend(problem);
+  GaussNewton search(problem, problem.start, {});
+  int evaluations = 0;
+  Minimum end;
+  while (!search.ended()) {
+    end = search.advance(3);
+    EXPECT_LE(end.evaluations, 3);
+    evaluations += end.evaluations;
+  }
+  EXPECT_EQ(end.x, at_once.x);
+  EXPECT_EQ(end.cost, at_once.cost);
+  EXPECT_EQ(end.outcome, at_once.outcome);
+  EXPECT_EQ(evaluations, at_once.evaluations);
 }
 
 TEST(GaussNewton, StopsAtAnActiveBound) {

@@ -1,4 +1,4 @@
-#include "calibrate/search/descend.hpp"
+#include "calibrate/search/pass_kinks.hpp"
 
 #include <cmath>
 #include <string>
@@ -9,9 +9,7 @@
 namespace plastica::calibrate {
 namespace {
 
-/// A decrease that is not worth another stage, as a fraction of the cost; and a cost that is
-/// nothing but rounding, of residuals of order one.
-constexpr double kWorthwhile = 1e-10;
+/// A cost that is nothing but rounding, of residuals of order one.
 constexpr double kNoiseFloor = 1e-24;
 /// Up to how many parameters a simplex looks around for SLSQP, as far as this fraction of the root
 /// of the cost.
@@ -28,12 +26,9 @@ class Descent {
           const KinkOptions& kinks)
       : problem_(problem), how_(std::move(how)), tell_(tell), kinks_(kinks) {}
 
-  Minimum run() {
-    how_.algorithm = kGaussNewton;
-    best_ = minimize(problem_, how_);
-    tell_(how_.algorithm, best_);
+  Minimum run(Minimum from) {
+    best_ = std::move(from);
     if (best_.x.empty() || !promises(best_.promised, best_.cost)) return std::move(best_);
-    if (best_.cost > kinks_.highest_cost) return std::move(best_);
     for (int round = 0; round < kinks_.rounds; ++round) {
       const double before = best_.cost;
       const bool better = improve("slsqp", kFar);
@@ -91,9 +86,9 @@ class Descent {
 
 }  // namespace
 
-Minimum descend(const Problem& problem, const MinimizeOptions& how, const StageListener& tell,
-                const KinkOptions& kinks) {
-  return Descent(problem, how, tell, kinks).run();
+Minimum pass_kinks(const Problem& problem, Minimum from, const MinimizeOptions& how,
+                   const StageListener& tell, const KinkOptions& kinks) {
+  return Descent(problem, how, tell, kinks).run(std::move(from));
 }
 
 }  // namespace plastica::calibrate
