@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <array>
+#include <filesystem>
 #include <memory>
 #include <optional>
 #include <sstream>
@@ -39,7 +40,7 @@ namespace {
 
 struct ExportArguments {
   std::string file;
-  std::string to = "csv";
+  std::string to;    ///< empty: what the output's name ends in, else csv
   std::string what;  ///< empty: the first of the file's kind
   std::string time;
   std::string scene;
@@ -67,6 +68,34 @@ void check_format(const std::string& to) {
   throw InputError({}, "--to", to, rule);
 }
 
+/// The format of a table whose files end so; empty for others.
+std::string format_of(const std::string& ending) {
+  constexpr std::array<std::array<std::string_view, 2>, 4> kEndings{
+      {{".csv", "csv"}, {".json", "json"}, {".md", "markdown"}, {".tex", "latex"}}};
+  for (const auto& [end, format] : kEndings) {
+    if (ending == end) return std::string(format);
+  }
+  return {};
+}
+
+/// Takes the format from the output's name where none is given. @throws InputError if they differ,
+/// or if the name says another format than those of tables
+void take_format(ExportArguments& arguments) {
+  const std::string& output = arguments.output;
+  const std::string ending = std::filesystem::path(output).extension().string();
+  const std::string named = output == "-" ? "" : format_of(ending);
+  if (!arguments.to.empty()) {
+    if (named.empty() || named == arguments.to) return;
+    throw InputError({}, "--output", output,
+                     fmt::format("must not end in {}: --to is {}", ending, arguments.to));
+  }
+  if (named.empty() && output != "-" && ending.size() > 1 && ending != ".txt" && ending != ".dat") {
+    throw InputError({}, "--output", output,
+                     fmt::format("ends in {}, which says no format: give --to", ending));
+  }
+  arguments.to = named.empty() ? "csv" : named;
+}
+
 bool is_table(const std::string& to) {
   return std::find(kTables.begin(), kTables.end(), to) != kTables.end();
 }
@@ -87,11 +116,17 @@ std::string what_of(const ExportArguments& arguments, const std::vector<std::str
   return arguments.what;
 }
 
+/// JSON is one summary, whatever of it is asked for.
+void refuse_what_of_json(const ExportArguments& arguments) {
+  refuse_option(!arguments.what.empty() && arguments.to == "json", "--what", "goes with --to csv");
+}
+
 std::string text_of_scene(const ExportArguments& arguments) {
   const std::string what =
       what_of(arguments, {"probes", "joints", "energies", "events", "fragments", "spectrum"});
   const std::optional<double> time = seconds_of("--time", arguments.time);
   refuse_option(time && what != "joints", "--time", "goes with --what joints only");
+  refuse_what_of_json(arguments);
   const io::SceneRecord record = io::read_scene_store(arguments.file);
   if (arguments.to == "json") return report::scene_json(record);
   std::ostringstream out;
@@ -106,6 +141,7 @@ std::string text_of_scene(const ExportArguments& arguments) {
 
 std::string text_of_fits(const ExportArguments& arguments) {
   const std::string what = what_of(arguments, {"specimens", "curves"});
+  refuse_what_of_json(arguments);
   const calibrate::FitStoreContents contents = calibrate::read_fit_store(arguments.file);
   if (arguments.to == "json") {
     const calibrate::FitOptions& fit = contents.options;
@@ -123,6 +159,7 @@ std::string text_of_fits(const ExportArguments& arguments) {
 
 std::string text_of_scene_fits(const ExportArguments& arguments) {
   const std::string what = what_of(arguments, {"fits", "targets", "curves"});
+  refuse_what_of_json(arguments);
   const auto contents = calibrate::read_scene_fit_store(arguments.file);
   if (arguments.to == "json")
     return calibrate::scene_fits_json(contents.records, contents.confidence);
@@ -182,13 +219,14 @@ std::string text_of(const ExportArguments& arguments) {
   return text_of_sweep(arguments);
 }
 
-int run_export(const ExportArguments& arguments) {
-  check_format(arguments.to);
+int run_export(ExportArguments arguments) {
+  if (!arguments.to.empty()) check_format(arguments.to);
   if (arguments.output != "-") {
     refuse_input("--output", arguments.output, arguments.file);
     if (!arguments.scene.empty()) refuse_input("--output", arguments.output, arguments.scene);
-    io::check_output_path(arguments.output, arguments.force);
   }
+  take_format(arguments);
+  if (arguments.output != "-") io::check_output_path(arguments.output, arguments.force);
   const std::string text = text_of(arguments);
   if (arguments.output == "-") {
     put(text);
@@ -207,9 +245,10 @@ void add_export(CLI::App& app, Action& action) {
   sub->add_option("file", arguments->file, "Result of calibrate, simulate or sweep")
       ->required()
       ->option_text("FILE.h5");
-  sub->add_option("--to", arguments->to,
-                  "Write csv (the default) or json; of a sweep also markdown or latex; the beam as "
-                  "mjcf (MuJoCo), agx, chrono or opensees")
+  sub->add_option(
+         "--to", arguments->to,
+         "Write csv or json; of a sweep also markdown or latex; the beam as mjcf (MuJoCo), "
+         "agx, chrono or opensees; default: as the output's name ends, else csv")
       ->option_text("FORMAT");
   sub->add_option("--what", arguments->what, "Write these numbers as CSV; names below")
       ->check(CLI::IsMember({"specimens", "fits", "targets", "curves", "probes", "joints",

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <filesystem>
 #include <string_view>
 
@@ -71,6 +72,16 @@ void refuse_own_files(std::string_view option, const std::string& path, const st
   refuse(io::lock_path(output), "is where the lock of the result file goes");
 }
 
+void refuse_other_format(const std::string& output) {
+  constexpr std::array<std::string_view, 10> kOthers{".csv", ".json", ".md",  ".pdf", ".png",
+                                                     ".svg", ".tex",  ".txt", ".xls", ".xlsx"};
+  const std::string ending = fs::path(output).extension().string();
+  if (std::ranges::find(kOthers, ending) == kOthers.end()) return;
+  throw InputError({}, "--output", output,
+                   "is written as HDF5: must end in .h5; plastica export and plot make other files "
+                   "of it");
+}
+
 void refuse_option(bool given, std::string_view option, std::string_view rule) {
   if (given) throw InputError({}, option, "", rule);
 }
@@ -112,6 +123,7 @@ void check_outputs(std::span<const std::string> read, const std::string& output,
     for (const std::string& input : read) refuse_input(option, path, input);
   };
   check("--output", output);
+  refuse_other_format(output);
   io::check_output_path(output, force || found);
   if (json.empty()) return;
   check("--json", json);

@@ -23,6 +23,9 @@ void refuse_input(std::string_view option, const std::string& output, const std:
 /// whatever is forced. @throws InputError
 void refuse_own_files(std::string_view option, const std::string& path, const std::string& output);
 
+/// Refuses the name of a result file that ends as another format does. @throws InputError
+void refuse_other_format(const std::string& output);
+
 /// Refuses an option that does not go with the others. @throws InputError
 /// @param given  whether the command line has the option
 void refuse_option(bool given, std::string_view option, std::string_view rule);

@@ -64,6 +64,7 @@ void check_outputs(const SweepArguments& arguments, const std::string& output,
                    const sweeps::Sweep& sweep) {
   const bool goes_on = arguments.resume || arguments.rerun_failed;
   refuse_inputs("--output", output, sweep);
+  refuse_other_format(output);
   if (!arguments.json.empty()) {
     refuse_inputs("--json", arguments.json, sweep);
     refuse_own_files("--json", arguments.json, output);

@@ -12,6 +12,7 @@
 #include "calibrate/inference/compare_laws.hpp"
 #include "calibrate/inference/fit_intervals.hpp"
 #include "calibrate/inference/identifiable_yield.hpp"
+#include "calibrate/inference/modulus_warning.hpp"
 #include "calibrate/inference/uncertainty.hpp"
 #include "calibrate/problem/given_weights.hpp"
 #include "calibrate/problem/misfit.hpp"
@@ -153,6 +154,8 @@ void add_warnings(const Target& target, FitResult& result) {
       if (!warning.empty()) result.warnings.push_back(std::move(warning));
     }
   }
+  std::string warning = modulus_warning(target, result.parameters);
+  if (!warning.empty()) result.warnings.push_back(std::move(warning));
 }
 
 /// Says so where a break limit that is fixed, tied or at a bound is not the specimen's.

@@ -1,5 +1,7 @@
 #include "calibrate/target/correct.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <string>
@@ -79,6 +81,30 @@ bool falls_at_end(const Curve& curve, std::size_t peak) {
 
 void shift(Curve& curve, double amount) {
   for (double& strain : curve.strain) strain -= amount;
+}
+
+/// Whether the specimen carries next to nothing before the elastic line meets zero stress, as in
+/// slack grips, however long: a curve that bends has taken up load until there.
+bool is_slack(const Curve& curve, const ElasticLine& line) {
+  constexpr double kNear = 0.9, kNothing = 0.05;
+  const double nothing =
+      std::max(kNothing * line.yield_stress, 4.0 * noise_of(curve.strain, curve.stress));
+  std::size_t before = 0;
+  while (before < curve.size() && curve.strain[before] < kNear * line.zero_strain) {
+    if (std::abs(curve.stress[before++]) > nothing) return false;
+  }
+  return before > 0;
+}
+
+/// Drops the samples before the origin: no law of a specimen that carries load passes there, and a
+/// fit that had to would bend its modulus towards them.
+std::size_t drop_before_origin(Curve& curve) {
+  std::size_t before = 0;
+  while (before < curve.size() && curve.strain[before] < 0.0) ++before;
+  const auto end = static_cast<std::ptrdiff_t>(before);
+  curve.strain.erase(curve.strain.begin(), curve.strain.begin() + end);
+  curve.stress.erase(curve.stress.begin(), curve.stress.begin() + end);
+  return before;
 }
 
 Correction off(const char* kind, const char* unit) { return {kind, false, 0.0, unit, "off"}; }
@@ -192,8 +218,14 @@ double shift_strain(Target& target, const ElasticLine& line, const TargetOptions
   // Zeroed at another load, the whole curve lies beside its place, from the first sample on.
   const double first_beside = curve.strain[0] - curve.stress[0] / line.modulus - zero;
   const bool is_preload = std::abs(first_beside) < 0.5 * std::abs(zero);
-  if (!why_not && !is_preload && std::abs(zero) > line.yield_stress / line.modulus) {
+  if (!why_not && !is_preload && std::abs(zero) > line.yield_stress / line.modulus &&
+      (given || !is_slack(curve, line))) {
     why_not = "the elastic line misses the origin by more than the yield strain: no foot";
+    target.warnings.push_back(
+        fmt::format("the elastic line meets zero stress at {:.3g} % strain, beyond the yield "
+                    "strain: is the strain's zero right, and is this an elastic part? Else E and "
+                    "the yield stress are wrong",
+                    100.0 * zero));
   }
   Correction& candidate = is_preload ? preload : toe;
   const Mode mode = is_preload ? options.preload.mode : options.toe.mode;
@@ -210,10 +242,14 @@ double shift_strain(Target& target, const ElasticLine& line, const TargetOptions
                        : is_preload ? "the first sample is on the elastic line: no foot"
                                     : "the first sample is not on the elastic line: a foot";
   }
+  shift(curve, total);
+  if (toe.applied && target.loading == Loading::Monotonic) {
+    const std::size_t dropped = drop_before_origin(curve);
+    if (dropped > 0) toe.text += fmt::format("; {} samples before it dropped", dropped);
+  }
   target.corrections.push_back(std::move(toe));
   target.corrections.push_back(std::move(preload));
   if (total == 0.0) return 0.0;
-  shift(curve, total);
   if (auto& broken = target.characteristics.observed_break) {
     broken->last_intact_strain -= total;
     broken->first_broken_strain -= total;

@@ -68,6 +68,9 @@ INSTANTIATE_TEST_SUITE_P(
              "--output = ./a.csv: is a file that this run reads"),
         line("OutputOverTheFitFile", {"calibrate", "fit.toml", "-o", "fit.toml", "--force"},
              "--output = fit.toml: is a file that this run reads"),
+        line("OutputOfAnotherFormat", {"calibrate", "fit.toml", "-o", "fit.csv"},
+             "--output = fit.csv: is written as HDF5: must end in .h5; plastica export and plot "
+             "make other files of it"),
         line("SummaryOverTheCurve", {"calibrate", "fit.toml", "--json", "a.csv"},
              "--json = a.csv: is a file that this run reads"),
         line("SummaryOverTheOutput", {"calibrate", "fit.toml", "-o", "x", "--json", "./x"},

@@ -90,6 +90,11 @@ TEST(BadRequest, OfAResultIsRefusedInOneLine) {
        "(see "
        "plastica export --help)"},
       {{"export", "x.h5", "--to", "latex"}, "--to latex: is for sweeps; this is a result of fits"},
+      {{"export", "x.h5", "--what", "curves", "-o", "y.json"}, "--what: goes with --to csv"},
+      {{"export", "x.h5", "--to", "csv", "-o", "y.json"},
+       "--output = y.json: must not end in .json: --to is csv"},
+      {{"export", "x.h5", "-o", "y.xml"},
+       "--output = y.xml: ends in .xml, which says no format: give --to"},
       {{"export", "x.h5", "-o", "mine.csv"},
        "mine.csv: exists already: use --force to overwrite it"},
       {{"export", "x.h5", "-o", "x.h5", "--force"},

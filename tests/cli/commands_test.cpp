@@ -219,6 +219,8 @@ TEST(Command, ExportsARowForEachSpecimenOrSample) {
 TEST(Command, ExportsTheJsonThatCalibrateWrites) {
   const Workplace place;
   fit_two(place);
+  EXPECT_EQ(output_of(place, {"export", "fit.h5", "-o", "named.json"}), "");
+  EXPECT_EQ(place.read("named.json"), output_of(place, {"export", "fit.h5", "--to", "json"}));
   EXPECT_EQ(nlohmann::json::parse(output_of(place, {"export", "fit.h5", "--to", "json"})),
             nlohmann::json::parse(place.read("fit.json")));
 }

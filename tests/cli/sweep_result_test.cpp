@@ -98,6 +98,9 @@ TEST_F(SweepResult, RefusesRequestsInOneLine) {
        "--what = film: must be one of convergence, value, trade for this file"},
       {{"plot", "x.h5", "x.h5"}, "plot = x.h5: must not be there: a sweep is drawn of one file"},
       {{"plot", "x.h5", "--joint", "1"}, "--joint: is for simulated scenes; this is a sweep"},
+      {{"sweep", "sweep.toml", "-o", "y.csv"},
+       "--output = y.csv: is written as HDF5: must end in .h5; plastica export and plot make other "
+       "files of it"},
       {{"sweep", "sweep.toml", "-o", "y.h5", "--json", "./y.h5"},
        "--json = ./y.h5: is the output, too"},
       {{"sweep", "sweep.toml", "-o", "y.h5", "--json", "cantilever.toml", "--force"},
