@@ -89,7 +89,7 @@ break_strain   = { bounds = ["0.01 %", "100 %"] }      # the permanent strain at
 scene = "bend_test.toml"          # beside this file
 files = ["bend_test.csv"]         # patterns too: "curves/*.csv"
 
-# The second support of the scene, the machine's head, follows the measured way, up and down.
+# The second support of the scene, the machine's head, follows the measured displacement, up and down.
 # In its place: `probe = "displacement"`, compared along the scene's own path; or `time = true`.
 abscissa = { drive = "support[2]", column = "Displacement", unit = "mm" }
 

@@ -30,7 +30,7 @@ std::string repairs_text(std::span<const Repair> repairs, const Ink& ink) {
   std::string text = '\n' + ink.heading("Repairs\n");
   for (const Repair& repair : repairs) {
     const std::string first =
-        fmt::format("  {:<18}{:<14}", repair.kind, counted(repair.count, "sample"));
+        fmt::format("  {:<17} {:<14}", repair.kind, counted(repair.count, "sample"));
     text += wrapped(first, printable(sentence_of(repair)), kWidth);
   }
   return text;

@@ -71,7 +71,7 @@ std::string mending(const Target& target, const Ink& ink) {
     text += '\n' + ink.heading("Corrections\n");
     for (const Correction& correction : target.corrections) {
       const std::string size = correction.applied ? size_of(correction) : "not done";
-      text += wrapped(fmt::format("  {:<18}{:<14}", correction.kind, size),
+      text += wrapped(fmt::format("  {:<17} {:<14}", correction.kind, size),
                       printable(correction.text), kWidth);
     }
   }

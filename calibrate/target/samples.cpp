@@ -20,6 +20,8 @@ void note_repair(std::vector<Repair>& repairs, std::string_view kind, std::size_
 }
 
 void report_torn_row(const io::CsvTable& table, std::vector<Repair>& repairs) {
+  note_repair(repairs, "comment-rows", table.commented_rows(),
+              "rows that begin with # are taken for comments");
   if (!table.torn_last_row()) return;
   repairs.push_back({"torn-last-row", 1, "the last row was cut off and is dropped"});
 }
@@ -79,6 +81,37 @@ void drop_outliers(const Samples& samples) {
     return a * b <= 0.0 || least <= threshold || std::abs(a - b) >= 0.25 * least;
   });
   note_repair(samples.repairs, "outliers", dropped, "lone samples far off both neighbours dropped");
+}
+
+void average_reversals(const Samples& samples, std::string_view name) {
+  struct Pool {
+    double abscissa, ordinate;  ///< sums
+    std::size_t count, first;
+    double mean() const { return abscissa / static_cast<double>(count); }
+  };
+  std::vector<Pool> pools;
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    Pool pool{samples.abscissa[i], samples.ordinate[i], 1, i};
+    for (; !pools.empty() && pool.mean() < pools.back().mean(); pools.pop_back()) {
+      const Pool& before = pools.back();
+      pool = {before.abscissa + pool.abscissa, before.ordinate + pool.ordinate,
+              before.count + pool.count, before.first};
+    }
+    pools.push_back(pool);
+  }
+  std::size_t averaged = 0;
+  for (std::size_t k = 0; k < pools.size(); ++k) {
+    const Pool& pool = pools[k];
+    samples.abscissa[k] = pool.mean();
+    samples.ordinate[k] = pool.ordinate / static_cast<double>(pool.count);
+    if (samples.rows != nullptr) (*samples.rows)[k] = (*samples.rows)[pool.first];
+    if (pool.count > 1) averaged += pool.count;
+  }
+  samples.abscissa.resize(pools.size());
+  samples.ordinate.resize(pools.size());
+  if (samples.rows != nullptr) samples.rows->resize(pools.size());
+  note_repair(samples.repairs, std::string(name) + "-reversals", averaged,
+              "samples averaged where the " + std::string(name) + " ran backwards");
 }
 
 void drop_reversals(const Samples& samples, double tolerance, std::string_view name) {

@@ -78,6 +78,12 @@ void drop_outliers(const Samples& samples);
 /// @param name  of the abscissa
 void drop_reversals(const Samples& samples, double tolerance, std::string_view name);
 
+/// Averages samples at which the abscissa runs back with those before them, until it never falls:
+/// the closest rising abscissa by least squares (pool adjacent violators: Ayer et al., Ann. Math.
+/// Stat. 26, 1955, 641). To drop those that fall would keep the samples whose noise is positive,
+/// and shift the curve by it. "NAME-reversals".
+void average_reversals(const Samples& samples, std::string_view name);
+
 /// Median of each value and its neighbours; the first and last value as they are.
 std::vector<double> medians_of_three(std::span<const double> values);
 

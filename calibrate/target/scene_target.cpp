@@ -8,6 +8,7 @@
 #include <span>
 #include <utility>
 
+#include "calibrate/target/characteristics.hpp"
 #include "calibrate/target/named_column.hpp"
 #include "calibrate/target/samples.hpp"
 #include "calibrate/target/scene_break.hpp"
@@ -32,9 +33,42 @@ bool goes_one_way(std::vector<double> values, double tolerance) {
   return first_back(values, tolerance) == values.size();
 }
 
-double range_of(std::span<const double> values) {
-  const auto [low, high] = std::ranges::minmax_element(values);
+/// The range of the abscissa up to the last sample that carries load: what the sensor does after a
+/// break is no part of it.
+double loaded_range(const SceneTarget& target) {
+  const double least = kBeamZero * largest_magnitude(target.ordinate);
+  std::size_t loaded = target.ordinate.size();
+  while (loaded > 1 && std::abs(target.ordinate[loaded - 1]) <= least) --loaded;
+  const auto [low, high] = std::ranges::minmax_element(std::span(target.abscissa).first(loaded));
   return *high - *low;
+}
+
+/// Refuses rows without an ordinate where the path that a scene follows has a corner: left out,
+/// they would change the path.
+void refuse_lost_corner(const io::CsvTable& table, std::size_t column, const SceneTarget& target) {
+  const std::vector<double>& x = target.abscissa;
+  const auto is_whole = [&](std::size_t i) {
+    return std::isfinite(x[i]) && std::isfinite(target.ordinate[i]);
+  };
+  double before = 0.0;  // where the scene begins
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    if (is_whole(i)) {
+      before = x[i];
+      continue;
+    }
+    std::size_t next = i;
+    while (next < x.size() && !is_whole(next)) ++next;
+    if (next == x.size()) return;  // the path ends before
+    const auto [low, high] = std::minmax(before, x[next]);
+    for (; i < next; ++i) {
+      if (!std::isfinite(x[i]) || (x[i] >= low && x[i] <= high)) continue;
+      throw InputError({table.file(), table.line_of_row(i)}, table.label(column),
+                       table.cell(i, column),
+                       "has no ordinate where the path turns: a scene that follows this column "
+                       "would not go there");
+    }
+    before = x[next];
+  }
 }
 
 }  // namespace
@@ -59,13 +93,14 @@ SceneTarget read_scene_target(const SceneTargetSource& source, const Scene& scen
   std::iota(rows.begin(), rows.end(), std::size_t{0});
   const Samples samples{target.abscissa, target.ordinate, target.repairs, &rows};
   report_torn_row(table, target.repairs);
+  if (is_driven(target.kind)) refuse_lost_corner(table, x.index, target);
   drop_missing(samples);
   drop_duplicates(samples);
   if (samples.size() == 0) {
     throw InputError({table.file(), 0}, table.label(y.index), "", kNoSamples);
   }
   const double tolerance =
-      source.reversal_tolerance.value_or(kReversalFraction * range_of(target.abscissa));
+      source.reversal_tolerance.value_or(kReversalFraction * loaded_range(target));
   if (target.kind != Abscissa::Time && goes_one_way(target.abscissa, tolerance)) {
     drop_outliers(samples);
   }
@@ -73,12 +108,17 @@ SceneTarget read_scene_target(const SceneTargetSource& source, const Scene& scen
   if (is_driven(target.kind)) return target;
   const std::size_t back = first_back(target.abscissa, tolerance);
   if (back < samples.size()) {
+    if (target.kind != Abscissa::Time && goes_one_way(target.abscissa, tolerance)) {
+      throw InputError({table.file(), table.line_of_row(rows[back])}, table.label(x.index),
+                       table.cell(rows[back], x.index),
+                       "falls all the way, and must rise: turn its sign, and set its factor to -1");
+    }
     throw InputError({table.file(), table.line_of_row(rows[back])}, table.label(x.index),
                      table.cell(rows[back], x.index),
                      "goes back by more than reversal_tolerance: a beam's curve is followed one "
                      "way; a scene that this column drives follows it to and fro");
   }
-  drop_reversals(samples, 0.0, "abscissa");
+  average_reversals(samples, "abscissa");
   return target;
 }
 

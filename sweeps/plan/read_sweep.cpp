@@ -100,6 +100,9 @@ Sweep read_document(const TomlDocument& document) {
     for (const calibrate::Repair& repair : sweep.fit->target.repairs) {
       sweep.notes.push_back(sweep.fit->file + ": " + repair.text);
     }
+    for (const std::string& warning : sweep.fit->target.warnings) {
+      sweep.notes.push_back(sweep.fit->file + ": " + warning);
+    }
   }
   return sweep;
 }

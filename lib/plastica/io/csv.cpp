@@ -87,13 +87,25 @@ CsvTable CsvTable::parse(std::string_view text, std::string name, const CsvOptio
 
   const bool ends_in_newline = all.ends_with('\n') || all.ends_with('\r');
   std::vector<bool> filled(width, false);
+  const auto is_comment = [&](std::size_t i) {
+    return csv_text::without_blanks(lines[i].text).starts_with('#');
+  };
+  std::size_t last_line = lines.size();
+  while (last_line > layout.first_data + 1 && is_comment(last_line - 1)) --last_line;
   table.cells_.reserve((lines.size() - layout.first_data) * width);
   for (std::size_t i = layout.first_data; i < lines.size(); ++i) {
     const bool closed = csv_text::split(lines[i].text, separator, cells);
     // "# paused" amid numbers; a column of words may hold such a one.
     const bool of_words = cells.size() == width && !layout.dialect.numeric.front();
-    if (csv_text::without_blanks(lines[i].text).starts_with('#') && !of_words) continue;
-    const bool last = i + 1 == lines.size();
+    if (is_comment(i) && !of_words) {
+      table.commented_rows_ +=
+          cells.size() == width && width > 1 &&
+                  csv_text::read_number(cells.back(), table.decimal_).kind == CellKind::Number
+              ? 1
+              : 0;
+      continue;
+    }
+    const bool last = i + 1 == last_line;
     while (cells.size() > width && cells.back().empty()) cells.pop_back();
     bool torn = last && (!closed || cells.size() < width);
     if (last && !torn && !ends_in_newline && cells.size() == width) {

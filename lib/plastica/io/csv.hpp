@@ -38,6 +38,9 @@ class CsvTable {
   char separator() const { return separator_; }
   char decimal() const { return decimal_; }
   bool torn_last_row() const { return torn_last_row_; }
+  /// Lines amid the data that begin with `#`, and hold as many cells as a row, the last a number:
+  /// taken for comments, they may be rows.
+  std::size_t commented_rows() const { return commented_rows_; }
   /// Lines before the header that are not column names (metadata).
   const std::vector<std::string>& preamble() const { return preamble_; }
   /// Column names without quotes, blanks and unit; empty strings where the file has no header.
@@ -82,6 +85,7 @@ class CsvTable {
   char separator_ = ',';
   char decimal_ = '.';
   bool torn_last_row_ = false;
+  std::size_t commented_rows_ = 0;
   std::vector<std::string> preamble_;
   std::vector<std::string> names_;
   std::vector<std::string> units_;

@@ -96,7 +96,8 @@ TEST_F(SceneFitFileTest, ReadsCurvesAsItSays) {
             "abscissa = { probe = \"way\", column = 1, unit = \"mm\" }\n"
             "ordinate = { probe = \"force\", column = \"Kraft\", unit = \"N\" }\n");
   const SceneTarget& target = file.cases.at(0).targets.at(0).target;
-  EXPECT_EQ(target.abscissa, (std::vector<double>{0.0, 1.5e-3, 2.5e-3}));
+  ASSERT_EQ(target.abscissa.size(), 3U);
+  EXPECT_DOUBLE_EQ(target.abscissa[1], 1.45e-3);
   ASSERT_EQ(target.repairs.size(), 1U);
   EXPECT_EQ(target.repairs[0].kind, "abscissa-reversals");
 }

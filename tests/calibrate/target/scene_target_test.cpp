@@ -1,9 +1,11 @@
 #include "calibrate/target/scene_target.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <numeric>
+#include <random>
 #include <string>
 #include <vector>
 
@@ -199,15 +201,84 @@ TEST_F(SceneTargetFile, LosesLoneOutliersIfItGoesOneWay) {
             12U);
 }
 
-TEST_F(SceneTargetFile, DropsWhatRunsBackWithinTheNoiseOfItsAbscissa) {
+TEST_F(SceneTargetFile, AveragesWhatRunsBackWithinTheNoiseOfItsAbscissa) {
   // A thousandth of 10 mm.
   const std::string text = "Way (mm),Force (N)\n0,0\n5,500\n4.995,510\n4.9999,505\n10,600\n";
   const SceneTarget target = read(text);
-  EXPECT_EQ(target.abscissa, (std::vector<double>{0.0, 5e-3, 10e-3}));
+  ASSERT_EQ(target.abscissa.size(), 4U);
+  EXPECT_DOUBLE_EQ(target.abscissa[1], 4.9975e-3);
+  EXPECT_DOUBLE_EQ(target.ordinate[1], 505.0);
+  EXPECT_DOUBLE_EQ(target.abscissa[2], 4.9999e-3);
   EXPECT_EQ(repairs_of(target.repairs),
             (std::vector<std::string>{
-                "abscissa-reversals: 2 samples dropped where the abscissa ran backwards"}));
+                "abscissa-reversals: 2 samples averaged where the abscissa ran backwards"}));
   EXPECT_EQ(read_driven(text).ordinate.size(), 5U) << "a scene that follows it goes back, too";
+}
+
+TEST_F(SceneTargetFile, IsNotShiftedByTheNoiseOfItsAbscissa) {
+  // 2000 samples of a straight line, the noise of whose abscissa is four times their spacing.
+  constexpr double kSpacing = 0.025, kNoise = 0.1;  // mm
+  std::mt19937_64 random(5);
+  std::normal_distribution<double> normal(0.0, kNoise);
+  std::string text = "Way (mm),Force (N)\n";
+  for (int i = 0; i < 2000; ++i) {
+    const double x = kSpacing * i;
+    text += fmt::format("{:.6f},{:.6f}\n", x + normal(random), 100.0 + x);
+  }
+  SceneTargetSource from = source(text);
+  from.reversal_tolerance = 1e-3;
+  SceneTarget probes;
+  probes.abscissa_probe = "displacement";
+  probes.ordinate_probe = "force";
+  const SceneTarget target = read_scene_target(from, bend_test(4).scene, probes);
+  EXPECT_TRUE(std::ranges::is_sorted(target.abscissa));
+  ASSERT_GT(target.abscissa.size(), 200U);
+  double shift = 0.0;
+  for (std::size_t i = 0; i < target.abscissa.size(); ++i) {
+    shift += 1e3 * target.abscissa[i] - (target.ordinate[i] - 100.0);
+  }
+  EXPECT_NEAR(shift / static_cast<double>(target.abscissa.size()), 0.0, 0.15 * kNoise);
+}
+
+TEST_F(SceneTargetFile, ThatAScenesPathFollowsMayNotLoseACorner) {
+  const auto turned = [&](const std::string& rows) {
+    return message_of([&] { read_driven("Way (mm),Force (N)\n" + rows); });
+  };
+  const std::string rule =
+      "has no ordinate where the path turns: a scene that follows this column would not go there";
+  EXPECT_EQ(turned("0,0\n10,500\n20,NaN\n10,300\n"), file("4: Way = 20: " + rule));
+  EXPECT_EQ(turned("0,0\n10,500\n20,NaN\n25,NaN\n22,300\n"), file("5: Way = 25: " + rule));
+  EXPECT_EQ(turned("-5,NaN\n1,0\n10,500\n"), file("2: Way = -5: " + rule));
+  for (const std::string rows : {"0,0\n10,500\n20,NaN\n30,300\n", "0,0\n10,500\n20,NaN\n",
+                                 "0,NaN\n1,0\n10,500\n", "0,0\n10,500\nNaN,7\n30,300\n"}) {
+    EXPECT_EQ(read_driven("Way (mm),Force (N)\n" + rows).repairs.front().kind, "nan-rows") << rows;
+  }
+}
+
+TEST_F(SceneTargetFile, MayRunBackByAPartOfItsRangeUnderLoad) {
+  // A sensor that falls off at the break.
+  EXPECT_EQ(refusal("Way (mm),Force (N)\n0,0\n5,500\n4,450\n10,600\n5000,0\n"),
+            refusal("Way (mm),Force (N)\n0,0\n5,500\n4,450\n10,600\n11,0\n"));
+  EXPECT_NE(refusal("Way (mm),Force (N)\n0,0\n5,500\n4,450\n10,600\n5000,0\n"), "");
+}
+
+TEST_F(SceneTargetFile, ThatFallsAllTheWayIsToBeTurned) {
+  EXPECT_EQ(refusal("Way (mm),Force (N)\n0,0\n-1,500\n-2,600\n"),
+            file("3: Way = -1: falls all the way, and must rise: turn its sign, and set its factor "
+                 "to -1"));
+}
+
+TEST_F(SceneTargetFile, SaysWhichCommentsMayBeRows) {
+  const auto repairs = [&](const std::string& rows) {
+    return repairs_of(read("Way (mm),Force (N)\n" + rows).repairs);
+  };
+  EXPECT_EQ(repairs("0,0\n# paused, at noon\n1,500\n2,600\n"), std::vector<std::string>());
+  EXPECT_EQ(
+      repairs("0,0\n#1,500\n2,600\n# 3,700\n4,800\n"),
+      (std::vector<std::string>{"comment-rows: 2 rows that begin with # are taken for comments"}));
+  // A comment at the end does not hide that the row before it was cut off.
+  EXPECT_EQ(repairs("0,0\n1,500\n2\n# end\n"),
+            (std::vector<std::string>{"torn-last-row: the last row was cut off and is dropped"}));
 }
 
 TEST_F(SceneTargetFile, GoesBackAsFarAsTheUserSays) {
