@@ -1,5 +1,7 @@
 #pragma once
 
+#include <fmt/format.h>
+
 #include <cstdint>
 #include <span>
 #include <string>
@@ -88,8 +90,9 @@ class TableReader {
     items.fits = root_.read<std::uint64_t>(path + "/" + owner);
     std::vector<std::size_t> next(records.size(), 0);
     for (const std::uint64_t fit : items.fits) {
-      if (fit >= records.size())
-        refuse(path + "/" + owner, "names a " + owner + " that is not in the file");
+      if (fit >= records.size()) {
+        refuse(path + "/" + owner, fmt::format("names a {} that is not in the file", owner));
+      }
       member(*records[fit]).emplace_back();
     }
     // Only now that no list grows any more.
