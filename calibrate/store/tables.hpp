@@ -91,7 +91,8 @@ class TableReader {
     std::vector<std::size_t> next(records.size(), 0);
     for (const std::uint64_t fit : items.fits) {
       if (fit >= records.size()) {
-        refuse(path + "/" + owner, fmt::format("names a {} that is not in the file", owner));
+        refuse(fmt::format("{}/{}", path, owner),
+               fmt::format("names a {} that is not in the file", owner));
       }
       member(*records[fit]).emplace_back();
     }
