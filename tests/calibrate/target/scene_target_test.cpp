@@ -1,6 +1,5 @@
 #include "calibrate/target/scene_target.hpp"
 
-#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -223,7 +222,7 @@ TEST_F(SceneTargetFile, IsNotShiftedByTheNoiseOfItsAbscissa) {
   std::string text = "Way (mm),Force (N)\n";
   for (int i = 0; i < 2000; ++i) {
     const double x = kSpacing * i;
-    text += fmt::format("{:.6f},{:.6f}\n", x + normal(random), 100.0 + x);
+    text += std::to_string(x + normal(random)) + ',' + std::to_string(100.0 + x) + '\n';
   }
   SceneTargetSource from = source(text);
   from.reversal_tolerance = 1e-3;
