@@ -18,8 +18,7 @@ std::string modulus_warning(const Target& target, std::span<const FittedParamete
   if (apart <= std::max(kClose * *c.youngs_modulus, kErrors * error)) return {};
   return fmt::format(
       "youngs_modulus = {:.4g} GPa is not the slope of the curve's elastic part, {:.4g} GPa: the "
-      "law "
-      "does not follow that part, or samples before it are not elastic",
+      "law does not follow that part, or samples before it are not elastic",
       p->value / 1e9, *c.youngs_modulus / 1e9);
 }
 

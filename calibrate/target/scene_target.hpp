@@ -70,7 +70,7 @@ struct SceneTargetSource {
   /// At the break, see scene_break.hpp; amount: the abscissa [SI] beyond which the beam is broken.
   CorrectionChoice trim{};
   /// How far the abscissa may run back, as noise of its measurement [SI], >= 0; empty: by
-  /// `kReversalFraction` of its range.
+  /// `kReversalFraction` of its range under load. Not for one that the scene follows.
   std::optional<double> reversal_tolerance{};
 };
 
@@ -82,10 +82,11 @@ inline constexpr double kReversalFraction = 1e-3;
 /// samples are dropped, and lone outliers unless over time or where the abscissa turns round. An
 /// ordinate that falls to zero and stays there says that the beam broke (scene_break.hpp). Last,
 /// unless the scene follows the abscissa, samples at which it runs back within the tolerance are
-/// dropped: "abscissa-reversals".
+/// averaged: "abscissa-reversals".
 /// @param probes  its names of probes, factors and noise are kept
 /// @throws InputError for a file, column or unit that is missing or does not fit, a cell of words,
-///         an abscissa that goes back further, a probe that the scene does not have
+///         an abscissa that goes back further, a row without an ordinate where a path that the
+///         scene follows turns, a probe that the scene does not have
 SceneTarget read_scene_target(const SceneTargetSource& source, const Scene& scene,
                               SceneTarget probes);
 

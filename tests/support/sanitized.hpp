@@ -2,7 +2,7 @@
 
 namespace plastica::testing {
 
-/// Whether AddressSanitizer watches. It makes tests fifty times slower and looks for other faults
+/// Whether AddressSanitizer watches. It makes tests tens of times slower and looks for other faults
 /// than wrong numbers: what is only one more number of the same code is left out then.
 #if defined(__has_feature)
 #if __has_feature(address_sanitizer)
