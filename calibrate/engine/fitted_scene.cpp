@@ -26,6 +26,13 @@ std::string shown(std::string_view name, Dimension dimension, double value, doub
                           unit.name);
 }
 
+/// Whether all targets of a fit have the same law, as where laws are compared.
+bool has_one_law(const SceneFitRecord& record) {
+  return std::ranges::all_of(record.result.targets, [&](const TargetFit& of_target) {
+    return of_target.law == record.result.law;
+  });
+}
+
 /// What a fit gave to a parameter that it did not search; none if tied to one that it cannot tell.
 std::optional<double> held_value(const Parameter& held, const SceneFitRecord& record,
                                  std::span<const Parameter> parameters) {
@@ -91,8 +98,13 @@ FittedSetup fitted_setup(const Setup& setup, const SceneFitRecord& record,
   if (record.result.status != FitStatus::Fitted) {
     throw InputError({}, "--case", record.name, "has no fit: " + record.result.reason);
   }
-  // The numbers of a law hold with that law.
-  FittedSetup fitted{setup_of(record.result.law, setup), {"fitted to " + record.name}};
+  FittedSetup fitted{setup, {"fitted to " + record.name}};
+  if (has_one_law(record)) {
+    // The numbers of a law hold with that law.
+    fitted.setup = setup_of(record.result.law, setup);
+  } else {
+    fitted.notes.emplace_back("the fit's targets have several laws: the scene keeps its own");
+  }
   for (const FittedParameter& parameter : record.result.parameters) {
     if (parameter.verdict() == Verdict::NotIdentified) {
       fitted.notes.push_back(

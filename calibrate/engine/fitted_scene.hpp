@@ -36,7 +36,7 @@ struct FittedSetup {
 };
 
 /// The same for a fit through scenes, whose parameters may be any fields. The record knows the free
-/// ones alone.
+/// ones alone. Where the fit's targets have several laws the setup keeps its own.
 /// @param parameters  of the fit, for the fixed and tied ones among them; empty: what the fit held
 ///                    is the setup's
 /// @throws InputError if there is no fit, or a value does not suit the setup

@@ -169,6 +169,7 @@ class SceneFit {
     const SceneTarget& target = targets_[index].target;
     TargetFit of_target;
     of_target.name = target.name;
+    of_target.law = law_of(targets_[index].setup.scene.material.hardening, options_.parameters);
     of_target.level = problem_.model(index).level();
     of_target.samples = target.ordinate.size();
     of_target.cost = search_.cost_of(index);

@@ -53,7 +53,7 @@ void write_scene_fits_csv(std::ostream& out, std::span<const SceneFitRecord> rec
 void write_scene_targets_csv(std::ostream& out, std::span<const SceneFitRecord> records) {
   put_row(out,
           {"fit", "target", "abscissa", "abscissa_unit", "ordinate", "ordinate_unit", "samples",
-           "weight", "broke_at", "broke_half_interval", "level", "noise", "noise_is",
+           "weight", "broke_at", "broke_half_interval", "law", "level", "noise", "noise_is",
            "degrees_of_freedom [1]", "misfit_fraction [1]", "runs_test_p [1]", "break_strain [1]"});
   const bool compared = compares_laws(records);
   for (const SceneFitRecord& record : records) {
@@ -73,12 +73,12 @@ void write_scene_targets_csv(std::ostream& out, std::span<const SceneFitRecord> 
       if (there) {
         const TargetFit& of_target = record.result.targets[i];
         row.insert(row.end(),
-                   {std::string(word_of(of_target.level)), cell_of(of_target.noise),
-                    target.noise ? "given" : "estimated", cell_of(of_target.degrees_of_freedom),
-                    cell_of(of_target.misfit_fraction), cell_of(of_target.runs_test_p),
-                    cell_of(of_target.break_strain)});
+                   {std::string(name_of(of_target.law)), std::string(word_of(of_target.level)),
+                    cell_of(of_target.noise), target.noise ? "given" : "estimated",
+                    cell_of(of_target.degrees_of_freedom), cell_of(of_target.misfit_fraction),
+                    cell_of(of_target.runs_test_p), cell_of(of_target.break_strain)});
       } else {
-        row.insert(row.end(), 7, std::string());
+        row.insert(row.end(), 8, std::string());
       }
       put_row(out, row);
     }

@@ -39,6 +39,7 @@ inline constexpr auto kDescribeSegments = [](auto& d) {
 
 /// Of a TargetFit, but for its curve.
 inline constexpr auto kDescribeTargetFit = [](auto& d) {
+  d.since(7, [](auto& later) { later("law", "", PLASTICA_MEMBER(law), "that its scene has"); });
   d("level", "", PLASTICA_MEMBER(level), "of the model");
   d("samples", "1", PLASTICA_MEMBER(samples), "that entered the fit");
   d("cost", "", PLASTICA_MEMBER(cost), "sum of the squared residuals");

@@ -17,6 +17,7 @@ namespace plastica::calibrate {
 /// What a fit made of one target.
 struct TargetFit {
   std::string name;
+  Law law = Law::Ideal;  ///< its scene hardens by; one for all where laws are compared
   Level level = Level::Auto;
   std::size_t samples = 0;
   double cost = 0.0;  ///< sum of the squared residuals [SI^2]

@@ -83,6 +83,7 @@ class Reader {
       if (!rows[p].made) continue;
       TargetFit& made = record.result.targets.emplace_back(std::move(*rows[p].made));
       made.name = targets.rows[p]->name;
+      if (tables_.version() < 7) made.law = record.result.law;
       if (!rows[p].has_curve) continue;
       made.fitted = numbers(fitted.row(p));
       made.fitted_error = numbers(error.row(p));

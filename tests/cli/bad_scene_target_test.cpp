@@ -24,7 +24,7 @@ kind = "reaction"
 at = "end"
 component = "y"
 [[probe]]
-name = "way"
+name = "tip"
 kind = "displacement"
 at = "end"
 component = "y"
@@ -32,13 +32,13 @@ component = "y"
 
 // A line number in an error line is one of this text.
 constexpr const char* kFit =
-    "[fit]\n"                                                           // 1
-    "parameters.youngs_modulus = { bounds = ['50 GPa', '500 GPa'] }\n"  // 2
-    "[[target]]\n"                                                      // 3
-    "files = 'a.csv'\n"                                                 // 4
-    "scene = 'bar.toml'\n"                                              // 5
-    "abscissa = { probe = 'way', column = 'Way', factor = -1 }\n"       // 6
-    "ordinate = { probe = 'force', column = 'Force', factor = -1 }\n";  // 7
+    "[fit]\n"                                                               // 1
+    "parameters.youngs_modulus = { bounds = ['50 GPa', '500 GPa'] }\n"      // 2
+    "[[target]]\n"                                                          // 3
+    "files = 'a.csv'\n"                                                     // 4
+    "scene = 'bar.toml'\n"                                                  // 5
+    "abscissa = { probe = 'tip', column = 'Displacement', factor = -1 }\n"  // 6
+    "ordinate = { probe = 'force', column = 'Force', factor = -1 }\n";      // 7
 
 BadInput refused(std::string name, std::string curve, std::string line,
                  const std::string& fit = kFit) {
@@ -51,7 +51,7 @@ BadInput refused(std::string name, std::string curve, std::string line,
 /// A good curve and the fit file with one thing changed.
 BadInput fit_change(std::string name, const std::string& from, const std::string& to,
                     std::string line) {
-  return refused(std::move(name), "Way (mm),Force (N)\n0,0\n1,130\n2,260\n",
+  return refused(std::move(name), "Displacement (mm),Force (N)\n0,0\n1,130\n2,260\n",
                  "fit.toml:" + std::move(line), changed(kFit, from, to));
 }
 
@@ -62,37 +62,40 @@ TEST_P(BadSceneTarget, IsRefusedInOneLine) { expect_refusal(GetParam()); }
 INSTANTIATE_TEST_SUITE_P(
     Curve, BadSceneTarget,
     ::testing::Values(
-        refused("MissingColumn", "Way (mm),Load (N)\n0,0\n1,130\n",
-                "fit.toml:7: ordinate = Force: is not a column of a.csv, which has 2 columns: Way, "
+        refused("MissingColumn", "Displacement (mm),Load (N)\n0,0\n1,130\n",
+                "fit.toml:7: ordinate = Force: is not a column of a.csv, which has 2 columns: "
+                "Displacement, "
                 "Load"),
-        refused("MissingUnit", "Way (mm),Force\n0,0\n1,130\n",
+        refused("MissingUnit", "Displacement (mm),Force\n0,0\n1,130\n",
                 "fit.toml:7: ordinate = Force: needs a unit, as a.csv gives none"),
-        refused("UnitThatDoesNotFit", "Way (mm),Force (MPa)\n0,0\n1,130\n",
+        refused("UnitThatDoesNotFit", "Displacement (mm),Force (MPa)\n0,0\n1,130\n",
                 "a.csv: unit of Force = MPa: is not a unit of force (examples: N, kN, lbf)"),
-        refused("Word", "Way (mm),Force (N)\n0,0\n1,130\n2,much\n3,390\n",
+        refused("Word", "Displacement (mm),Force (N)\n0,0\n1,130\n2,much\n3,390\n",
                 "a.csv:4: Force = much: is not a number"),
-        refused("NoNumbers", "Way (mm),Force (N)\n0,NaN\n1,NaN\n",
+        refused("NoNumbers", "Displacement (mm),Force (N)\n0,NaN\n1,NaN\n",
                 "a.csv: Force: no row has both numbers"),
-        refused("TurnsRound", "Way (mm),Force (N)\n0,0\n1,NaN\n2,260\n1,130\n",
-                "a.csv:5: Way = 1: goes back by more than reversal_tolerance: a beam's curve is "
+        refused("TurnsRound", "Displacement (mm),Force (N)\n0,0\n1,NaN\n2,260\n1,130\n",
+                "a.csv:5: Displacement = 1: goes back by more than reversal_tolerance: a beam's "
+                "curve is "
                 "followed one way; a scene that this column drives follows it to and fro")),
     name_of_case);
 
 INSTANTIATE_TEST_SUITE_P(
     Fit, BadSceneTarget,
     ::testing::Values(
-        fit_change("ColumnNumber", "'Force'", "3",
-                   "7: ordinate = 3: is not a column of a.csv, which has 2 columns: Way, Force"),
+        fit_change(
+            "ColumnNumber", "'Force'", "3",
+            "7: ordinate = 3: is not a column of a.csv, which has 2 columns: Displacement, Force"),
         fit_change("Unit", "column = 'Force'", "column = 'Force', unit = 'mm'",
                    "7: target[1].ordinate.unit = mm: is not a unit of force (examples: N, kN, "
                    "lbf)"),
         fit_change("ToleranceWithoutUnit", "scene =", "reversal_tolerance = 1\nscene =",
                    "5: target[1].reversal_tolerance = 1: a length needs a unit (examples: m, mm, "
                    "in)"),
-        refused("ToleranceOfADrivenAbscissa", "Way (mm),Force (N)\n0,0\n1,130\n2,260\n",
+        refused("ToleranceOfADrivenAbscissa", "Displacement (mm),Force (N)\n0,0\n1,130\n2,260\n",
                 "fit.toml:5: target[1].reversal_tolerance = 0.1 mm: is for an abscissa of a probe: "
                 "a scene follows a driven one to and fro",
-                changed(changed(kFit, "probe = 'way'", "drive = 'support[2]'"),
+                changed(changed(kFit, "probe = 'tip'", "drive = 'support[2]'"),
                         "scene =", "reversal_tolerance = '0.1 mm'\nscene =")),
         fit_change("NegativeTolerance", "scene =", "reversal_tolerance = '-1 mm'\nscene =",
                    "5: target[1].reversal_tolerance = -1 mm: must be at least 0")),

@@ -25,7 +25,7 @@ kind = "clamp"
 at = "end"
 force = ["0 N", "-100 N", "0 N"]
 [[probe]]
-name = "way"
+name = "tip"
 kind = "displacement"
 at = "end"
 )";
@@ -43,7 +43,7 @@ constexpr const char* kTarget = R"([[target]]
 files = "a.csv"
 scene = "bar.toml"
 abscissa = { drive = "load[1]", column = "Force" }
-ordinate = { probe = "way", column = "Way", factor = -1 }
+ordinate = { probe = "tip", column = "Displacement", factor = -1 }
 beam = { segments = 8 }
 )";
 
@@ -53,7 +53,7 @@ class ExportSceneFit : public ::testing::Test {
   void fit(const std::string& text) const {
     place_.write("bar.toml", kBar);
     place_.write("long.toml", changed(kBar, "segments = 6", "segments = 4"));
-    place_.write("a.csv", "Force (N),Way (mm)\n100,0.76\n200,1.53\n300,2.29\n");
+    place_.write("a.csv", "Force (N),Displacement (mm)\n100,0.76\n200,1.53\n300,2.29\n");
     place_.write("fit.toml", text);
     const CommandResult result = place_.run({"calibrate", "fit.toml", "--quiet", "--force"});
     ASSERT_EQ(result.code, 0) << result.err;
@@ -134,6 +134,23 @@ TEST_F(ExportSceneFit, TakesOneOfSeveralScenesByItsName) {
   EXPECT_EQ(beam({"--what", "beam", "--scene", "long.toml"}).out, one.out);
   const CommandResult file = beam({"--what", "beam", "--scene", "./long.toml"});
   EXPECT_EQ(parse_csv(file.out).joints.size(), 6U);
+}
+
+// The numbers of a fit hold with the law that each target's scene had, not with the first one's.
+TEST_F(ExportSceneFit, ASceneKeepsTheLawThatItWasFittedWith) {
+  place_.write("hard.toml", changed(kBar, "segments = 6", "segments = 4") +
+                                "[material.hardening]\nlaw = \"linear\"\n"
+                                "tangent_modulus = \"2 GPa\"\n");
+  fit(std::string(kFit) + kTarget +
+      changed(changed(kTarget, "bar.toml", "hard.toml"), "beam = { segments = 8 }\n", ""));
+  EXPECT_EQ(beam({"--what", "beam", "--scene", "bar.toml"}).out.find("hardened stiffness"),
+            std::string::npos);
+  const std::string hard = beam({"--what", "beam", "--scene", "hard.toml"}).out;
+  EXPECT_NE(hard.find("hardened stiffness x"), std::string::npos) << hard;
+  EXPECT_NE(hard.find("the fit's targets have several laws"), std::string::npos);
+  const std::string targets = beam({"--what", "targets"}).out;
+  EXPECT_NE(targets.find(",ideal,planar,"), std::string::npos) << targets;
+  EXPECT_NE(targets.find(",linear,planar,"), std::string::npos) << targets;
 }
 
 TEST_F(ExportSceneFit, CannotChooseBetweenScenesOfOneName) {

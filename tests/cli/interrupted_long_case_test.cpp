@@ -129,7 +129,7 @@ TEST_F(InterruptedLongCase, OfASweepIsRunByResume) {
 
 TEST_F(InterruptedLongCase, OfAFitThroughAScene) {
   place_.write("bar.toml", beam(300, "steps = 1000\n[rules]\nyield_model = 'fibre'"));
-  std::string curve = "Way (mm),Force (N)\n";
+  std::string curve = "Displacement (mm),Force (N)\n";
   for (int i = 1; i <= 400; ++i) {
     curve += fmt::format("{},{}\n", 0.25 * i, 600.0 * std::tanh(i / 200.0));
   }
@@ -147,7 +147,7 @@ yield_stress = { bounds = ["20 MPa", "20 GPa"] }
 [[target]]
 files = "curve.csv"
 scene = "bar.toml"
-abscissa = { drive = "support[2]", column = "Way" }
+abscissa = { drive = "support[2]", column = "Displacement" }
 ordinate = { probe = "force", column = "Force", factor = -1 }
 )");
   const CommandResult result =

@@ -44,7 +44,7 @@ youngs_modulus = { bounds = ["50 GPa", "500 GPa"] }
 [[target]]
 files = "*.csv"
 scene = "bar.toml"
-abscissa = { drive = "support[2]", column = "Way" }
+abscissa = { drive = "support[2]", column = "Displacement" }
 ordinate = { probe = "force", column = "Force", factor = -1 }
 )";
 
@@ -52,8 +52,8 @@ ordinate = { probe = "force", column = "Force", factor = -1 }
 void write_bars(const Workplace& place) {
   place.write("bar.toml", kFittedScene);
   place.write("fit.toml", kSceneFit);
-  place.write("a.csv", "Way (mm),Force (N)\n1,130\n2,263\n1,131\n-1,-131\n");
-  place.write("b.csv", "Way (mm),Force (N)\n1,144\n2,289\n1,144\n-1,-144\n");
+  place.write("a.csv", "Displacement (mm),Force (N)\n1,130\n2,263\n1,131\n-1,-131\n");
+  place.write("b.csv", "Displacement (mm),Force (N)\n1,144\n2,289\n1,144\n-1,-144\n");
 }
 
 TEST(SceneFitCommand, FindsTheIntervalsThatAreAskedFor) {
@@ -79,7 +79,8 @@ TEST(SceneFitCommand, FindsTheIntervalsThatAreAskedFor) {
 TEST(SceneFitCommand, SaysWhatItMendedInTheCurves) {
   const Workplace place;
   write_bars(place);
-  place.write("a.csv", "Way (mm),Force (N)\n1,130\n# paused\n2,NaN\n2,263\n1,131\n-1,-131\n");
+  place.write("a.csv",
+              "Displacement (mm),Force (N)\n1,130\n# paused\n2,NaN\n2,263\n1,131\n-1,-131\n");
   const CommandResult result = place.run({"calibrate", "fit.toml", "-o", "fit.h5"});
   ASSERT_EQ(result.code, 0) << result.err;
   const std::string mended =
@@ -160,7 +161,7 @@ TEST(SceneFitCommand, SaysHowTheErrorOfTheSegmentsWouldBeFound) {
 TEST(SceneFitCommand, DoesNotPromiseWhatCannotRun) {
   const Workplace place;
   write_bars(place);
-  place.write("b.csv", "Way (mm),Force (N)\n1,144\n");
+  place.write("b.csv", "Displacement (mm),Force (N)\n1,144\n");
   const CommandResult result = place.run({"calibrate", "fit.toml", "--dry-run"});
   EXPECT_EQ(result.code, 2);
   EXPECT_EQ(result.err, "plastica: target = b: has no more samples than the fit has parameters\n");
@@ -238,7 +239,7 @@ TEST(SceneFitCommand, HasTheSameBytesOnEveryNumberOfThreads) {
 TEST(SceneFitCommand, ChecksAllFitsBeforeTheFirst) {
   const Workplace place;
   write_bars(place);
-  place.write("b.csv", "Way (mm),Force (N)\n1,144\n");
+  place.write("b.csv", "Displacement (mm),Force (N)\n1,144\n");
   const CommandResult result = place.run({"calibrate", "fit.toml"});
   EXPECT_EQ(result.code, 2);
   EXPECT_EQ(result.err, "plastica: target = b: has no more samples than the fit has parameters\n");
@@ -249,7 +250,7 @@ TEST(SceneFitCommand, KeepsAFailedFitAsARow) {
   const Workplace place;
   write_bars(place);
   // No bar of 400 mm can be pushed by 40 m.
-  place.write("b.csv", "Way (mm),Force (N)\n1,144\n40000,289\n1,144\n");
+  place.write("b.csv", "Displacement (mm),Force (N)\n1,144\n40000,289\n1,144\n");
   const CommandResult result = place.run({"calibrate", "fit.toml"});
   EXPECT_EQ(result.code, 1) << result.err;
   EXPECT_TRUE(result.out.ends_with("fitted 1, failed 1\n")) << result.out;
@@ -260,7 +261,7 @@ BadInput bad_fit(std::string name, const std::string& from, const std::string& t
                  const std::string& line) {
   return {std::move(name),
           {{"bar.toml", kFittedScene},
-           {"a.csv", "Way (mm),Force (N)\n1,130\n2,263\n1,131\n-1,-131\n"},
+           {"a.csv", "Displacement (mm),Force (N)\n1,130\n2,263\n1,131\n-1,-131\n"},
            {"fit.toml", changed(kSceneFit, from, to)}},
           {"calibrate", "fit.toml"},
           line};
@@ -283,7 +284,7 @@ INSTANTIATE_TEST_SUITE_P(
                 "[fit.parameters]\nbreak_strain = { bounds = [\"1 %\", \"9 %\"] }\n",
                 "fit.toml:4: material.break_strain: cannot be fitted: the target does not say "
                 "where it broke"),
-        bad_fit("WrongUnit", "column = \"Way\"", "column = \"Way\", unit = \"N\"",
+        bad_fit("WrongUnit", "column = \"Displacement\"", "column = \"Displacement\", unit = \"N\"",
                 "fit.toml:8: target[1].abscissa.unit = N: is not a unit of length (examples: m, "
                 "mm, in)")),
     name_of_case);

@@ -46,7 +46,7 @@ tangent_modulus = { bounds = ["0.1 GPa", "19 GPa"] }
 [[target]]
 files = "curve.csv"
 scene = "bar.toml"
-abscissa = { drive = "support[2]", column = "Way" }
+abscissa = { drive = "support[2]", column = "Displacement" }
 ordinate = { probe = "force", column = "Force", factor = -1 }
 )";
 
@@ -55,7 +55,7 @@ class InterruptedSceneFit : public ::testing::Test {
   void SetUp() override {
     place_.write("bar.toml", kInterruptedScene);
     place_.write("fit.toml", kInterruptedFit);
-    std::string curve = "Way (mm),Force (N)\n";
+    std::string curve = "Displacement (mm),Force (N)\n";
     for (int i = 1; i <= 120; ++i) {
       const double displacement = 0.5 * i;
       curve += fmt::format("{},{}\n", displacement,

@@ -30,7 +30,7 @@ kind = "roller"
 hold = ["y"]
 translation = ["0 mm", "-100 mm", "0 mm"]
 [[probe]]
-name = "way"
+name = "tip"
 kind = "displacement"
 component = "y"
 [[probe]]

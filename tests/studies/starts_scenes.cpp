@@ -124,7 +124,7 @@ StartsProblem cyclic() {
   scene.yield_model = YieldModel::Fibre;
   scene.material.hardening = {HardeningLaw::Linear, 10e9, 0.6};
   scene.loads = {{.at = Place::end(), .force = {0.0, 1.0, 0.0}}};
-  scene.probes = {{"way", ProbeQuantity::Displacement, Place::end(), Component::Y}};
+  scene.probes = {{"tip", ProbeQuantity::Displacement, Place::end(), Component::Y}};
   return problem("cyclic force",
                  driven(setup, Abscissa::Load, 0, path_over({2000.0, -2000.0, 2200.0}, 16)),
                  {"material.youngs_modulus", "material.yield_stress",
@@ -147,7 +147,7 @@ StartsProblem swing() {
   Scene& scene = setup.scene;
   scene.yield_model = YieldModel::Elastic;
   scene.initial_motions = {{.from = Place{0.5, {}}, .velocity = {0.0, 3.0, 0.0}}};
-  scene.probes = {{"way", ProbeQuantity::Displacement, Place::end(), Component::Y}};
+  scene.probes = {{"tip", ProbeQuantity::Displacement, Place::end(), Component::Y}};
   setup.solver.analysis = Analysis::Dynamics;
   setup.solver.scheme = Scheme::ArticulatedMidpoint;
   setup.solver.time_step = 2e-4;

@@ -31,13 +31,13 @@ kind = "reaction"
 at = "end"
 component = "y"
 [[probe]]
-name = "way"
+name = "tip"
 kind = "displacement"
 at = "end"
 component = "y"
 )");
-    write("a.csv", "Way (mm),Force (kN)\n0,0\n1,0.5\n2,0.9\n1,0.4\n3,0\n");
-    write("b.csv", "Way (mm),Force (kN)\n0,0\n1,0.6\n");
+    write("a.csv", "Displacement (mm),Force (kN)\n0,0\n1,0.5\n2,0.9\n1,0.4\n3,0\n");
+    write("b.csv", "Displacement (mm),Force (kN)\n0,0\n1,0.6\n");
   }
 
   SceneFitFile parse(const std::string& text) const {
@@ -169,11 +169,11 @@ TEST_F(SceneFitFileTest, NamesWhatIsWrong) {
       "drive (the scene follows what was measured) and time = true");
   EXPECT_EQ(with("probe = \"force\"", "probe = \"fource\""),
             "fit.toml:7: ordinate.probe = fource: is not one of the scene's probes: force, "
-            "way");
+            "tip");
   EXPECT_EQ(with("ordinate = { probe = \"force\", column = \"Force\", factor = -1 }",
                  "[target.ordinate]\nprobe = \"fource\"\ncolumn = \"Force\""),
             "fit.toml:8: ordinate.probe = fource: is not one of the scene's probes: force, "
-            "way");
+            "tip");
   EXPECT_EQ(with("ordinate = { probe = \"force\", column = \"Force\", factor = -1 }",
                  "[target.ordinate]\nprobe = \"force\"\ncolumn = \"Force\"\nunit = \"mm\""),
             "fit.toml:10: target[1].ordinate.unit = mm: is not a unit of force (examples: N, kN, "

@@ -110,7 +110,7 @@ Problem swinging() {
   plastica::Setup& setup = problem.setup;
   setup.scene.yield_model = YieldModel::Elastic;
   setup.scene.initial_motions = {{.from = Place{0.5, {}}, .velocity = {0.0, 3.0, 0.0}}};
-  setup.scene.probes = {{"way", ProbeQuantity::Displacement, Place::end(), Component::Y}};
+  setup.scene.probes = {{"tip", ProbeQuantity::Displacement, Place::end(), Component::Y}};
   setup.solver.analysis = Analysis::Dynamics;
   setup.solver.scheme = Scheme::ArticulatedMidpoint;
   setup.solver.time_step = 2e-4;
@@ -119,7 +119,7 @@ Problem swinging() {
   setup.solver.duration = 0.02;
   setup.solver.steps = 50;
   problem.target.kind = Abscissa::Time;
-  problem.target.ordinate_probe = "way";
+  problem.target.ordinate_probe = "tip";
   problem.target.abscissa = path_over({0.02}, 50);
   return problem;
 }

@@ -38,7 +38,7 @@ class SceneTargetFile : public ::testing::Test {
   SceneTargetSource source(const std::string& text) {
     SceneTargetSource source;
     source.file = folder_.write("bar.csv", text);
-    source.abscissa = {"Way", {}, {"fit.toml", 4}};
+    source.abscissa = {"Displacement", {}, {"fit.toml", 4}};
     source.ordinate = {"Force", {}, {"fit.toml", 5}};
     return source;
   }
@@ -68,7 +68,7 @@ class SceneTargetFile : public ::testing::Test {
 };
 
 TEST_F(SceneTargetFile, IsReadInSi) {
-  const SceneTarget target = read("Way (mm),Force (kN)\n0,0\n1,0.5\n2,0.75\n");
+  const SceneTarget target = read("Displacement (mm),Force (kN)\n0,0\n1,0.5\n2,0.75\n");
   EXPECT_EQ(target.name, "bar");
   EXPECT_EQ(target.abscissa, (std::vector<double>{0.0, 1e-3, 2e-3}));
   EXPECT_EQ(target.ordinate, (std::vector<double>{0.0, 500.0, 750.0}));
@@ -77,7 +77,7 @@ TEST_F(SceneTargetFile, IsReadInSi) {
 }
 
 TEST_F(SceneTargetFile, SaysThatTheBeamBrokeBeforeALastRowOfNoForce) {
-  const SceneTarget target = read("Way (mm),Force (N)\n0,0\n1,500\n2,600\n2.5,0\n");
+  const SceneTarget target = read("Displacement (mm),Force (N)\n0,0\n1,500\n2,600\n2.5,0\n");
   EXPECT_EQ(target.ordinate.size(), 3U);
   ASSERT_TRUE(target.broke);
   EXPECT_DOUBLE_EQ(target.broke->at, 2.25e-3);
@@ -86,7 +86,7 @@ TEST_F(SceneTargetFile, SaysThatTheBeamBrokeBeforeALastRowOfNoForce) {
 
 /// The machine goes on, or holds: the force is what is left of the gauge's zero.
 TEST_F(SceneTargetFile, BreaksWhereTheForceFallsToZeroAndStaysThere) {
-  const std::string loaded = "Way (mm),Force (N)\n0,0\n1,500\n2,600\n";
+  const std::string loaded = "Displacement (mm),Force (N)\n0,0\n1,500\n2,600\n";
   for (const std::string rest :
        {"2.5,0\n3,0\n3.5,0\n", "2.5,4\n", "2.5,-6\n3,5\n3.5,-3\n4,0\n", "2.5,0.1\n2.5,0.2\n"}) {
     const SceneTarget target = read(loaded + rest);
@@ -103,7 +103,7 @@ TEST_F(SceneTargetFile, BreaksWhereTheForceFallsToZeroAndStaysThere) {
 
 TEST_F(SceneTargetFile, IsLetGoWhereItsAbscissaGoesBack) {
   const auto broke = [&](const std::string& rest) {
-    return read_driven("Way (mm),Force (N)\n0,0\n1,500\n2,600\n" + rest).broke;
+    return read_driven("Displacement (mm),Force (N)\n0,0\n1,500\n2,600\n" + rest).broke;
   };
   EXPECT_FALSE(broke("0.8,0\n"));
   EXPECT_FALSE(broke("0.9,10\n0.8,0\n"));
@@ -120,7 +120,7 @@ TEST_F(SceneTargetFile, BreaksWhereTheUserSays) {
   probes.abscissa_probe = "displacement";
   probes.ordinate_probe = "force";
   const auto read_with = [&](CorrectionChoice trim) {
-    SceneTargetSource from = source("Way (mm),Force (N)\n0,0\n1,500\n2,600\n3,200\n4,0\n");
+    SceneTargetSource from = source("Displacement (mm),Force (N)\n0,0\n1,500\n2,600\n3,200\n4,0\n");
     from.trim = trim;
     return read_scene_target(from, bend_test(4).scene, probes);
   };
@@ -150,7 +150,7 @@ TEST_F(SceneTargetFile, OfAMotionBreaksByHalfOfTheLargestAtOnce) {
 
 TEST_F(SceneTargetFile, IsRepairedInTheWordsOfACoupon) {
   const std::string rows = "0,0\n1,500\n1,500\n2,NaN\n,600\n3,700\n4,";
-  const SceneTarget beam = read("Way (mm),Force (N)\n" + rows);
+  const SceneTarget beam = read("Displacement (mm),Force (N)\n" + rows);
   EXPECT_EQ(beam.abscissa, (std::vector<double>{0.0, 1e-3, 3e-3}));
   EXPECT_EQ(beam.ordinate, (std::vector<double>{0.0, 500.0, 700.0}));
   EXPECT_EQ(repairs_of(beam.repairs),
@@ -159,17 +159,17 @@ TEST_F(SceneTargetFile, IsRepairedInTheWordsOfACoupon) {
                                       "duplicates: 1 samples equal to the one before dropped"}));
   TargetSource coupon;
   coupon.files = {folder_.write("coupon.csv", "Way (%),Force (MPa)\n" + rows)};
-  coupon.strain = {"Way", {}, {}};
+  coupon.strain = {"Displacement", {}, {}};
   coupon.stress = {"Force", {}, {}};
   EXPECT_EQ(repairs_of(import_targets(coupon).at(0).repairs), repairs_of(beam.repairs));
 }
 
 /// The load cell is lost: what it would have shown is not known.
 TEST_F(SceneTargetFile, DoesNotBreakWhereItsForceIsNoLongerMeasured) {
-  const SceneTarget target = read("Way (mm),Force (N)\n0,0\n1,500\n2,600\n3,NaN\n4,\n");
+  const SceneTarget target = read("Displacement (mm),Force (N)\n0,0\n1,500\n2,600\n3,NaN\n4,\n");
   EXPECT_FALSE(target.broke);
   EXPECT_EQ(target.ordinate, (std::vector<double>{0.0, 500.0, 600.0}));
-  const SceneTarget later = read("Way (mm),Force (N)\n0,0\n1,500\n2,600\n3,NaN\n4,0\n");
+  const SceneTarget later = read("Displacement (mm),Force (N)\n0,0\n1,500\n2,600\n3,NaN\n4,0\n");
   ASSERT_TRUE(later.broke) << "anywhere between the samples that are known";
   EXPECT_DOUBLE_EQ(later.broke->at, 3e-3);
   EXPECT_DOUBLE_EQ(later.broke->half_interval, 1e-3);
@@ -185,7 +185,7 @@ TEST_F(SceneTargetFile, LosesLoneOutliersIfItGoesOneWay) {
     }
     return rows;
   };
-  const std::string header = "Way (mm),Force (N)\n";
+  const std::string header = "Displacement (mm),Force (N)\n";
   EXPECT_EQ(repairs_of(read(header + line(1)).repairs),
             (std::vector<std::string>{"outliers: 1 lone samples far off both neighbours dropped"}));
   EXPECT_EQ(read_driven(header + line(1)).ordinate.size(), 11U);
@@ -202,7 +202,7 @@ TEST_F(SceneTargetFile, LosesLoneOutliersIfItGoesOneWay) {
 
 TEST_F(SceneTargetFile, AveragesWhatRunsBackWithinTheNoiseOfItsAbscissa) {
   // A thousandth of 10 mm.
-  const std::string text = "Way (mm),Force (N)\n0,0\n5,500\n4.995,510\n4.9999,505\n10,600\n";
+  const std::string text = "Displacement (mm),Force (N)\n0,0\n5,500\n4.995,510\n4.9999,505\n10,600\n";
   const SceneTarget target = read(text);
   ASSERT_EQ(target.abscissa.size(), 4U);
   EXPECT_DOUBLE_EQ(target.abscissa[1], 4.9975e-3);
@@ -219,7 +219,7 @@ TEST_F(SceneTargetFile, IsNotShiftedByTheNoiseOfItsAbscissa) {
   constexpr double kSpacing = 0.025, kNoise = 0.1;  // mm
   std::mt19937_64 random(5);
   std::normal_distribution<double> normal(0.0, kNoise);
-  std::string text = "Way (mm),Force (N)\n";
+  std::string text = "Displacement (mm),Force (N)\n";
   for (int i = 0; i < 2000; ++i) {
     const double x = kSpacing * i;
     text += std::to_string(x + normal(random)) + ',' + std::to_string(100.0 + x) + '\n';
@@ -241,7 +241,7 @@ TEST_F(SceneTargetFile, IsNotShiftedByTheNoiseOfItsAbscissa) {
 
 TEST_F(SceneTargetFile, ThatAScenesPathFollowsMayNotLoseACorner) {
   const auto turned = [&](const std::string& rows) {
-    return message_of([&] { read_driven("Way (mm),Force (N)\n" + rows); });
+    return message_of([&] { read_driven("Displacement (mm),Force (N)\n" + rows); });
   };
   const std::string rule =
       "has no ordinate where the path turns: a scene that follows this column would not go there";
@@ -250,26 +250,26 @@ TEST_F(SceneTargetFile, ThatAScenesPathFollowsMayNotLoseACorner) {
   EXPECT_EQ(turned("-5,NaN\n1,0\n10,500\n"), file("2: Way = -5: " + rule));
   for (const std::string rows : {"0,0\n10,500\n20,NaN\n30,300\n", "0,0\n10,500\n20,NaN\n",
                                  "0,NaN\n1,0\n10,500\n", "0,0\n10,500\nNaN,7\n30,300\n"}) {
-    EXPECT_EQ(read_driven("Way (mm),Force (N)\n" + rows).repairs.front().kind, "nan-rows") << rows;
+    EXPECT_EQ(read_driven("Displacement (mm),Force (N)\n" + rows).repairs.front().kind, "nan-rows") << rows;
   }
 }
 
 TEST_F(SceneTargetFile, MayRunBackByAPartOfItsRangeUnderLoad) {
   // A sensor that falls off at the break.
-  EXPECT_EQ(refusal("Way (mm),Force (N)\n0,0\n5,500\n4,450\n10,600\n5000,0\n"),
-            refusal("Way (mm),Force (N)\n0,0\n5,500\n4,450\n10,600\n11,0\n"));
-  EXPECT_NE(refusal("Way (mm),Force (N)\n0,0\n5,500\n4,450\n10,600\n5000,0\n"), "");
+  EXPECT_EQ(refusal("Displacement (mm),Force (N)\n0,0\n5,500\n4,450\n10,600\n5000,0\n"),
+            refusal("Displacement (mm),Force (N)\n0,0\n5,500\n4,450\n10,600\n11,0\n"));
+  EXPECT_NE(refusal("Displacement (mm),Force (N)\n0,0\n5,500\n4,450\n10,600\n5000,0\n"), "");
 }
 
 TEST_F(SceneTargetFile, ThatFallsAllTheWayIsToBeTurned) {
-  EXPECT_EQ(refusal("Way (mm),Force (N)\n0,0\n-1,500\n-2,600\n"),
+  EXPECT_EQ(refusal("Displacement (mm),Force (N)\n0,0\n-1,500\n-2,600\n"),
             file("3: Way = -1: falls all the way, and must rise: turn its sign, and set its factor "
                  "to -1"));
 }
 
 TEST_F(SceneTargetFile, SaysWhichCommentsMayBeRows) {
   const auto repairs = [&](const std::string& rows) {
-    return repairs_of(read("Way (mm),Force (N)\n" + rows).repairs);
+    return repairs_of(read("Displacement (mm),Force (N)\n" + rows).repairs);
   };
   EXPECT_EQ(repairs("0,0\n# paused, at noon\n1,500\n2,600\n"), std::vector<std::string>());
   EXPECT_EQ(
@@ -284,7 +284,7 @@ TEST_F(SceneTargetFile, GoesBackAsFarAsTheUserSays) {
   SceneTarget probes;
   probes.abscissa_probe = "displacement";
   probes.ordinate_probe = "force";
-  SceneTargetSource from = source("Way (mm),Force (N)\n0,0\n5,500\n4.9,510\n10,600\n");
+  SceneTargetSource from = source("Displacement (mm),Force (N)\n0,0\n5,500\n4.9,510\n10,600\n");
   const auto read_within = [&](double tolerance) {
     from.reversal_tolerance = tolerance;
     return read_scene_target(from, bend_test(4).scene, probes).ordinate.size();
@@ -294,7 +294,7 @@ TEST_F(SceneTargetFile, GoesBackAsFarAsTheUserSays) {
 }
 
 TEST_F(SceneTargetFile, BreaksWhereItsAbscissaIsNoisyAndGoesBackAfterwards) {
-  const std::string loaded = "Way (mm),Force (N)\n0,0\n5,500\n10,600\n";
+  const std::string loaded = "Displacement (mm),Force (N)\n0,0\n5,500\n10,600\n";
   for (const std::string rest : {"9.995,0\n", "9.995,0\n10.2,0\n4,0\n", "10.002,0\n0,0\n"}) {
     const SceneTarget target = read(loaded + rest);
     EXPECT_EQ(target.abscissa, (std::vector<double>{0.0, 5e-3, 10e-3})) << rest;
@@ -313,7 +313,7 @@ TEST_F(SceneTargetFile, WarnsOfStrainsAbove100PercentWithoutAUnit) {
                              coupon)
         .warnings;
   };
-  EXPECT_EQ(warnings("Way"),
+  EXPECT_EQ(warnings("Displacement"),
             (std::vector<std::string>{
                 "strains above 100 %: if they are in percent, write unit = \"%\""}));
   EXPECT_TRUE(warnings("Way (%)").empty());
@@ -321,7 +321,7 @@ TEST_F(SceneTargetFile, WarnsOfStrainsAbove100PercentWithoutAUnit) {
 
 TEST_F(SceneTargetFile, RefusesWhatIsNoCurveOfTheScene) {
   // The line of the row stays the file's where rows before it were dropped.
-  EXPECT_EQ(refusal("Way (mm),Force (N)\n0,NaN\n0,0\n2,5\n2,5\n1,6\n"),
+  EXPECT_EQ(refusal("Displacement (mm),Force (N)\n0,NaN\n0,0\n2,5\n2,5\n1,6\n"),
             file("6: Way = 1: goes back by more than reversal_tolerance: a beam's curve is "
                  "followed one way; a scene that this column drives follows it to and fro"));
   SceneTarget probes;
@@ -333,21 +333,21 @@ TEST_F(SceneTargetFile, RefusesWhatIsNoCurveOfTheScene) {
   EXPECT_TRUE(message_of([&] {
                 read_scene_target(numbered, bend_test(4).scene, probes);
               }).starts_with(file("3: column 1 = 1: goes back by more than reversal_tolerance: ")));
-  EXPECT_EQ(refusal("Way (mm),Force (N)\n0,NaN\n1,NaN\n"),
+  EXPECT_EQ(refusal("Displacement (mm),Force (N)\n0,NaN\n1,NaN\n"),
             folder_.file("bar.csv") + ": Force: no row has both numbers");
-  EXPECT_EQ(refusal("Way (mm),Force (N)\n0,0\n1,much\n2,1\n"),
+  EXPECT_EQ(refusal("Displacement (mm),Force (N)\n0,0\n1,much\n2,1\n"),
             file("3: Force = much: is not a number"));
-  EXPECT_EQ(refusal("Way (mm),Load (N)\n0,0\n2,1\n"),
+  EXPECT_EQ(refusal("Displacement (mm),Load (N)\n0,0\n2,1\n"),
             "fit.toml:5: ordinate = Force: is not a column of " + folder_.file("bar.csv") +
                 ", which has 2 columns: Way, Load");
-  EXPECT_EQ(refusal("Way (mm),Force (N)\n0,0\n2,1\n", "load"),
+  EXPECT_EQ(refusal("Displacement (mm),Force (N)\n0,0\n2,1\n", "load"),
             "fit.toml:5: ordinate.probe = load: is not one of the scene's probes: displacement, "
             "force");
-  EXPECT_EQ(refusal("Way (mm),Force (MPa)\n0,0\n2,1\n"),
+  EXPECT_EQ(refusal("Displacement (mm),Force (MPa)\n0,0\n2,1\n"),
             folder_.file("bar.csv") +
                 ": unit of Force = MPa: is not a unit of force (examples: N, kN, lbf)");
   EXPECT_EQ(
-      refusal("Way (mm),Force\n0,0\n2,1\n"),
+      refusal("Displacement (mm),Force\n0,0\n2,1\n"),
       "fit.toml:5: ordinate = Force: needs a unit, as " + folder_.file("bar.csv") + " gives none");
 }
 

@@ -22,7 +22,7 @@ Setup bar(int segments) {
   scene.loads.resize(1);
   scene.loads[0].at = {0.5, {}};
   scene.loads[0].force = {0.0, -1.0, 0.0};
-  scene.probes = {{"way", ProbeQuantity::Displacement, {0.5, {}}}};
+  scene.probes = {{"tip", ProbeQuantity::Displacement, {0.5, {}}}};
   return setup;
 }
 
