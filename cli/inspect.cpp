@@ -20,6 +20,7 @@ std::string_view name_of_separator(char separator) {
     case ',': return "comma";
     case ';': return "semicolon";
     case '\t': return "tab";
+    case ' ': return "blanks";
     default: return "other";
   }
 }

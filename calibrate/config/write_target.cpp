@@ -39,7 +39,9 @@ void add(std::string& text, std::string_view key, const std::optional<SpecimenVa
 
 void add(std::string& text, const io::CsvOptions& csv) {
   if (csv.separator) {
-    const std::string separator = *csv.separator == '\t' ? "tab" : std::string(1, *csv.separator);
+    const std::string separator = *csv.separator == '\t'  ? "tab"
+                                  : *csv.separator == ' ' ? "blank"
+                                                          : std::string(1, *csv.separator);
     text += fmt::format("separator = {}\n", toml_string(separator));
   }
   if (csv.decimal) text += fmt::format("decimal = \"{}\"\n", *csv.decimal);

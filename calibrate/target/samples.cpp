@@ -21,7 +21,7 @@ void note_repair(std::vector<Repair>& repairs, std::string_view kind, std::size_
 
 void report_torn_row(const io::CsvTable& table, std::vector<Repair>& repairs) {
   note_repair(repairs, "comment-rows", table.commented_rows(),
-              "rows that begin with # are taken for comments");
+              "rows that begin with #, % or // are taken for comments");
   if (!table.torn_last_row()) return;
   repairs.push_back({"torn-last-row", 1, "the last row was cut off and is dropped"});
 }

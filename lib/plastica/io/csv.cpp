@@ -4,6 +4,7 @@
 #include <charconv>
 
 #include "plastica/io/csv_layout.hpp"
+#include "plastica/io/csv_number.hpp"
 #include "plastica/io/csv_text.hpp"
 #include "plastica/io/read_input.hpp"
 
@@ -47,7 +48,8 @@ CsvTable CsvTable::parse(std::string_view text, std::string name, const CsvOptio
   const Layout layout = csv_text::layout_of(lines, table.file_, options);
   const char separator = layout.dialect.separator;
   table.separator_ = separator;
-  table.decimal_ = layout.dialect.decimal;
+  table.decimal_ = layout.dialect.format.decimal;
+  table.decimal_is_certain_ = layout.dialect.format.is_certain;
 
   std::vector<std::string_view> cells;
   const std::size_t before =
@@ -57,7 +59,7 @@ CsvTable CsvTable::parse(std::string_view text, std::string name, const CsvOptio
   if (layout.header) {
     std::string_view header = csv_text::without_blanks(lines[*layout.header].text);
     if (header.starts_with('#')) header.remove_prefix(1);  // as NumPy writes it
-    if (!csv_text::split(header, separator, cells)) {
+    if (!csv_text::split_names(header, separator, layout.dialect.width, cells)) {
       throw InputError({table.file_, lines[*layout.header].number}, "", "",
                        "has a quote that is not closed");
     }
@@ -87,9 +89,7 @@ CsvTable CsvTable::parse(std::string_view text, std::string name, const CsvOptio
 
   const bool ends_in_newline = all.ends_with('\n') || all.ends_with('\r');
   std::vector<bool> filled(width, false);
-  const auto is_comment = [&](std::size_t i) {
-    return csv_text::without_blanks(lines[i].text).starts_with('#');
-  };
+  const auto is_comment = [&](std::size_t i) { return csv_text::is_comment(lines[i].text); };
   std::size_t last_line = lines.size();
   while (last_line > layout.first_data + 1 && is_comment(last_line - 1)) --last_line;
   table.cells_.reserve((lines.size() - layout.first_data) * width);
@@ -100,7 +100,8 @@ CsvTable CsvTable::parse(std::string_view text, std::string name, const CsvOptio
     if (is_comment(i) && !of_words) {
       table.commented_rows_ +=
           cells.size() == width && width > 1 &&
-                  csv_text::read_number(cells.back(), table.decimal_).kind == CellKind::Number
+                  csv_text::read_number(cells.back(), layout.dialect.format).kind ==
+                      CellKind::Number
               ? 1
               : 0;
       continue;
@@ -109,7 +110,7 @@ CsvTable CsvTable::parse(std::string_view text, std::string name, const CsvOptio
     while (cells.size() > width && cells.back().empty()) cells.pop_back();
     bool torn = last && (!closed || cells.size() < width);
     if (last && !torn && !ends_in_newline && cells.size() == width) {
-      const auto kind = csv_text::read_number(cells.back(), table.decimal_).kind;
+      const auto kind = csv_text::read_number(cells.back(), layout.dialect.format).kind;
       const bool number_wanted = layout.dialect.numeric.size() == width &&
                                  layout.dialect.numeric.back() && table.rows() > 0;
       // Cut off inside its last cell ("1.2e-"), or just before it.
@@ -162,7 +163,7 @@ void CsvTable::drop_last_column() {
 
 double CsvTable::number(std::size_t row, std::size_t column) const {
   const std::string_view text = cell(row, column);
-  const csv_text::Number number = csv_text::read_number(text, decimal_);
+  const csv_text::Number number = csv_text::read_number(text, {decimal_, decimal_is_certain_});
   if (number.kind == CellKind::Number || number.kind == CellKind::Missing) return number.value;
   throw InputError(
       {file_, line_of_row_[row]}, label(column), text,

@@ -12,13 +12,14 @@ namespace plastica::io {
 
 /// How to read a delimited text file; what is unset is found out from the text.
 struct CsvOptions {
-  std::optional<char> separator = {};      ///< ',', ';' or tab
+  std::optional<char> separator = {};      ///< ',', ';', tab, or ' ' for any number of blanks
   std::optional<char> decimal = {};        ///< '.' or ','
   std::optional<std::size_t> header = {};  ///< line of the column names, from 1; 0: there is none
 };
 
 /// A delimited text file as laboratories write it: metadata lines, a header, a unit row, data. A
-/// line of the data that begins with # is a comment, unless the first column is one of words.
+/// line of the data that begins with #, % or // is a comment, unless the first column is one of
+/// words. UTF-16 is read as well, and numbers whose thousands stand apart: 1,234.5.
 ///
 /// The text is kept, cells are views into it; copies are not allowed, moves are.
 class CsvTable {
@@ -38,7 +39,7 @@ class CsvTable {
   char separator() const { return separator_; }
   char decimal() const { return decimal_; }
   bool torn_last_row() const { return torn_last_row_; }
-  /// Lines amid the data that begin with `#`, and hold as many cells as a row, the last a number:
+  /// Lines amid the data that are comments, and hold as many cells as a row, the last a number:
   /// taken for comments, they may be rows.
   std::size_t commented_rows() const { return commented_rows_; }
   /// Lines before the header that are not column names (metadata).
@@ -84,6 +85,7 @@ class CsvTable {
   std::vector<char> text_;  // not a string: a moved short string would move its characters
   char separator_ = ',';
   char decimal_ = '.';
+  bool decimal_is_certain_ = false;
   bool torn_last_row_ = false;
   std::size_t commented_rows_ = 0;
   std::vector<std::string> preamble_;

@@ -1,6 +1,7 @@
 #include "plastica/io/csv_layout.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 #include <map>
 
@@ -25,7 +26,7 @@ struct Evidence {
   std::size_t width = 1;
 };
 
-Evidence evidence_for(const std::vector<Line>& sample, char separator, char decimal) {
+Evidence evidence_for(const std::vector<Line>& sample, char separator, NumberFormat format) {
   std::map<std::size_t, Evidence> by_width;
   Cells cells;
   for (const Line& line : sample) {
@@ -34,7 +35,7 @@ Evidence evidence_for(const std::vector<Line>& sample, char separator, char deci
     evidence.width = cells.size();
     ++evidence.lines;
     for (const std::string_view cell : cells) {
-      if (read_number(cell, decimal).kind == CellKind::Number) ++evidence.numbers;
+      if (read_number(cell, format).kind == CellKind::Number) ++evidence.numbers;
       // "5;1" between commas: a row of "0,5;1,5" cut at its decimal commas.
       if (separator == ',' && cell.find(';') != std::string_view::npos) --evidence.numbers;
     }
@@ -48,25 +49,42 @@ Evidence evidence_for(const std::vector<Line>& sample, char separator, char deci
   return best;
 }
 
+/// Whether a number of the lines has a decimal mark that can part no thousands.
+bool shows_decimal(const std::vector<Line>& sample, const Dialect& dialect) {
+  Cells cells;
+  for (const Line& line : sample) {
+    if (!split(line.text, dialect.separator, cells) || cells.size() != dialect.width) continue;
+    for (const std::string_view cell : cells) {
+      const bool has_mark = cell.find(dialect.format.decimal) != std::string_view::npos;
+      const bool is_number = read_number(cell, dialect.format).kind == CellKind::Number;
+      if (has_mark && is_number && !is_ambiguous(cell)) return true;
+    }
+  }
+  return false;
+}
+
 Dialect dialect_of(const std::vector<Line>& lines, const CsvOptions& options) {
   const std::vector<Line> sample = sample_of(lines);
   Dialect best;
   Evidence most;
   bool first = true;
   // In the order of preference when the numbers are equal: "1,5;2,5" has two either way.
-  for (const char separator : {'\t', ';', ','}) {
+  for (const char separator : {'\t', ';', ',', ' '}) {
     if (options.separator && *options.separator != separator) continue;
     for (const char decimal : {'.', ','}) {
       if (options.decimal && *options.decimal != decimal) continue;
-      const Evidence evidence = evidence_for(sample, separator, decimal);
+      const NumberFormat format{decimal, options.decimal.has_value()};
+      const Evidence evidence = evidence_for(sample, separator, format);
       const bool wider = evidence.numbers == most.numbers && evidence.width > 1 && most.width == 1;
       if (first || evidence.numbers > most.numbers || wider) {
         most = evidence;
-        best = {separator, decimal, evidence.width, {}};
+        best = {separator, format, evidence.width, {}};
         first = false;
       }
     }
   }
+
+  best.format.is_certain = options.decimal || shows_decimal(sample, best);
 
   std::vector<std::size_t> numbers(best.width, 0);
   std::vector<std::size_t> texts(best.width, 0);
@@ -76,7 +94,7 @@ Dialect dialect_of(const std::vector<Line>& lines, const CsvOptions& options) {
     if (!split(line.text, best.separator, cells) || cells.size() != best.width) continue;
     kinds.clear();
     for (const std::string_view cell : cells) {
-      kinds.push_back(read_number(cell, best.decimal).kind);
+      kinds.push_back(read_number(cell, best.format).kind);
     }
     // Headers and unit rows, which have no number, must not outvote a file of few rows.
     if (std::count(kinds.begin(), kinds.end(), CellKind::Number) == 0) continue;
@@ -125,7 +143,13 @@ class Finder {
     return cells_;
   }
 
-  CellKind kind_of(std::string_view cell) const { return read_number(cell, dialect_.decimal).kind; }
+  /// The same of a line that may hold the columns' names.
+  const Cells& names_of(std::size_t line) {
+    if (!split_names(lines_[line].text, dialect_.separator, dialect_.width, cells_)) cells_.clear();
+    return cells_;
+  }
+
+  CellKind kind_of(std::string_view cell) const { return read_number(cell, dialect_.format).kind; }
 
   bool is_data(std::size_t line) {
     const Cells& cells = cells_of(line);
@@ -151,7 +175,7 @@ class Finder {
   bool is_header(std::size_t line) {
     std::string_view text = without_blanks(lines_[line].text);
     if (text.starts_with('{')) return false;
-    const Cells& cells = cells_of(line);
+    const Cells& cells = names_of(line);
     const auto numbers = std::count_if(cells.begin(), cells.end(), [&](std::string_view cell) {
       return kind_of(cell) == CellKind::Number || kind_of(cell) == CellKind::OutOfRange;
     });
@@ -224,7 +248,7 @@ class Finder {
     if (cells.size() == dialect_.width && numbers > 1) refuse_text_in(line);
     std::size_t checked = line + 1;  // below a header, and found to be without text
     for (std::size_t above = line; above-- > 0;) {
-      if (!is_header(above) || cells_of(above).size() != dialect_.width) continue;
+      if (!is_header(above) || names_of(above).size() != dialect_.width) continue;
       for (std::size_t broken = above + 1; broken < checked; ++broken) {
         if (!is_unit_row(broken)) refuse_text_in(broken);
       }
@@ -247,12 +271,54 @@ class Finder {
   Cells cells_;
 };
 
+/// Refuses a column such as 998, 999, 1,000 in a file without a number that shows what its commas
+/// are: they may begin decimals or part thousands.
+void refuse_ambiguous(const std::vector<Line>& lines, const Layout& layout,
+                      const std::string& file) {
+  struct Column {
+    bool has_hundreds = false;
+    bool is_clear = false;  ///< a number can be read in one way only
+    std::size_t line = 0;   ///< of one that can be read in two
+    std::string_view cell;
+  };
+  std::vector<Column> columns(layout.dialect.width);
+  Cells cells;
+  for (std::size_t i = layout.first_data; i < lines.size(); ++i) {
+    if (!split(lines[i].text, layout.dialect.separator, cells)) continue;
+    for (std::size_t k = 0; k < std::min(cells.size(), columns.size()); ++k) {
+      const Number number = read_number(cells[k], layout.dialect.format);
+      if (number.kind != CellKind::Number) continue;
+      Column& column = columns[k];
+      const double size = std::abs(number.value);
+      const bool is_whole = cells[k].find_first_not_of("+-0123456789") == std::string_view::npos;
+      if (is_ambiguous(cells[k])) {
+        if (!column.cell.empty()) continue;
+        column.line = i;
+        column.cell = cells[k];
+      } else if (is_whole && size < 1000.0) {
+        column.has_hundreds = column.has_hundreds || size >= 100.0;
+      } else {
+        column.is_clear = true;
+      }
+    }
+  }
+  for (const Column& column : columns) {
+    if (column.cell.empty() || !column.has_hundreds || column.is_clear) continue;
+    throw InputError({file, lines[column.line].number}, "", column.cell,
+                     "has a decimal mark or one of thousands: say which by decimal = \".\" or "
+                     "\",\"");
+  }
+}
+
 }  // namespace
 
 Layout layout_of(const std::vector<Line>& lines, const std::string& file,
                  const CsvOptions& options) {
   if (lines.empty()) throw InputError({file, 0}, "", "", "is empty");
-  return Finder(lines, file, options).layout();
+  const Layout layout = Finder(lines, file, options).layout();
+  const NumberFormat& format = layout.dialect.format;
+  if (format.decimal == ',' && !format.is_certain) refuse_ambiguous(lines, layout, file);
+  return layout;
 }
 
 }  // namespace plastica::io::csv_text

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "plastica/io/csv.hpp"
+#include "plastica/io/csv_number.hpp"
 #include "plastica/io/csv_text.hpp"
 
 namespace plastica::io::csv_text {
@@ -13,7 +14,7 @@ namespace plastica::io::csv_text {
 /// How a file writes its rows, as its lines show.
 struct Dialect {
   char separator = ',';
-  char decimal = '.';
+  NumberFormat format;
   std::size_t width = 1;      ///< cells of a data row
   std::vector<bool> numeric;  ///< (width): the column holds numbers, mostly
 };
@@ -31,7 +32,8 @@ struct Layout {
 ///
 /// Data begin at the first line that is a row of numbers, unless a header follows soon after it.
 /// The line above is the header, or the unit row below it; what stands before is metadata.
-/// @throws InputError if there is no row of data, or a line above the data is a broken row
+/// @throws InputError if there is no row of data, a line above the data is a broken row, or numbers
+///         of a column are either decimal fractions or thousands
 Layout layout_of(const std::vector<Line>& lines, const std::string& file,
                  const CsvOptions& options);
 

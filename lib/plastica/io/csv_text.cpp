@@ -1,14 +1,10 @@
 #include "plastica/io/csv_text.hpp"
 
 #include <algorithm>
-#include <array>
-#include <charconv>
-#include <cmath>
-#include <cstdlib>
-#include <limits>
 
 #include "plastica/io/read_input.hpp"
 #include "plastica/io/units.hpp"
+#include "plastica/io/utf16.hpp"
 
 namespace plastica::io::csv_text {
 namespace {
@@ -22,6 +18,55 @@ std::string_view without(std::string_view text, char separator) {
   return text;
 }
 
+/// The next cell of a line where blanks separate; moves `at` behind it. @return false if a quote is
+/// not closed
+bool next_word(std::string_view line, std::size_t& at, std::string_view& word) {
+  const std::size_t begin = at;
+  const bool quoted = line[at] == '"';
+  std::size_t end = quoted ? line.find('"', begin + 1) : line.find_first_of(" \t", begin);
+  if (quoted && end == std::string_view::npos) return false;
+  end = std::min(end, line.size());
+  word = quoted ? line.substr(begin + 1, end - begin - 1) : line.substr(begin, end - begin);
+  at = std::min(line.find_first_not_of(" \t", quoted ? end + 1 : end), line.size());
+  return true;
+}
+
+bool split_at_blanks(std::string_view line, std::vector<std::string_view>& cells) {
+  line = without(line, '\0');
+  for (std::size_t at = 0; at < line.size();) {
+    std::string_view word;
+    if (!next_word(line, at, word)) return false;
+    cells.push_back(word);
+  }
+  return true;
+}
+
+/// Words that stand further apart than a blank.
+void split_at_gaps(std::string_view line, std::vector<std::string_view>& cells) {
+  line = without(line, '\0');
+  while (!line.empty()) {
+    const std::size_t end = std::min({line.find("  "), line.find('\t'), line.size()});
+    cells.push_back(line.substr(0, end));
+    line = without(line.substr(end), '\0');
+  }
+}
+
+/// Joins "Stress" and "(MPa)".
+void join_units(std::string_view line, std::vector<std::string_view>& cells) {
+  std::vector<std::string_view> joined;
+  for (const std::string_view cell : cells) {
+    const bool is_bracket = cell.starts_with('(') || cell.starts_with('[');
+    if (!is_bracket || joined.empty()) {
+      joined.push_back(cell);
+      continue;
+    }
+    const auto begin = static_cast<std::size_t>(joined.back().data() - line.data());
+    const auto end = static_cast<std::size_t>(cell.data() - line.data()) + cell.size();
+    joined.back() = line.substr(begin, end - begin);
+  }
+  cells = std::move(joined);
+}
+
 /// `text` in the given brackets, without them; empty if it is not in them.
 std::string_view inside(std::string_view text, char open, char close) {
   if (text.size() < 2 || text.front() != open || text.back() != close) return {};
@@ -31,6 +76,10 @@ std::string_view inside(std::string_view text, char open, char close) {
 }  // namespace
 
 std::vector<char> decoded(std::string_view bytes, const std::string& file) {
+  if (const auto order = utf16_order(bytes)) {
+    const std::string text = utf8_of_utf16(bytes, *order, file);
+    return {text.begin(), text.end()};
+  }
   refuse_binary(bytes, file);
   if (bytes.starts_with("\xEF\xBB\xBF")) bytes.remove_prefix(3);
   if (is_utf8(bytes)) return {bytes.begin(), bytes.end()};
@@ -64,6 +113,7 @@ std::vector<Line> lines_of(std::string_view text) {
 
 bool split(std::string_view line, char separator, std::vector<std::string_view>& cells) {
   cells.clear();
+  if (separator == ' ') return split_at_blanks(line, cells);
   const char* const end = line.data() + line.size();
   const char* at = line.data();
   while (true) {
@@ -91,47 +141,23 @@ bool split(std::string_view line, char separator, std::vector<std::string_view>&
   }
 }
 
-Number read_number(std::string_view cell, char decimal) {
-  constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
-  if (cell.empty()) return {CellKind::Missing, kNaN};
-  const bool sign = cell[0] == '-' || cell[0] == '+';
-  const char first = cell.size() > 1 && sign ? cell[1] : cell[0];
-  if (!((first >= '0' && first <= '9') || first == '.' || first == ',')) {
-    if (says_nan(cell)) return {CellKind::Missing, kNaN};
-    const std::string lower = lower_case(cell);
-    if (lower == "na" || lower == "n/a" || lower == "-" || lower == "null") {
-      return {CellKind::Missing, kNaN};
-    }
-    return {};
-  }
-  if (cell[0] == '+') cell.remove_prefix(1);
-  std::array<char, 64> copy{};
-  if (decimal == ',') {
-    if (cell.size() > copy.size()) return {};
-    for (std::size_t i = 0; i < cell.size(); ++i) {
-      if (cell[i] == '.') return {};
-      copy[i] = cell[i] == ',' ? '.' : cell[i];
-    }
-    cell = {copy.data(), cell.size()};
-  }
-  double value = 0.0;
-  const auto [end, error] = std::from_chars(cell.data(), cell.data() + cell.size(), value);
-  if (end != cell.data() + cell.size()) return {};
-  if (error == std::errc::result_out_of_range) {
-    // Too small is zero, as near as a double comes; too large is not a measurement.
-    value = std::strtod(std::string(cell).c_str(), nullptr);
-    if (!(std::abs(value) < 1.0)) return {CellKind::OutOfRange, 0.0};
-  } else if (error != std::errc{}) {
-    return {};
-  }
-  return {CellKind::Number, value};
+bool split_names(std::string_view line, char separator, std::size_t width,
+                 std::vector<std::string_view>& cells) {
+  if (!split(line, separator, cells)) return false;
+  if (separator != ' ' || cells.size() == width) return true;
+  const std::vector<std::string_view> words = cells;
+  join_units(line, cells);
+  if (cells.size() == width) return true;
+  cells.clear();
+  split_at_gaps(line, cells);
+  if (cells.size() != width) join_units(line, cells);
+  if (cells.size() != width) cells = words;
+  return true;
 }
 
-bool says_nan(std::string_view cell) {
-  if (!cell.empty() && (cell[0] == '-' || cell[0] == '+')) cell.remove_prefix(1);
-  if (cell.size() < 3) return false;
-  const std::string lower = lower_case(cell);
-  return lower == "nan" || lower == "nan(ind)";
+bool is_comment(std::string_view line) {
+  line = without_blanks(line);
+  return line.starts_with('#') || line.starts_with('%') || line.starts_with("//");
 }
 
 std::string_view without_blanks(std::string_view text) { return without(text, '\0'); }

@@ -15,21 +15,8 @@ struct Line {
   int number = 0;
 };
 
-/// What a cell holds.
-enum class CellKind {
-  Number,      ///< a finite number
-  Missing,     ///< empty, NaN, NA, n/a, -, null
-  OutOfRange,  ///< a number that a double cannot hold
-  Text,
-};
-
-struct Number {
-  CellKind kind = CellKind::Text;
-  double value = 0.0;  ///< NaN if missing
-};
-
-/// Removes a byte order mark; turns text that is not UTF-8 from Latin-1 into UTF-8.
-/// @throws InputError for UTF-16 and for bytes that no text has
+/// Removes a byte order mark; turns UTF-16, and text that is not UTF-8 from Latin-1, into UTF-8.
+/// @throws InputError for bytes that no text has
 std::vector<char> decoded(std::string_view bytes, const std::string& file);
 
 /// The lines that hold more than blanks and separators; ends are LF, CRLF or CR.
@@ -37,13 +24,16 @@ std::vector<Line> lines_of(std::string_view text);
 
 /// Cuts a line into cells without the blanks and quotes around them; a doubled quote inside a
 /// quoted cell stays doubled. @return false if a quote is not closed
+/// @param separator  ',', ';' or a tab; a blank stands for any number of blanks and tabs
 bool split(std::string_view line, char separator, std::vector<std::string_view>& cells);
 
-/// Reads a cell. `decimal` is '.' or ','.
-Number read_number(std::string_view cell, char decimal);
+/// The same for a line of names over `width` columns. Where blanks separate, a name may hold single
+/// ones, or a unit in brackets behind one, if the names are as many as the columns then.
+bool split_names(std::string_view line, char separator, std::size_t width,
+                 std::vector<std::string_view>& cells);
 
-/// Whether a cell says NaN in letters: unlike "" and "-", it stands where a number would.
-bool says_nan(std::string_view cell);
+/// Whether a line is a comment where it stands among rows: it begins with #, % or //.
+bool is_comment(std::string_view line);
 
 std::string_view without_blanks(std::string_view text);
 std::string lower_case(std::string_view text);

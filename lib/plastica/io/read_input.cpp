@@ -3,15 +3,18 @@
 #include <sys/stat.h>
 
 #include <algorithm>
+#include <array>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
 #include <memory>
 #include <system_error>
+#include <utility>
 #include <vector>
 
 #include "plastica/base/check.hpp"
 #include "plastica/base/utf8.hpp"
+#include "plastica/io/utf16.hpp"
 
 namespace plastica::io {
 namespace {
@@ -48,16 +51,24 @@ std::string read_input(const std::string& path, std::size_t max_bytes) {
   std::vector<char> block(std::size_t{1} << 18U);
   while (const std::size_t count = std::fread(block.data(), 1, block.size(), file.get())) {
     bytes.append(block.data(), count);
-    if (std::memchr(block.data(), 0, count) != nullptr) refuse_binary(bytes, path);
+    if (!utf16_order(bytes) && std::memchr(block.data(), 0, count) != nullptr) {
+      refuse_binary(bytes, path);
+    }
     if (bytes.size() > max_bytes) throw too_large(path, max_bytes);
   }
   if (std::ferror(file.get()) != 0) refuse();
+  if (const auto order = utf16_order(bytes)) return utf8_of_utf16(bytes, *order, path);
   return bytes;
 }
 
 void refuse_binary(std::string_view bytes, const std::string& file) {
-  if (bytes.starts_with("\xFF\xFE") || bytes.starts_with("\xFE\xFF")) {
-    throw InputError({file, 0}, "", "", "is UTF-16 text; save it as UTF-8");
+  constexpr std::array<std::pair<std::string_view, std::string_view>, 3> kKinds{
+      {{"PK\x03\x04", "is an Excel workbook or another archive: save the sheet as CSV"},
+       {"\xD0\xCF\x11\xE0", "is an old Excel workbook (.xls): save the sheet as CSV"},
+       {"MATLAB 5.0 MAT-file",
+        "is a MATLAB file: write the columns with writematrix(data, \"curve.csv\")"}}};
+  for (const auto& [begin, rule] : kKinds) {
+    if (bytes.starts_with(begin)) throw InputError({file, 0}, "", "", std::string(rule));
   }
   const std::size_t zero = bytes.find('\0');
   if (zero == std::string_view::npos) return;

@@ -15,6 +15,7 @@ inline constexpr std::size_t kMaxTableBytes = std::size_t{1} << 30U;
 inline constexpr std::size_t kMaxTomlBytes = std::size_t{16} << 20U;
 
 /// The whole of a text that a user gives, byte by byte: of a file, or of a pipe up to its end.
+/// UTF-16, with its mark or without, is turned into UTF-8.
 ///
 /// Reads no further than the first zero byte and not beyond the limit, so that a device or a pipe
 /// without end is refused in bounded memory.
@@ -23,7 +24,8 @@ inline constexpr std::size_t kMaxTomlBytes = std::size_t{16} << 20U;
 std::string read_input(const std::string& path, std::size_t max_bytes);
 
 /// Refuses what no text has.
-/// @throws InputError for UTF-16 and for a zero byte, with its line
+/// @throws InputError for a workbook and a MATLAB file, with what to do, and for a zero byte, with
+///         its line
 void refuse_binary(std::string_view bytes, const std::string& file);
 
 /// Whether a text is UTF-8.

@@ -93,7 +93,7 @@ TEST_F(SceneFitFileTest, ReadsCurvesAsItSays) {
       parse(kFit +
             "[[target]]\nfiles = \"a.csv\"\nscene = \"bar.toml\"\nseparator = \";\"\n"
             "decimal = \",\"\nreversal_tolerance = \"0.2 mm\"\n"
-            "abscissa = { probe = \"way\", column = 1, unit = \"mm\" }\n"
+            "abscissa = { probe = \"tip\", column = 1, unit = \"mm\" }\n"
             "ordinate = { probe = \"force\", column = \"Kraft\", unit = \"N\" }\n");
   const SceneTarget& target = file.cases.at(0).targets.at(0).target;
   ASSERT_EQ(target.abscissa.size(), 3U);
@@ -178,9 +178,9 @@ TEST_F(SceneFitFileTest, NamesWhatIsWrong) {
                  "[target.ordinate]\nprobe = \"force\"\ncolumn = \"Force\"\nunit = \"mm\""),
             "fit.toml:10: target[1].ordinate.unit = mm: is not a unit of force (examples: N, kN, "
             "lbf)");
-  EXPECT_EQ(
-      with("\"Force\"", "\"Load\""),
-      "fit.toml:7: ordinate = Load: is not a column of a.csv, which has 2 columns: Way, Force");
+  EXPECT_EQ(with("\"Force\"", "\"Load\""),
+            "fit.toml:7: ordinate = Load: is not a column of a.csv, which has 2 columns: "
+            "Displacement, Force");
   EXPECT_EQ(with("factor = -1", "factor = 0"),
             "fit.toml:7: target[1].ordinate.factor = 0: must not be 0");
   EXPECT_EQ(with("files =", "fils ="),

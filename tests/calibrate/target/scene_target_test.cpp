@@ -158,7 +158,7 @@ TEST_F(SceneTargetFile, IsRepairedInTheWordsOfACoupon) {
                                       "nan-rows: 2 rows dropped that lack one of the two numbers",
                                       "duplicates: 1 samples equal to the one before dropped"}));
   TargetSource coupon;
-  coupon.files = {folder_.write("coupon.csv", "Way (%),Force (MPa)\n" + rows)};
+  coupon.files = {folder_.write("coupon.csv", "Displacement (%),Force (MPa)\n" + rows)};
   coupon.strain = {"Displacement", {}, {}};
   coupon.stress = {"Force", {}, {}};
   EXPECT_EQ(repairs_of(import_targets(coupon).at(0).repairs), repairs_of(beam.repairs));
@@ -195,14 +195,16 @@ TEST_F(SceneTargetFile, LosesLoneOutliersIfItGoesOneWay) {
   SceneTarget timed;
   timed.kind = Abscissa::Time;
   timed.ordinate_probe = "force";
-  EXPECT_EQ(read_scene_target(source("Way (s),Force (N)\n" + line(1)), bend_test(4).scene, timed)
-                .ordinate.size(),
-            12U);
+  EXPECT_EQ(
+      read_scene_target(source("Displacement (s),Force (N)\n" + line(1)), bend_test(4).scene, timed)
+          .ordinate.size(),
+      12U);
 }
 
 TEST_F(SceneTargetFile, AveragesWhatRunsBackWithinTheNoiseOfItsAbscissa) {
   // A thousandth of 10 mm.
-  const std::string text = "Displacement (mm),Force (N)\n0,0\n5,500\n4.995,510\n4.9999,505\n10,600\n";
+  const std::string text =
+      "Displacement (mm),Force (N)\n0,0\n5,500\n4.995,510\n4.9999,505\n10,600\n";
   const SceneTarget target = read(text);
   ASSERT_EQ(target.abscissa.size(), 4U);
   EXPECT_DOUBLE_EQ(target.abscissa[1], 4.9975e-3);
@@ -245,12 +247,13 @@ TEST_F(SceneTargetFile, ThatAScenesPathFollowsMayNotLoseACorner) {
   };
   const std::string rule =
       "has no ordinate where the path turns: a scene that follows this column would not go there";
-  EXPECT_EQ(turned("0,0\n10,500\n20,NaN\n10,300\n"), file("4: Way = 20: " + rule));
-  EXPECT_EQ(turned("0,0\n10,500\n20,NaN\n25,NaN\n22,300\n"), file("5: Way = 25: " + rule));
-  EXPECT_EQ(turned("-5,NaN\n1,0\n10,500\n"), file("2: Way = -5: " + rule));
+  EXPECT_EQ(turned("0,0\n10,500\n20,NaN\n10,300\n"), file("4: Displacement = 20: " + rule));
+  EXPECT_EQ(turned("0,0\n10,500\n20,NaN\n25,NaN\n22,300\n"), file("5: Displacement = 25: " + rule));
+  EXPECT_EQ(turned("-5,NaN\n1,0\n10,500\n"), file("2: Displacement = -5: " + rule));
   for (const std::string rows : {"0,0\n10,500\n20,NaN\n30,300\n", "0,0\n10,500\n20,NaN\n",
                                  "0,NaN\n1,0\n10,500\n", "0,0\n10,500\nNaN,7\n30,300\n"}) {
-    EXPECT_EQ(read_driven("Displacement (mm),Force (N)\n" + rows).repairs.front().kind, "nan-rows") << rows;
+    EXPECT_EQ(read_driven("Displacement (mm),Force (N)\n" + rows).repairs.front().kind, "nan-rows")
+        << rows;
   }
 }
 
@@ -263,7 +266,8 @@ TEST_F(SceneTargetFile, MayRunBackByAPartOfItsRangeUnderLoad) {
 
 TEST_F(SceneTargetFile, ThatFallsAllTheWayIsToBeTurned) {
   EXPECT_EQ(refusal("Displacement (mm),Force (N)\n0,0\n-1,500\n-2,600\n"),
-            file("3: Way = -1: falls all the way, and must rise: turn its sign, and set its factor "
+            file("3: Displacement = -1: falls all the way, and must rise: turn its sign, and set "
+                 "its factor "
                  "to -1"));
 }
 
@@ -316,14 +320,15 @@ TEST_F(SceneTargetFile, WarnsOfStrainsAbove100PercentWithoutAUnit) {
   EXPECT_EQ(warnings("Displacement"),
             (std::vector<std::string>{
                 "strains above 100 %: if they are in percent, write unit = \"%\""}));
-  EXPECT_TRUE(warnings("Way (%)").empty());
+  EXPECT_TRUE(warnings("Displacement (%)").empty());
 }
 
 TEST_F(SceneTargetFile, RefusesWhatIsNoCurveOfTheScene) {
   // The line of the row stays the file's where rows before it were dropped.
-  EXPECT_EQ(refusal("Displacement (mm),Force (N)\n0,NaN\n0,0\n2,5\n2,5\n1,6\n"),
-            file("6: Way = 1: goes back by more than reversal_tolerance: a beam's curve is "
-                 "followed one way; a scene that this column drives follows it to and fro"));
+  EXPECT_EQ(
+      refusal("Displacement (mm),Force (N)\n0,NaN\n0,0\n2,5\n2,5\n1,6\n"),
+      file("6: Displacement = 1: goes back by more than reversal_tolerance: a beam's curve is "
+           "followed one way; a scene that this column drives follows it to and fro"));
   SceneTarget probes;
   probes.abscissa_probe = "displacement";
   probes.ordinate_probe = "force";
@@ -339,7 +344,7 @@ TEST_F(SceneTargetFile, RefusesWhatIsNoCurveOfTheScene) {
             file("3: Force = much: is not a number"));
   EXPECT_EQ(refusal("Displacement (mm),Load (N)\n0,0\n2,1\n"),
             "fit.toml:5: ordinate = Force: is not a column of " + folder_.file("bar.csv") +
-                ", which has 2 columns: Way, Load");
+                ", which has 2 columns: Displacement, Load");
   EXPECT_EQ(refusal("Displacement (mm),Force (N)\n0,0\n2,1\n", "load"),
             "fit.toml:5: ordinate.probe = load: is not one of the scene's probes: displacement, "
             "force");

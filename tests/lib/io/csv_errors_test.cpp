@@ -32,12 +32,30 @@ TEST(CsvErrors, AHeaderAloneHoldsNoData) {
   EXPECT_EQ(parse_error("a,b\n", {.header = 1}), "curve.csv: holds no data row");
 }
 
-TEST(CsvErrors, BinaryAndUtf16AreRefused) {
+TEST(CsvErrors, BinaryIsRefusedWithWhatToDo) {
   EXPECT_EQ(parse_error(std::string("a,b\n1,\0\n", 8)),
             "curve.csv:2: is not text (it has a zero byte)");
   EXPECT_EQ(parse_error("\xFF\xFE"
                         "a"),
-            "curve.csv: is UTF-16 text; save it as UTF-8");
+            "curve.csv:1: is UTF-16 text that ends amid a character");
+  EXPECT_EQ(parse_error(std::string("PK\x03\x04\0", 5)),
+            "curve.csv: is an Excel workbook or another archive: save the sheet as CSV");
+  EXPECT_EQ(parse_error(std::string("\xD0\xCF\x11\xE0\0", 5)),
+            "curve.csv: is an old Excel workbook (.xls): save the sheet as CSV");
+  EXPECT_EQ(parse_error(std::string("MATLAB 5.0 MAT-file\0", 20)),
+            "curve.csv: is a MATLAB file: write the columns with writematrix(data, \"curve.csv\")");
+}
+
+TEST(CsvErrors, ACommaThatMayPartThousandsIsRefused) {
+  const std::string rows = "t;F\n1;998\n2;999\n3;1,000\n4;1,001\n";
+  EXPECT_EQ(parse_error(rows),
+            "curve.csv:4: 1,000: has a decimal mark or one of thousands: say which by decimal = "
+            "\".\" or \",\"");
+  EXPECT_EQ(CsvTable::parse(rows, "", {.decimal = '.'}).number(3, 1), 1001.0);
+  EXPECT_EQ(CsvTable::parse(rows, "", {.decimal = ','}).number(3, 1), 1.001);
+  // A number with two decimals, or one below a thousand with three, shows what a comma is.
+  EXPECT_EQ(CsvTable::parse(rows + "5;1,25\n", "").number(3, 1), 1.001);
+  EXPECT_EQ(CsvTable::parse("t;F\n1;0,998\n2;100\n3;1,000\n", "").number(2, 1), 1.0);
 }
 
 TEST(CsvErrors, ARowOfAnotherWidthIsNamedWithItsLine) {
@@ -88,12 +106,6 @@ TEST(CsvErrors, ACellThatIsNoNumberIsNamedWithLineAndColumn) {
             "c.csv:6: column 2 = inf: is not a number");
   EXPECT_EQ(message_from<InputError>([&] { table.numbers(1); }),
             "c.csv:4: column 2 = x7: is not a number");
-}
-
-TEST(CsvErrors, ThousandsSeparatorsAreNotGuessed) {
-  const CsvTable table = CsvTable::parse("a;b\n0,5;1,5\n1.234,5;2,5\n2,5;3,5\n4,5;1,5\n", "c.csv");
-  EXPECT_EQ(message_from<InputError>([&] { table.numbers(0); }),
-            "c.csv:3: a = 1.234,5: is not a number");
 }
 
 TEST(CsvErrors, ABrokenFirstRowIsNotTakenForAHeader) {

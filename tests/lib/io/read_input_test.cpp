@@ -60,7 +60,7 @@ TEST(ReadInput, EndsAtTheFirstZeroByte) {
   const std::string wide = folder.write("wide.csv", std::string("\xFF\xFE"
                                                                 "a\0",
                                                                 4));
-  EXPECT_EQ(error_of(wide), wide + ": is UTF-16 text; save it as UTF-8");
+  EXPECT_EQ(read_input(wide, 4), "a");
 }
 
 TEST(ReadInput, SaysWhyAFileCannotBeRead) {

@@ -23,7 +23,7 @@ Scene scene_of(const std::string& text) { return read(text).scene; }
 /// A cantilever with more text at its end.
 Scene with(const std::string& text) { return scene_of(kClamp + kForce + text); }
 
-History history_of(const std::string& text) {
+History history_in(const std::string& text) {
   return scene_of(kClamp + kForce + "history = " + text).loads.at(0).history;
 }
 
@@ -91,16 +91,16 @@ TEST(ChainScene, TakesPlacesByNameNumberAndFraction) {
 }
 
 TEST(ChainScene, ReadsHistories) {
-  EXPECT_EQ(history_of("'ramp'"), History::ramp());
-  EXPECT_FALSE(history_of("{ turning_points = [1] }").continues);
-  EXPECT_FALSE(history_of("{ time = ['0 s', '1 s'], factor = [0, 1] }").continues);
-  const History turning = history_of("{ turning_points = [1, -1, 0.5] }");
+  EXPECT_EQ(history_in("'ramp'"), History::ramp());
+  EXPECT_FALSE(history_in("{ turning_points = [1] }").continues);
+  EXPECT_FALSE(history_in("{ time = ['0 s', '1 s'], factor = [0, 1] }").continues);
+  const History turning = history_in("{ turning_points = [1, -1, 0.5] }");
   EXPECT_EQ(turning.time, (std::vector<double>{0.0, 1.0, 2.0, 3.0}));
   EXPECT_EQ(turning.factor, (std::vector<double>{0.0, 1.0, -1.0, 0.5}));
-  const History cycles = history_of("{ cycles = 2 }");
+  const History cycles = history_in("{ cycles = 2 }");
   EXPECT_EQ(cycles.factor, (std::vector<double>{0.0, 1.0, -1.0, 1.0, -1.0, 0.0}));
   EXPECT_EQ(cycles.end(), 5.0);
-  const History table = history_of("{ time = ['0 s', '500 ms', '2 s'], factor = [0, 1, '50 %'] }");
+  const History table = history_in("{ time = ['0 s', '500 ms', '2 s'], factor = [0, 1, '50 %'] }");
   EXPECT_EQ(table.time, (std::vector<double>{0.0, 0.5, 2.0}));
   EXPECT_EQ(table.factor, (std::vector<double>{0.0, 1.0, 0.5}));
   const Scene constant =
