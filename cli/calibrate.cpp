@@ -21,6 +21,7 @@
 #include "calibrate/store/journaled_batch.hpp"
 #include "cli/calibrate_arguments.hpp"
 #include "cli/calibrate_scenes.hpp"
+#include "cli/column_options.hpp"
 #include "cli/command.hpp"
 #include "cli/common_options.hpp"
 #include "cli/dry_run.hpp"
@@ -47,7 +48,9 @@ calibrate::FitFile read_inputs(const CalibrateArguments& arguments) {
     std::sort(bare.files.begin(), bare.files.end());
     const auto twice = std::adjacent_find(bare.files.begin(), bare.files.end());
     if (twice != bare.files.end()) throw InputError({}, "inputs", *twice, "is named twice");
-    return calibrate::fit_of_bare_files(bare);
+    calibrate::FitFile file = calibrate::fit_of_bare_files(bare);
+    tell_notes(file.notes);
+    return file;
   }
   if (arguments.inputs.size() > 1) {
     throw InputError({}, "calibrate", *toml, "must be the only file: a fit file names its curves");
@@ -174,16 +177,10 @@ int calibrate_files(const CalibrateArguments& arguments) {
 constexpr const char* kBareGroup = "Curves without a fit file";
 
 void add_bare_options(CLI::App& sub, calibrate::BareFiles& bare) {
+  add_column_options(sub, bare, kBareGroup);
   const auto add = [&](const char* name, auto& value, const char* takes, const char* text) {
     return sub.add_option(name, value, text)->option_text(takes)->group(kBareGroup);
   };
-  add("--strain", bare.strain, "COLUMN[:UNIT]", "Take strains from a column, by name or number");
-  add("--elongation", bare.elongation, "COLUMN[:UNIT]",
-      "Take elongations from a column, with --gauge-length");
-  add("--gauge-length", bare.gauge_length, "LENGTH", "\"50 mm\", or a column of --table");
-  add("--stress", bare.stress, "COLUMN[:UNIT]", "Take stresses from a column, by name or number");
-  add("--load", bare.force, "COLUMN[:UNIT]", "Take forces from a column, with --area");
-  add("--area", bare.area, "AREA", "\"120 mm^2\", or a column of --table");
   add("--test", bare.test, "KIND", "tension, bending or torsion");
   add("--measure", bare.measure, "KIND", "engineering or true");
   add("--table", bare.table, "FILE:KEY", "Read a row per specimen, found by the column KEY");

@@ -1,12 +1,16 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <cmath>
 #include <memory>
 #include <string>
 #include <vector>
 
+#include "calibrate/config/bare_files.hpp"
 #include "calibrate/config/write_target.hpp"
+#include "calibrate/guess/guess_file.hpp"
 #include "calibrate/target/import.hpp"
+#include "cli/column_options.hpp"
 #include "cli/command.hpp"
 #include "cli/exit_code.hpp"
 #include "cli/tell.hpp"
@@ -25,12 +29,29 @@ std::string_view name_of_separator(char separator) {
   }
 }
 
-void print_columns(const io::CsvTable& table) {
+/// A cell in at most ten characters, if it is a number.
+std::string shown_cell(const io::CsvTable& table, std::size_t row, std::size_t column) {
+  try {
+    const double value = table.number(row, column);
+    return std::isnan(value) ? std::string() : fmt::format("{:.5g}", value);
+  } catch (const InputError&) {
+    constexpr std::size_t kMost = 10;
+    const std::string_view cell = table.cell(row, column);
+    return cell.size() <= kMost ? std::string(cell) : "(text)";
+  }
+}
+
+void print_columns(const io::CsvTable& table, const calibrate::FileGuess& guess) {
   constexpr std::size_t kShownColumns = 20;
-  say("  {:<4} {:<28} {:<8} {:<16} {:<16}\n", "no.", "column", "unit", "first", "last");
+  say("  {:<3} {:<26} {:<6} {:<9} {:<9} {}\n", "no.", "column", "unit", "first", "last",
+      "taken for (by its)");
   for (std::size_t c = 0; c < table.columns() && c < kShownColumns; ++c) {
-    say("  {:<4} {:<28} {:<8} {:<16} {:<16}\n", c + 1, table.names()[c], table.units()[c],
-        table.cell(0, c), table.cell(table.rows() - 1, c));
+    const calibrate::ColumnMeaning& meaning = guess.columns[c];
+    std::string taken(calibrate::words_of(meaning.role));
+    if (meaning.is_true) taken = "true " + taken;
+    if (!meaning.why.empty()) taken += " (" + meaning.why + ")";
+    say("  {:<3} {:<26} {:<6} {:<9} {:<9} {}\n", c + 1, table.names()[c], table.units()[c],
+        shown_cell(table, 0, c), shown_cell(table, table.rows() - 1, c), taken);
   }
   if (table.columns() > kShownColumns) say("  … {} columns in all\n", table.columns());
 }
@@ -49,25 +70,24 @@ void print_specimens(const calibrate::TargetSource& source) {
   }
 }
 
-void inspect_file(const std::string& path) {
+void inspect_file(const std::string& path, const calibrate::TargetSource& given) {
   const io::CsvTable table = io::CsvTable::read(path);
   say("{}: {} rows, {} columns, separated by {}, decimal {}\n", path, table.rows(), table.columns(),
       name_of_separator(table.separator()), table.decimal() == ',' ? "comma" : "point");
   for (const std::string& line : table.preamble()) say("  metadata: {}\n", line);
-  print_columns(table);
-
-  calibrate::TargetSource source = calibrate::guess_source(table);
-  source.files = {path};
-  const bool strain = source.strain || (source.elongation && source.gauge_length);
-  const bool stress = source.stress || (source.force && source.area);
-  if (strain && stress) {
-    print_specimens(source);
-    say("\nto paste into a fit file:\n\n");
-  } else {
-    say("\nto paste into a fit file; say what is missing (strain, or elongation and "
-        "gauge_length; stress, or force and area):\n\n");
+  const calibrate::FileGuess guess = calibrate::guess_file(table, given);
+  print_columns(table, guess);
+  for (const std::string& note : guess.notes) say("  note: {}\n", note);
+  bool is_complete = true;
+  for (const calibrate::BlockGuess& block : guess.blocks) {
+    is_complete = is_complete && block.missing.empty();
+    if (block.missing.empty()) print_specimens(block.source);
   }
-  say("{}", calibrate::target_text(source));
+  say("\nto paste into a fit file{}:\n",
+      is_complete ? "" : "; put what only you know in place of each \"?\"");
+  for (const calibrate::BlockGuess& block : guess.blocks) {
+    say("\n{}", calibrate::target_text(block));
+  }
 }
 
 }  // namespace
@@ -75,14 +95,21 @@ void inspect_file(const std::string& path) {
 void add_inspect(CLI::App& app, Action& action) {
   CLI::App* sub = app.add_subcommand(
       "inspect", "Show columns, units and repairs of measured files, and the block to paste");
-  auto files = std::make_shared<std::vector<std::string>>();
-  sub->add_option("files", *files, "CSV files of curves")->required()->option_text("FILE.csv...");
-  sub->footer("Example:\n  plastica inspect specimen.csv");
-  sub->callback([&action, files] {
-    action = [files] {
-      for (std::size_t i = 0; i < files->size(); ++i) {
+  auto bare = std::make_shared<calibrate::BareFiles>();
+  sub->add_option("files", bare->files, "CSV files of curves")
+      ->required()
+      ->option_text("FILE.csv...");
+  add_column_options(*sub, *bare, "Columns, in place of those that are guessed");
+  sub->footer(
+      "Examples:\n"
+      "  plastica inspect specimen.csv\n"
+      "  plastica inspect specimen.csv --strain Strain:% --load 3:kN --area \"120 mm^2\"");
+  sub->callback([&action, bare] {
+    action = [bare] {
+      const calibrate::TargetSource given = calibrate::source_of(*bare);
+      for (std::size_t i = 0; i < bare->files.size(); ++i) {
         if (i > 0) say("\n");
-        inspect_file((*files)[i]);
+        inspect_file(bare->files[i], given);
       }
       return static_cast<int>(kDone);
     };

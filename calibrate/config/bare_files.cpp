@@ -8,6 +8,7 @@
 
 #include "calibrate/config/read_parameters.hpp"
 #include "calibrate/config/write_target.hpp"
+#include "calibrate/guess/guess_file.hpp"
 #include "plastica/io/csv.hpp"
 #include "plastica/io/read_input.hpp"
 #include "plastica/io/units.hpp"
@@ -74,37 +75,6 @@ void refuse_both(const Text& first, std::string_view first_option, const Text& s
   throw InputError({}, second_option, *second, "cannot go with " + std::string(first_option));
 }
 
-/// What the options say, without files.
-TargetSource source_of(const BareFiles& bare) {
-  refuse_both(bare.strain, "--strain", bare.elongation, "--elongation");
-  refuse_both(bare.stress, "--stress", bare.force, "--load");
-  TargetSource source;
-  set_word(bare.test, "--test", {"tension", "bending", "torsion"}, source.test);
-  set_word(bare.measure, "--measure", {"engineering", "true"}, source.measure);
-  source.strain = column_of(bare.strain, Dimension::Strain, "--strain");
-  source.elongation = column_of(bare.elongation, Dimension::Length, "--elongation");
-  source.stress = column_of(bare.stress, Dimension::Stress, "--stress");
-  source.force = column_of(bare.force, Dimension::Force, "--load");
-  const bool has_table = bare.table.has_value();
-  source.gauge_length =
-      specimen_value_of(bare.gauge_length, Dimension::Length, "--gauge-length", has_table);
-  source.area = specimen_value_of(bare.area, Dimension::Area, "--area", has_table);
-  if (has_table) {
-    const auto [file, key] = split_last(*bare.table, ':');
-    if (file.empty() || !key || key->empty()) {
-      throw InputError({}, "--table", *bare.table, "must be FILE:KEY, the key being a column");
-    }
-    source.table.emplace();
-    source.table->file = file;
-    source.table->key = *key;
-  }
-  if (!bare.group.empty() && !has_table) {
-    throw InputError({}, "--group", bare.group.front(), "needs --table, which has this column");
-  }
-  source.group = bare.group;
-  return source;
-}
-
 std::string names_of(const io::CsvTable& table) {
   std::string names;
   for (const std::string& name : table.names()) names += (names.empty() ? "" : ", ") + name;
@@ -127,9 +97,43 @@ void check_unit(const io::CsvTable& table, const ColumnSource& column, Dimension
   }
 }
 
+/// What a user must not overlook of guesses, and of which files.
+struct GuessNote {
+  std::string words;
+  std::string file;  ///< the first
+  std::size_t files = 1;
+};
+
+void add_notes(const std::string& file, const FileGuess& guess, std::vector<GuessNote>& notes) {
+  std::vector<std::string> all = guess.notes;
+  for (const auto& [key, words] : guess.blocks.front().comments) {
+    const bool is_unknown =
+        std::ranges::find(guess.blocks.front().missing, key) != guess.blocks.front().missing.end();
+    if (!is_unknown) all.push_back(key + ": " + words);
+  }
+  for (const std::string& words : all) {
+    const auto known = std::ranges::find(notes, words, &GuessNote::words);
+    if (known == notes.end()) {
+      notes.push_back({words, file});
+    } else {
+      ++known->files;
+    }
+  }
+}
+
 /// Completes what the options say by what the columns of a file are called.
-void complete(const io::CsvTable& table, TargetSource& source, bool measure_given) {
-  const TargetSource guess = guess_source(table);
+void complete(const io::CsvTable& table, TargetSource& source, bool measure_given,
+              std::vector<GuessNote>& notes) {
+  const FileGuess all = guess_file(table, source);
+  if (all.blocks.size() > 1) {
+    throw InputError({table.file(), 0}, "", "",
+                     fmt::format("holds {} specimens side by side: put the blocks that `plastica "
+                                 "inspect` prints into a fit file",
+                                 all.blocks.size()));
+  }
+  add_notes(table.file(), all, notes);
+  const TargetSource& guess = all.blocks.front().source;
+  if (source.split.empty()) source.split = guess.split;
   const auto missing = [&](std::string_view option, std::string_view what) {
     return InputError({table.file(), 0}, option, "",
                       fmt::format("no column is known for the {}; it has {}: give {}", what,
@@ -145,6 +149,9 @@ void complete(const io::CsvTable& table, TargetSource& source, bool measure_give
     source.force = guess.force;
     if (!measure_given) source.measure = guess.measure;
   }
+  // What the header lines of the file say of the specimen.
+  if (!source.gauge_length) source.gauge_length = guess.gauge_length;
+  if (!source.area) source.area = guess.area;
   if (!source.strain && !source.elongation) throw missing("--strain", "strain");
   if (!source.stress && !source.force) throw missing("--stress", "stress");
   if (source.strain) check_unit(table, *source.strain, Dimension::Strain, "--strain");
@@ -200,6 +207,36 @@ std::string parameters_text(const std::vector<std::string>& fixed) {
 
 }  // namespace
 
+TargetSource source_of(const BareFiles& bare) {
+  refuse_both(bare.strain, "--strain", bare.elongation, "--elongation");
+  refuse_both(bare.stress, "--stress", bare.force, "--load");
+  TargetSource source;
+  set_word(bare.test, "--test", {"tension", "bending", "torsion"}, source.test);
+  set_word(bare.measure, "--measure", {"engineering", "true"}, source.measure);
+  source.strain = column_of(bare.strain, Dimension::Strain, "--strain");
+  source.elongation = column_of(bare.elongation, Dimension::Length, "--elongation");
+  source.stress = column_of(bare.stress, Dimension::Stress, "--stress");
+  source.force = column_of(bare.force, Dimension::Force, "--load");
+  const bool has_table = bare.table.has_value();
+  source.gauge_length =
+      specimen_value_of(bare.gauge_length, Dimension::Length, "--gauge-length", has_table);
+  source.area = specimen_value_of(bare.area, Dimension::Area, "--area", has_table);
+  if (has_table) {
+    const auto [file, key] = split_last(*bare.table, ':');
+    if (file.empty() || !key || key->empty()) {
+      throw InputError({}, "--table", *bare.table, "must be FILE:KEY, the key being a column");
+    }
+    source.table.emplace();
+    source.table->file = file;
+    source.table->key = *key;
+  }
+  if (!bare.group.empty() && !has_table) {
+    throw InputError({}, "--group", bare.group.front(), "needs --table, which has this column");
+  }
+  source.group = bare.group;
+  return source;
+}
+
 FitFile fit_of_bare_files(const BareFiles& bare) {
   if (bare.files.empty()) throw InputError({}, "FILE", "", "give at least one file");
   const TargetSource given = source_of(bare);
@@ -207,6 +244,7 @@ FitFile fit_of_bare_files(const BareFiles& bare) {
   // Blocks by what they say, in the order of their first files.
   std::vector<std::pair<std::string, TargetSource>> blocks;
   std::vector<std::string> unreadable;
+  std::vector<GuessNote> notes;
   std::optional<InputError> first_error;
   for (const std::string& file : bare.files) {
     // The fit file that is stored with the results must be UTF-8.
@@ -223,7 +261,7 @@ FitFile fit_of_bare_files(const BareFiles& bare) {
       unreadable.push_back(file);
       continue;
     }
-    complete(*table, source, bare.measure.has_value());
+    complete(*table, source, bare.measure.has_value(), notes);
     const std::string columns = target_text(source);
     auto block = std::find_if(blocks.begin(), blocks.end(),
                               [&](const auto& other) { return other.first == columns; });
@@ -238,7 +276,12 @@ FitFile fit_of_bare_files(const BareFiles& bare) {
     throw InputError({}, "", "", "an option is not UTF-8 text");
   }
   try {
-    return parse_fit_file(std::move(text), "");
+    FitFile file = parse_fit_file(std::move(text), "");
+    for (const GuessNote& note : notes) {
+      file.notes.push_back(note.file + ": " + note.words);
+      if (note.files > 1) file.notes.back() += fmt::format(" ({} files)", note.files);
+    }
+    return file;
   } catch (const InputError& error) {
     // Lines of a text that the user has not written would only confuse.
     throw InputError({}, error.field(), error.value(), error.rule());

@@ -27,10 +27,14 @@ struct BareFiles {
   std::vector<std::string> fixed;           ///< --fix NAME=VALUE, as often as wanted
 };
 
+/// What the options say of columns, values, table and test, without files.
+/// @throws InputError naming the option, value and rule
+TargetSource source_of(const BareFiles& bare);
+
 /// The fit file that the command line stands for; its text can be kept and run again in the same
 /// folder. Files of the same columns make one [[target]]. Parameters are the default ones; those of
 /// --fix are fixed. A file that cannot be read stands in the first [[target]], whose import rejects
-/// it; it is an error here if all of them are so.
+/// it; it is an error here if all of them are so. Its notes say what was guessed and may be wrong.
 /// @throws InputError naming the option (or file), value and rule
 FitFile fit_of_bare_files(const BareFiles& bare);
 

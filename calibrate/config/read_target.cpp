@@ -27,12 +27,25 @@ std::optional<std::string> read_unit(const TomlTable& table, Dimension dimension
 
 /// A header or number, or { column = "Stress", unit = "MPa" }.
 ColumnSource read_any_column(const TomlValue& value, Dimension dimension) {
-  if (value.is_table()) return read_column(value.table(), dimension);
+  if (value.is_table()) {
+    ColumnSource column = read_column(value.table(), dimension);
+    column.factor = read_factor(value.table());
+    return column;
+  }
   if (!value.is_string() && !value.is_number()) {
     throw value.error("must be a column, { column = \"...\", unit = \"" +
                       std::string(si_unit(dimension)) + "\" }");
   }
   return {column_name(value), std::nullopt, value.where()};
+}
+
+/// One column or several, by names or numbers.
+std::vector<std::string> read_columns_of(const TomlValue& value) {
+  if (value.is_string() || value.is_number()) return {column_name(value)};
+  std::vector<std::string> columns;
+  for (const TomlValue& each : value.array()) columns.push_back(column_name(each));
+  if (columns.empty()) throw value.error("must name a column");
+  return columns;
 }
 
 /// "50 mm" for all specimens, or { from = "Le_mm", unit = "mm" }.
@@ -267,6 +280,7 @@ void read_target(const TomlTable& table, const std::string& folder, TargetBlock&
   read_columns(table, source);
   if (const auto value = table.find("table")) source.table = read_table(*value, folder);
   if (const auto value = table.find("group")) source.group = value->strings();
+  if (const auto value = table.find("split")) source.split = read_columns_of(*value);
   read_csv_options(table, source.csv);
   if (const auto corrections = table.find_table("corrections")) {
     read_corrections(*corrections, options);

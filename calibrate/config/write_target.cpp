@@ -2,10 +2,13 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "calibrate/config/find_files.hpp"
+#include "plastica/io/units.hpp"
 
 namespace plastica::calibrate {
 namespace {
@@ -20,22 +23,60 @@ std::string unit_text(const std::optional<std::string>& unit) {
   return unit ? ", unit = " + toml_string(*unit) : "";
 }
 
-void add(std::string& text, std::string_view key, const std::optional<ColumnSource>& column) {
-  if (!column) return;
-  text += fmt::format("{} = {{ column = {}{} }}\n", key, toml_string(column->column),
-                      unit_text(column->unit));
-}
+/// Writes a block line by line, each with what is said of its key.
+class BlockWriter {
+ public:
+  explicit BlockWriter(const BlockGuess& block) : block_(block) {}
 
-void add(std::string& text, std::string_view key, const std::optional<SpecimenValue>& value,
-         std::string_view si_unit) {
-  if (!value) return;
-  if (value->value) {
-    text += fmt::format("{} = \"{} {}\"\n", key, *value->value, si_unit);
-    return;
+  void add(std::string_view key, const std::optional<ColumnSource>& column) {
+    if (!column) return;
+    const bool lacks_unit = is_missing(std::string(key) + ".unit");
+    line(key, fmt::format("{{ column = {}{}{} }}", toml_string(column->column),
+                          lacks_unit ? ", unit = \"?\"" : unit_text(column->unit),
+                          column->factor != 1.0 ? fmt::format(", factor = {:g}", column->factor)
+                                                : std::string()));
   }
-  text += fmt::format("{} = {{ from = {}{} }}\n", key, toml_string(value->from),
-                      unit_text(value->unit));
-}
+
+  /// @param unit  where the value has none of its own
+  void add(std::string_view key, const std::optional<SpecimenValue>& value, Dimension dimension) {
+    if (!value) {
+      const std::string_view shown = dimension == Dimension::Area ? "mm^2" : "mm";
+      if (is_missing(key)) line(key, fmt::format("\"? {}\"", shown));
+    } else if (value->value && value->unit) {
+      const double scale = io::unit_conversion(*value->unit, dimension).scale;
+      line(key, fmt::format("\"{:.10g} {}\"", *value->value / scale, *value->unit));
+    } else if (value->value) {
+      line(key, fmt::format("\"{} {}\"", *value->value, si_unit(dimension)));
+    } else {
+      line(key, fmt::format("{{ from = {}{} }}", toml_string(value->from), unit_text(value->unit)));
+    }
+  }
+
+  void line(std::string_view key, std::string_view value) {
+    constexpr std::size_t kWidth = 80;
+    const std::string line = fmt::format("{} = {}", key, value);
+    std::string beside;
+    for (const auto& [of, words] : block_.comments) {
+      if (of != key) continue;
+      if (beside.empty() && line.size() + words.size() + 4 <= kWidth) {
+        beside = "  # " + words;
+      } else {
+        text_ += "# " + words + "\n";
+      }
+    }
+    text_ += line + beside + "\n";
+  }
+
+  bool is_missing(std::string_view key) const {
+    return std::ranges::find(block_.missing, key) != block_.missing.end();
+  }
+
+  std::string text() && { return std::move(text_); }
+
+ private:
+  const BlockGuess& block_;
+  std::string text_ = "[[target]]\n";
+};
 
 void add(std::string& text, const io::CsvOptions& csv) {
   if (csv.separator) {
@@ -64,31 +105,38 @@ std::string toml_string(std::string_view text) {
   return quoted + '"';
 }
 
-std::string target_text(const TargetSource& source) {
+std::string target_text(const BlockGuess& block) {
+  const TargetSource& source = block.source;
   std::vector<std::string> patterns;
   for (const std::string& file : source.files) patterns.push_back(literal_pattern(file));
-  std::string text = "[[target]]\nfiles = " + list(patterns) + "\n";
-  constexpr std::string_view kTests[] = {"tension", "bending", "torsion"};
-  text += fmt::format("test = \"{}\"\n", kTests[static_cast<int>(source.test)]);
-  if (source.measure == Measure::True) text += "measure = \"true\"\n";
+  constexpr std::string_view kTests[] = {"\"tension\"", "\"bending\"", "\"torsion\""};
+  BlockWriter to(block);
+  to.line("files", list(patterns));
+  to.line("test", kTests[static_cast<int>(source.test)]);
+  if (source.measure == Measure::True) to.line("measure", "\"true\"");
   if (source.loading) {
-    text += fmt::format("loading = \"{}\"\n",
-                        *source.loading == Loading::Cyclic ? "cyclic" : "monotonic");
+    to.line("loading", *source.loading == Loading::Cyclic ? "\"cyclic\"" : "\"monotonic\"");
   }
-  add(text, "strain", source.strain);
-  add(text, "elongation", source.elongation);
-  add(text, "gauge_length", source.gauge_length, "m");
-  add(text, "stress", source.stress);
-  add(text, "force", source.force);
-  add(text, "area", source.area, "m^2");
-  add(text, "strain_rate", source.strain_rate, "1/s");
+  if (to.is_missing("strain")) to.line("strain", "{ column = \"?\", unit = \"%\" }");
+  to.add("strain", source.strain);
+  to.add("elongation", source.elongation);
+  to.add("gauge_length", source.gauge_length, Dimension::Length);
+  if (to.is_missing("stress")) to.line("stress", "{ column = \"?\", unit = \"MPa\" }");
+  to.add("stress", source.stress);
+  to.add("force", source.force);
+  to.add("area", source.area, Dimension::Area);
+  to.add("strain_rate", source.strain_rate, Dimension::StrainRate);
   if (source.table) {
-    text += fmt::format("table = {{ file = {}, key = {} }}\n", toml_string(source.table->file),
-                        toml_string(source.table->key));
+    to.line("table", fmt::format("{{ file = {}, key = {} }}", toml_string(source.table->file),
+                                 toml_string(source.table->key)));
   }
-  if (!source.group.empty()) text += "group = " + list(source.group) + "\n";
+  if (!source.group.empty()) to.line("group", list(source.group));
+  if (!source.split.empty()) to.line("split", list(source.split));
+  std::string text = std::move(to).text();
   add(text, source.csv);
   return text;
 }
+
+std::string target_text(const TargetSource& source) { return target_text({source, {}, {}}); }
 
 }  // namespace plastica::calibrate

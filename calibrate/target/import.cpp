@@ -7,6 +7,7 @@
 #include <string_view>
 #include <utility>
 
+#include "calibrate/guess/column_role.hpp"
 #include "calibrate/target/column_pattern.hpp"
 #include "calibrate/target/make.hpp"
 #include "calibrate/target/named_column.hpp"
@@ -89,6 +90,48 @@ Plan plan_of(const TargetSource& source) {
   return plan;
 }
 
+/// The rows of a file that are one specimen.
+struct Part {
+  std::string stem;   ///< of the file
+  std::string value;  ///< of the columns that split it; empty: all rows
+  std::vector<std::size_t> rows;
+
+  std::vector<double> of(std::vector<double> values) const {
+    if (value.empty()) return values;
+    std::vector<double> own;
+    own.reserve(rows.size());
+    for (const std::size_t row : rows) own.push_back(values[row]);
+    return own;
+  }
+};
+
+/// The specimens of a file, in the order in which they come up first.
+std::vector<Part> parts_of(const TargetSource& source, const CsvTable& table,
+                           const std::string& stem) {
+  if (source.split.empty()) return {{stem, "", {}}};
+  std::vector<std::size_t> columns;
+  for (const std::string& name : source.split) {
+    columns.push_back(table.find(name, source.where, "split"));
+  }
+  std::vector<Part> parts;
+  std::map<std::string, std::size_t> known;
+  for (std::size_t row = 0; row < table.rows(); ++row) {
+    std::string value;
+    for (const std::size_t column : columns) {
+      const std::string_view cell = table.cell(row, column);
+      if (cell.empty()) {
+        throw InputError({table.file(), table.line_of_row(row)}, table.label(column), "",
+                         "is empty: split needs a value in each row");
+      }
+      value += (value.empty() ? "" : ":") + std::string(cell);
+    }
+    const auto [at, is_new] = known.emplace(value, parts.size());
+    if (is_new) parts.push_back({stem, value, {}});
+    parts[at->second].rows.push_back(row);
+  }
+  return parts;
+}
+
 /// The table beside the curves, with the columns that the block asks for.
 class Specimens {
  public:
@@ -108,11 +151,14 @@ class Specimens {
     }
   }
 
+  /// The row of a file's stem, or of the value that splits it.
   /// @throws InputError if there is not exactly one row
-  std::size_t row_of(const std::string& stem) const {
-    const auto found = rows_.find(stem);
+  std::size_t row_of(const Part& part) const {
+    auto found = part.value.empty() ? rows_.end() : rows_.find(part.value);
+    if (found == rows_.end()) found = rows_.find(part.stem);
     if (found != rows_.end() && found->second != kTwice) return found->second;
-    throw InputError({table_.file(), 0}, source_.table->key, stem,
+    throw InputError({table_.file(), 0}, source_.table->key,
+                     part.value.empty() ? part.stem : part.value,
                      found == rows_.end() ? "has no row in the table" : "has more than one row");
   }
 
@@ -174,14 +220,14 @@ Columns columns_of(const Plan& plan, const CsvTable& table) {
 
 /// Raw curve of one specimen, in SI.
 void read_curve(const Plan& plan, const CsvTable& table, const io::FoundColumn& strain,
-                const io::FoundColumn& stress, const Specimens* specimens, const std::string& stem,
+                const io::FoundColumn& stress, const Specimens* specimens, const Part& part,
                 Target& target) {
   double gauge_length = 1.0;
   double area = 1.0;
   const auto value_of = [&](const SpecimenValue& value, Dimension dimension, const char* field) {
     const double si = value.value
                           ? *value.value
-                          : specimens->number(specimens->row_of(stem), value, dimension, field);
+                          : specimens->number(specimens->row_of(part), value, dimension, field);
     target.properties.emplace_back(field, si);
     return si;
   };
@@ -189,10 +235,19 @@ void read_curve(const Plan& plan, const CsvTable& table, const io::FoundColumn& 
     gauge_length = value_of(*plan.gauge_length, Dimension::Length, "gauge_length");
   if (plan.area) area = value_of(*plan.area, Dimension::Area, "area");
   if (plan.strain_rate) value_of(*plan.strain_rate, Dimension::StrainRate, "strain_rate");
-  Curve raw{io::numbers_of(table, strain), io::numbers_of(table, stress)};
-  for (double& value : raw.strain) value /= gauge_length;
-  for (double& value : raw.stress) value /= area;
+  Curve raw{part.of(io::numbers_of(table, strain)), part.of(io::numbers_of(table, stress))};
+  for (double& value : raw.strain) value /= gauge_length * plan.strain->factor;
+  for (double& value : raw.stress) value /= area * plan.stress->factor;
   target.raw = std::move(raw);  // both columns or none
+}
+
+/// Crosshead travel is more than the specimen's deformation.
+void warn_of_travel(std::string_view name, std::string_view unit,
+                    std::vector<std::string>& warnings) {
+  if (!meaning_of(name, unit).is_travel) return;
+  warnings.push_back("\"" + std::string(name) +
+                     "\" is crosshead travel by its name: the machine gives way in it, so that "
+                     "Young's modulus comes out too small and strains too large");
 }
 
 /// Units that the block itself gives, checked once, as an error of the block.
@@ -248,51 +303,58 @@ std::vector<Target> import_targets(const TargetSource& source, const TargetOptio
     first.measure = source.measure;
     const std::string stem = std::filesystem::path(file).stem().string();
     first.name = stem;
-    if (specimens) {
-      try {
-        specimens->add_groups(specimens->row_of(stem), first);
-      } catch (const InputError& error) {
-        reject(first, error.what());
-        targets.push_back(std::move(first));
-        continue;
-      }
-    }
+    const auto refuse = [&](const InputError& error) {
+      Target refused = first;
+      reject(refused, error.what());
+      targets.push_back(std::move(refused));
+    };
     std::optional<CsvTable> table;
+    Columns columns;
+    std::vector<Part> parts;
     try {
+      if (specimens && source.split.empty()) {
+        specimens->add_groups(specimens->row_of({stem, "", {}}), first);
+      }
       table.emplace(CsvTable::read(file, source.csv));
     } catch (const InputError& error) {
-      reject(first, error.what());
-      targets.push_back(std::move(first));
+      refuse(error);
       continue;
     }
-    Columns columns;
     try {
       columns = columns_of(plan, *table);
+      parts = parts_of(source, *table, stem);
       any_has_columns = true;
     } catch (const InputError& error) {
       if (!lacking) lacking = error;
-      reject(first, error.what());
-      targets.push_back(std::move(first));
+      refuse(error);
       continue;
     }
     const bool pattern = plan.stress->column.find('*') != std::string::npos;
-    for (const io::FoundColumn& column : columns.stress) {
-      Target target = first;
-      if (pattern) target.name += ":" + table->names()[column.index];
-      report_torn_row(*table, target.repairs);
-      try {
-        read_curve(plan, *table, columns.strain, column, specimens ? &*specimens : nullptr, stem,
-                   target);
-      } catch (const InputError& error) {
-        reject(target, error.what());
+    for (const Part& part : parts) {
+      for (const io::FoundColumn& column : columns.stress) {
+        Target target = first;
+        if (!part.value.empty()) target.name += ":" + part.value;
+        if (pattern) target.name += ":" + table->names()[column.index];
+        report_torn_row(*table, target.repairs);
+        try {
+          if (specimens && !source.split.empty()) {
+            specimens->add_groups(specimens->row_of(part), target);
+          }
+          read_curve(plan, *table, columns.strain, column, specimens ? &*specimens : nullptr, part,
+                     target);
+        } catch (const InputError& error) {
+          reject(target, error.what());
+          targets.push_back(std::move(target));
+          continue;
+        }
+        if (target.test == Test::Tension) {
+          warn_of_percent(columns.strain, target.raw.strain, target.warnings);
+          warn_of_travel(table->names()[columns.strain.index], table->units()[columns.strain.index],
+                         target.warnings);
+        }
+        process_target(target, used);
         targets.push_back(std::move(target));
-        continue;
       }
-      if (target.test == Test::Tension) {
-        warn_of_percent(columns.strain, target.raw.strain, target.warnings);
-      }
-      process_target(target, used);
-      targets.push_back(std::move(target));
     }
   }
   if (lacking && !any_has_columns) throw *lacking;  // the block is wrong, not the files

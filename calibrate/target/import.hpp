@@ -18,6 +18,7 @@ struct ColumnSource {
   std::string column;
   std::optional<std::string> unit;  ///< empty: the file's own; a strain or pure number needs none
   SourceLocation where;             ///< of the user's words, for error lines
+  double factor = 1.0;  ///< measured = factor x the specimen's, not 0: -1 in compression
 };
 
 /// A value of each specimen: one for all, or a column of the table.
@@ -55,14 +56,18 @@ struct TargetSource {
 
   std::optional<TableSource> table;
   std::vector<std::string> group;  ///< columns of the table, copied as text to Target::group
+  /// Columns of the file whose values, together, are the same along one specimen and another for
+  /// each; empty: a file is one specimen.
+  std::vector<std::string> split;
   io::CsvOptions csv;
 };
 
 /// Reads every specimen of a block and makes it a target; test, measure and loading of the block
 /// go before those of the options.
 ///
-/// A name is the file's stem, with ":COLUMN" where a pattern chose the column and with the folder
-/// before it where stems are alike.
+/// A name is the file's stem, with ":COLUMN" where a pattern chose the column, with ":VALUE" where
+/// the file is split, and with the folder before it where stems are alike. The table's key is the
+/// stem, or the value.
 /// A strain that neither the block nor the file gives a unit is taken as a fraction; in tension,
 /// above 1, the target gets a warning.
 /// @return a target per specimen in order of files and columns; one that cannot be read or
@@ -71,10 +76,5 @@ struct TargetSource {
 ///         the table or every readable file lacks (so too a unit that the block does not give, or
 ///         that does not fit), a unit in the block that does not fit
 std::vector<Target> import_targets(const TargetSource& source, const TargetOptions& options = {});
-
-/// Proposes columns and units of a bare file of curves from their names and its unit row: strain
-/// (or elongation), stress (or force), in words and abbreviations of English and German
-/// laboratories; a unit may end a name ("Stress_MPa"). What is not found stays empty.
-TargetSource guess_source(const io::CsvTable& table);
 
 }  // namespace plastica::calibrate

@@ -155,8 +155,7 @@ TEST(DamagedInputs, AFolderOfThemAmongGoodFilesEndsNoBatch) {
   EXPECT_EQ(result.err, "wrote f.h5\n");
   for (const char* reason :
        {"empty.csv: is empty\n", "quote.csv:1: has a quote that is not closed\n",
-        "quotes.csv:1: has a quote that is not closed\n",
-        "wide.csv: holds no data row\n",
+        "quotes.csv:1: has a quote that is not closed\n", "wide.csv: holds no data row\n",
         "zero.csv:1: is not text (it has a zero byte)\n",
         "loop.csv: cannot be read: Too many levels of symbolic links\n",
         "gone.csv: cannot be read: No such file or directory\n"}) {

@@ -1,0 +1,190 @@
+#include "calibrate/guess/column_role.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <cstddef>
+#include <span>
+#include <utility>
+
+#include "plastica/io/units.hpp"
+
+namespace plastica::calibrate {
+namespace {
+
+using Words = std::span<const std::string_view>;
+
+constexpr std::array<std::string_view, 9> kStrain{"strain",      "dehnung",     "stauchung",
+                                                  "epsilon",     "ε",           "deformación",
+                                                  "deformation", "déformation", "deformazione"};
+constexpr std::array<std::string_view, 8> kStrainWhole{"e",    "eps",   "epsx", "epsy",
+                                                       "epsz", "epsyy", "dms",  "ave"};
+constexpr std::array<std::string_view, 9> kStress{
+    "stress", "spannung", "sigma", "σ", "contrainte", "esfuerzo", "tensión", "tensione", "sforzo"};
+constexpr std::array<std::string_view, 2> kStressWhole{"s", "sig"};
+constexpr std::array<std::string_view, 13> kElongation{
+    "elongation",   "extensom",     "verlängerung", "verlaengerung", "längenänderung",
+    "feinweg",      "ansetz",       "allongement",  "lvdt",          "clip",
+    "allungamento", "alargamiento", "delta l"};
+constexpr std::array<std::string_view, 3> kElongationWhole{"dl", "δl", "d_l"};
+constexpr std::array<std::string_view, 17> kTravel{
+    "travel",   "stroke",   "crosshead",      "displacement", "displ",    "standardweg",
+    "weg",      "course",   "déplacement",    "deplacement",  "traverse", "extension",
+    "position", "actuator", "desplazamiento", "spostamento",  "corsa"};
+constexpr std::array<std::string_view, 2> kTravelWhole{"hub", "disp"};
+constexpr std::array<std::string_view, 6> kForce{"force",  "load",  "kraft",
+                                                 "fuerza", "forza", "effort"};
+constexpr std::array<std::string_view, 5> kForceWhole{"f", "p", "last", "charge", "carga"};
+constexpr std::array<std::string_view, 6> kTime{"time",   "zeit",  "temps",
+                                                "tiempo", "tempo", "dauer"};
+constexpr std::array<std::string_view, 1> kTimeWhole{"t"};
+constexpr std::array<std::string_view, 17> kGeometry{
+    "width",        "breite",      "largeur",         "thickness", "dicke",    "épaisseur",
+    "diamet",       "durchmess",   "diamèt",          "area",      "section",  "querschnitt",
+    "gauge length", "gage length", "original length", "final",     "messlänge"};
+/// What makes another quantity of it.
+constexpr std::array<std::string_view, 22> kNot{
+    "rate",  "geschwindigkeit", "speed",       "vitesse",           "velocity",
+    "modul", "young",           "energ",       "transverse strain", "lateral",
+    "quer",  "poisson",         "transversal", "width strain",      "corr coef",
+    "count", "torque",          "fraction",    "temperatur",        "températur",
+    "work",  "residual"};
+
+bool has(std::string_view name, Words words) {
+  return std::ranges::any_of(words,
+                             [&](auto word) { return name.find(word) != std::string_view::npos; });
+}
+
+/// Whether a name is one of short words, but for what says how it is measured.
+bool is(std::string_view name, Words words) {
+  std::string bare(name);
+  for (const std::string_view part : {"engineering", "true", "eng", "_", " ", "."}) {
+    for (std::size_t at = bare.find(part); at != std::string::npos; at = bare.find(part)) {
+      bare.erase(at, part.size());
+    }
+  }
+  while (!bare.empty() && std::isdigit(static_cast<unsigned char>(bare.back())) != 0) {
+    bare.pop_back();
+  }
+  return std::ranges::find(words, std::string_view(bare)) != words.end();
+}
+
+bool fits(std::string_view unit, Dimension dimension) {
+  try {
+    io::unit_conversion(unit, dimension);
+    return true;
+  } catch (const InputError&) {
+    return false;
+  }
+}
+
+/// The unit that ends a name: "Stress_MPa", "elongation_mm"; empty if that is none.
+std::string unit_in_name(std::string_view name) {
+  const std::size_t cut = name.find_last_of("_ ");
+  if (cut == std::string_view::npos) return {};
+  std::string unit(name.substr(cut + 1));
+  if (unit == "percent" || unit == "pct") return "%";
+  if (unit == "strain" || unit == "microstrain") return {};  // a name, more likely
+  const bool is_number = !unit.empty() && std::isdigit(static_cast<unsigned char>(unit[0])) != 0;
+  // "m", "s" and "1" end names that mean no unit.
+  return unit.size() > 1 && !is_number && io::is_unit(unit) ? unit : std::string();
+}
+
+/// What the words say.
+struct Said {
+  bool strain, stress, elongation, travel, force, time, geometry;
+};
+
+Said said_by(const std::string& name) {
+  return {has(name, kStrain) || is(name, kStrainWhole),
+          has(name, kStress) || is(name, kStressWhole),
+          has(name, kElongation) || is(name, kElongationWhole),
+          has(name, kTravel) || is(name, kTravelWhole),
+          has(name, kForce) || is(name, kForceWhole),
+          has(name, kTime) || is(name, kTimeWhole),
+          has(name, kGeometry)};
+}
+
+ColumnRole role_by_name(const Said& said) {
+  using enum ColumnRole;
+  if (said.geometry && !said.strain && !said.stress) return Geometry;
+  if (said.stress) return Stress;
+  if (said.strain) return Strain;
+  if (said.elongation) return Elongation;
+  if (said.travel) return Travel;
+  if (said.force) return Force;
+  return said.time ? Time : Other;
+}
+
+/// Where the unit tells strain from elongation, stress from force; Other where it fits none.
+ColumnRole role_by_unit(const Said& said, std::string_view unit) {
+  using enum ColumnRole;
+  if (fits(unit, Dimension::Stress)) return Stress;
+  if (fits(unit, Dimension::Force)) return Force;
+  if (fits(unit, Dimension::Time)) return Time;
+  if (fits(unit, Dimension::Area)) return Geometry;
+  if (fits(unit, Dimension::Length)) {
+    if (said.geometry) return Geometry;
+    if (said.elongation || said.strain) return Elongation;
+    return said.travel ? Travel : Other;
+  }
+  const bool deforms = said.strain || said.elongation || said.travel;
+  const bool is_fraction = unit == "%" || (unit != "-" && unit != "1");
+  return fits(unit, Dimension::Strain) && (deforms || is_fraction) && !said.geometry ? Strain
+                                                                                     : Other;
+}
+
+}  // namespace
+
+std::string_view words_of(ColumnRole role) {
+  constexpr std::array<std::string_view, 8> kWords{
+      "-", "time", "strain", "elongation", "crosshead travel", "stress", "force", "geometry"};
+  return kWords[static_cast<std::size_t>(role)];
+}
+
+std::string lower_name(std::string_view name) {
+  std::string lower(name);
+  for (std::size_t i = 0; i < lower.size(); ++i) {
+    const auto code = static_cast<unsigned char>(lower[i]);
+    if (code < 0x80) {
+      lower[i] = static_cast<char>(std::tolower(code));
+    } else if (code == 0xC3 && i + 1 < lower.size()) {
+      // À to Þ are 32 below à to þ.
+      const auto next = static_cast<unsigned char>(lower[i + 1]);
+      if (next >= 0x80 && next <= 0x9E && next != 0x97) lower[i + 1] = static_cast<char>(next + 32);
+      ++i;
+    }
+  }
+  return lower;
+}
+
+ColumnMeaning meaning_of(std::string_view name, std::string_view unit) {
+  ColumnMeaning meaning;
+  const std::string lower = lower_name(name);
+  if (io::is_unit(unit) || unit == "-") meaning.unit = std::string(unit);
+  const bool is_clock = meaning.unit && fits(*meaning.unit, Dimension::Time);
+  if (has(lower, kNot) && !is_clock) return meaning;
+  const Said said = said_by(lower);
+  const ColumnRole by_name = role_by_name(said);
+  meaning.role = meaning.unit ? role_by_unit(said, *meaning.unit) : by_name;
+  if (const std::string own = unit_in_name(name); unit.empty() && !own.empty()) {
+    const ColumnRole role = role_by_unit(said, own);
+    if (role != ColumnRole::Other) {
+      meaning.role = role;
+      meaning.unit = own;
+    }
+  }
+  if (meaning.role == ColumnRole::Other) return meaning;
+  meaning.is_true =
+      lower.find("true") != std::string::npos || lower.find("wahre") != std::string::npos ||
+      lower.find("vraie") != std::string::npos || lower.find("log") != std::string::npos;
+  meaning.is_weak = by_name == ColumnRole::Other;
+  meaning.is_travel =
+      meaning.role == ColumnRole::Travel ||
+      (meaning.role == ColumnRole::Strain &&
+       (said.travel || lower.find("nominal") != std::string::npos) && !said.elongation);
+  meaning.why = meaning.is_weak ? "unit" : meaning.unit ? "name, unit" : "name";
+  return meaning;
+}
+
+}  // namespace plastica::calibrate

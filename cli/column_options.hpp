@@ -1,0 +1,14 @@
+#pragma once
+
+#include "calibrate/config/bare_files.hpp"
+
+namespace CLI {
+class App;
+}
+
+namespace plastica::cli {
+
+/// Adds the options that say which columns of a file hold strain and stress.
+void add_column_options(CLI::App& sub, calibrate::BareFiles& bare, const char* group);
+
+}  // namespace plastica::cli
