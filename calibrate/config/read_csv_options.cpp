@@ -10,10 +10,10 @@ std::string column_name(const io::TomlValue& value) {
 }
 
 void read_csv_options(const io::TomlTable& table, io::CsvOptions& csv) {
-  static constexpr std::array<std::string_view, 6> kSeparators{",", ";", "tab", "\t", "blank", " "};
+  static constexpr std::array<std::string_view, 5> kSeparators{",", ";", "tab", "\t", "blank"};
   static constexpr std::array<std::string_view, 2> kDecimals{".", ","};
   const auto separator = table.find("separator");
-  if (separator) csv.separator = std::string_view(",;\t\t  ")[separator->word(kSeparators)];
+  if (separator) csv.separator = std::string_view(",;\t\t ")[separator->word(kSeparators)];
   if (const auto value = table.find("decimal")) {
     csv.decimal = kDecimals[value->word(kDecimals)][0];
     if (csv.separator == csv.decimal) throw value->error("is the separator, too");

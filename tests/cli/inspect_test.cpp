@@ -36,7 +36,7 @@ TEST(Inspect, PrintsABlockThatRunsAsItIsWhereTheFileSaysAll) {
   place.write("f.toml", block);
   const CommandResult fit = place.run({"calibrate", "f.toml"});
   EXPECT_EQ(fit.code, 0) << fit.err;
-  EXPECT_NE(fit.out.find("Young's modulus comes out too small"), std::string::npos) << fit.out;
+  EXPECT_NE(fit.out.find("is crosshead travel by its name"), std::string::npos) << fit.out;
   EXPECT_NE(fit.out.find("fitted 1"), std::string::npos);
 }
 
@@ -47,7 +47,7 @@ TEST(Inspect, APlaceholderIsRefusedByItsLineUntilItIsFilled) {
   place.write("f.toml", block);
   const CommandResult refused = place.run({"calibrate", "f.toml"});
   EXPECT_EQ(refused.code, 2);
-  EXPECT_TRUE(refused.err.starts_with("plastica: f.toml:6: area = ? mm^2: ")) << refused.err;
+  EXPECT_TRUE(refused.err.find(": target[1].area = ? mm^2: ") != std::string::npos) << refused.err;
   place.write("f.toml", changed(block, "? mm^2", "100 mm^2"));
   EXPECT_EQ(place.run({"calibrate", "f.toml"}).code, 0);
 }

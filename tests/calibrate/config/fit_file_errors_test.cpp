@@ -159,7 +159,8 @@ TEST_F(FitFileErrors, WordsMustBeKnown) {
             "f.toml:5: target[1].loading = 'once': must be one of \"monotonic\", \"cyclic\", "
             "\"auto\"");
   EXPECT_EQ(with("separator = '|'"),
-            "f.toml:5: target[1].separator = '|': must be one of \",\", \";\", \"tab\", \"\t\"");
+            "f.toml:5: target[1].separator = '|': must be one of \",\", \";\", \"tab\", \"\t\", "
+            "\"blank\"");
 }
 
 TEST_F(FitFileErrors, SeparatorAndDecimalMarkMustDiffer) {

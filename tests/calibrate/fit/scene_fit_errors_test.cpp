@@ -79,7 +79,7 @@ TEST(SceneFitErrors, NameTheParameterThatIsWrong) {
 
 TEST(SceneFitErrors, NameWhatIsWrongWithTargetAndOptions) {
   EXPECT_EQ(refusal([](Input& in) { in.target.abscissa_probe = "tip"; }),
-            "abscissa.probe = way: is not one of the scene's probes: displacement, force");
+            "abscissa.probe = tip: is not one of the scene's probes: displacement, force");
   EXPECT_EQ(refusal([](Input& in) { in.target.abscissa[5] = 0.0; }),
             "target = bar: must be finite and never go back, and does at sample 5");
   EXPECT_EQ(refusal([](Input& in) { in.target.ordinate.pop_back(); }),

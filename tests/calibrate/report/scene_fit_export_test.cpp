@@ -142,11 +142,11 @@ TEST(SceneFitCsv, HasARowPerTarget) {
   ASSERT_EQ(rows.size(), 4U);
   for (const auto& row : rows) EXPECT_EQ(row.size(), rows[0].size());
   EXPECT_EQ(rows[1], (std::vector<std::string>{"b", "bent", "support 2", "m", "force", "N", "30",
-                                               "1", "0.0605", "0.0005", "planar", "5", "estimated",
-                                               "28.8", "0.0083", "0.41", "0.021"}));
-  EXPECT_EQ(rows[2][12], "given");
-  EXPECT_EQ(rows[2][13], "") << "known";
-  EXPECT_EQ(rows[2][15], "");
+                                               "1", "0.0605", "0.0005", "ideal", "planar", "5",
+                                               "estimated", "28.8", "0.0083", "0.41", "0.021"}));
+  EXPECT_EQ(rows[2][13], "given");
+  EXPECT_EQ(rows[2][14], "") << "known";
+  EXPECT_EQ(rows[2][16], "");
   EXPECT_EQ(rows[3][10], "");
 }
 

@@ -22,8 +22,8 @@ inline auto members(const SceneTarget& v) {
   return std::tie(a, b, c, d, e, f, g, h, i, j, k, l, m, repairs);
 }
 inline auto members(const TargetFit& v) {
-  const auto& [a, b, c, d, e, f, g, h, i, j, k] = v;
-  return std::tie(a, b, c, d, e, f, g, h, i, j, k);
+  const auto& [a, b, c, d, e, f, g, h, i, j, k, l] = v;
+  return std::tie(a, b, c, d, e, f, g, h, i, j, k, l);
 }
 inline auto members(const SceneStart& v) {
   const auto& [a, b, c, d, e] = v;
@@ -91,6 +91,7 @@ inline SceneFitRecord filled_scene_record(const std::string& name) {
        Judgement{Verdict::LimitedBySampling, 0.018}}};
   r.correlation = {1.0, kNan, -0.97, kNan, 1.0, kNan, -0.97, kNan, 1.0};
   r.targets = {{bent.name,
+                Law::Ideal,
                 Level::Planar,
                 5,
                 12.0,
@@ -102,6 +103,7 @@ inline SceneFitRecord filled_scene_record(const std::string& name) {
                 {0.0, 0.5, 1.0, 1.25, 1.0},
                 0.021},
                {twisted.name,
+                Law::Linear,
                 Level::Twist,
                 3,
                 0.02,
