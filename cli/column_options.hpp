@@ -1,10 +1,7 @@
 #pragma once
 
 #include "calibrate/config/bare_files.hpp"
-
-namespace CLI {
-class App;
-}
+#include "cli/command.hpp"
 
 namespace plastica::cli {
 

@@ -48,8 +48,8 @@ void print_columns(const io::CsvTable& table, const calibrate::FileGuess& guess)
   for (std::size_t c = 0; c < table.columns() && c < kShownColumns; ++c) {
     const calibrate::ColumnMeaning& meaning = guess.columns[c];
     std::string taken(calibrate::words_of(meaning.role));
-    if (meaning.is_true) taken = "true " + taken;
-    if (!meaning.why.empty()) taken += " (" + meaning.why + ")";
+    if (meaning.is_true) taken.insert(0, "true ");
+    if (!meaning.why.empty()) taken += fmt::format(" ({})", meaning.why);
     say("  {:<3} {:<26} {:<6} {:<9} {:<9} {}\n", c + 1, table.names()[c], table.units()[c],
         shown_cell(table, 0, c), shown_cell(table, table.rows() - 1, c), taken);
   }

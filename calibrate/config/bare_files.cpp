@@ -109,7 +109,7 @@ void add_notes(const std::string& file, const FileGuess& guess, std::vector<Gues
   for (const auto& [key, words] : guess.blocks.front().comments) {
     const bool is_unknown =
         std::ranges::find(guess.blocks.front().missing, key) != guess.blocks.front().missing.end();
-    if (!is_unknown) all.push_back(key + ": " + words);
+    if (!is_unknown) all.push_back(fmt::format("{}: {}", key, words));
   }
   for (const std::string& words : all) {
     const auto known = std::ranges::find(notes, words, &GuessNote::words);

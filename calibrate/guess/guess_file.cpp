@@ -205,7 +205,7 @@ class Guesser {
     return is_only ? name : std::to_string(column + 1);
   }
 
-  void add_comment(const std::string& key, std::string text) {
+  void add_comment(const std::string& key, const std::string& text) {
     for (BlockGuess& block : guess_.blocks) {
       const auto found =
           std::ranges::find(block.comments, key, &std::pair<std::string, std::string>::first);

@@ -86,6 +86,7 @@ std::vector<std::size_t> find_split(const io::CsvTable& table, std::span<const d
     std::set<std::vector<std::string_view>> keys;
     for (const std::size_t begin : begins) {
       std::vector<std::string_view> key;
+      key.reserve(columns.size());
       for (const std::size_t column : columns) key.push_back(table.cell(begin, column));
       keys.insert(std::move(key));
     }

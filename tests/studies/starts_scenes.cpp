@@ -183,7 +183,7 @@ StartsProblem coupon() {
 
 std::vector<StartsProblem> starts_problems() {
   std::vector<StartsProblem> all{bend(), torsion(), cyclic(), voce(), swing(), coupon()};
-  for (const std::size_t cheap : {0, 1, 4}) all[cheap].cheap = true;
+  for (const std::size_t cheap : {0U, 1U, 4U}) all[cheap].cheap = true;
   return all;
 }
 

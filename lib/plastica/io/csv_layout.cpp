@@ -315,7 +315,7 @@ void refuse_ambiguous(const std::vector<Line>& lines, const Layout& layout,
 Layout layout_of(const std::vector<Line>& lines, const std::string& file,
                  const CsvOptions& options) {
   if (lines.empty()) throw InputError({file, 0}, "", "", "is empty");
-  const Layout layout = Finder(lines, file, options).layout();
+  Layout layout = Finder(lines, file, options).layout();
   const NumberFormat& format = layout.dialect.format;
   if (format.decimal == ',' && !format.is_certain) refuse_ambiguous(lines, layout, file);
   return layout;

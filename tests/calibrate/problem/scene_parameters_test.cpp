@@ -33,6 +33,7 @@ struct Problem {
   bool knows_break = false;  ///< whether it breaks there by the strain that its scene has
 };
 
+// The name that GoogleTest looks for. NOLINTNEXTLINE(readability-identifier-naming)
 void PrintTo(const Problem& problem, std::ostream* to) { *to << problem.name; }
 
 /// A bar of 400 x 20 x 20 mm, clamped at its start.
