@@ -1,6 +1,6 @@
-#include "cli/column_options.hpp"
-
 #include <CLI/CLI.hpp>
+
+#include "cli/column_options.hpp"
 
 namespace plastica::cli {
 
