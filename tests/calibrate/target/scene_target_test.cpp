@@ -276,9 +276,9 @@ TEST_F(SceneTargetFile, SaysWhichCommentsMayBeRows) {
     return repairs_of(read("Displacement (mm),Force (N)\n" + rows).repairs);
   };
   EXPECT_EQ(repairs("0,0\n# paused, at noon\n1,500\n2,600\n"), std::vector<std::string>());
-  EXPECT_EQ(
-      repairs("0,0\n#1,500\n2,600\n# 3,700\n4,800\n"),
-      (std::vector<std::string>{"comment-rows: 2 rows that begin with # are taken for comments"}));
+  EXPECT_EQ(repairs("0,0\n#1,500\n2,600\n# 3,700\n4,800\n"),
+            (std::vector<std::string>{
+                "comment-rows: 2 rows that begin with #, % or // are taken for comments"}));
   // A comment at the end does not hide that the row before it was cut off.
   EXPECT_EQ(repairs("0,0\n1,500\n2\n# end\n"),
             (std::vector<std::string>{"torn-last-row: the last row was cut off and is dropped"}));
