@@ -16,6 +16,7 @@
 #include "calibrate/report/json.hpp"
 #include "calibrate/report/law_choice.hpp"
 #include "calibrate/report/text.hpp"
+#include "calibrate/result/usable.hpp"
 #include "calibrate/search/optimizer.hpp"
 #include "calibrate/store/fit_store.hpp"
 #include "calibrate/store/journaled_batch.hpp"
@@ -101,12 +102,12 @@ int report(const CalibrateArguments& arguments, calibrate::FitStoreContents& con
     std::fflush(stdout);  // one file may take both
   }
   // Where laws are compared, one of them suffices.
-  const auto fitted = [](const calibrate::FitRecord* record) {
-    return record->result.status == calibrate::FitStatus::Fitted;
+  const auto usable = [](const calibrate::FitRecord* record) {
+    return calibrate::is_usable(record->result);
   };
   const bool all = std::ranges::all_of(
       calibrate::by_target(contents.records),
-      [&](const auto& records) { return std::ranges::any_of(records, fitted); });
+      [&](const auto& records) { return std::ranges::any_of(records, usable); });
   return all ? kDone : kNotAcceptable;
 }
 
@@ -118,12 +119,16 @@ int calibrate_files(const CalibrateArguments& arguments) {
   if (!arguments.laws.empty()) file.options.laws = calibrate::laws_of(arguments.laws, "--laws");
   const bool found = finds_output(arguments.resume, arguments.force, output);
   if (!arguments.dry_run) check_outputs(file, output, arguments.json, arguments.force, found);
+  for (calibrate::TargetBlock& block : file.targets) {
+    block.options.accept = block.options.accept || arguments.accept;
+  }
   std::vector<calibrate::Target> targets = calibrate::import_all(file);
   if (file.options.intervals.specimens > 0 && targets.size() < 2) {
     throw InputError({}, "bootstrap_specimens", std::to_string(file.options.intervals.specimens),
                      "needs several specimens, for the mean of their parameters");
   }
   if (arguments.dry_run) {
+    print_plausible(file.targets);
     print_dry_run(targets, file.options, output);
     return kDone;
   }
@@ -239,6 +244,8 @@ void add_calibrate(CLI::App& app, const std::string& command_line, Action& actio
   sub->add_flag("--resume", arguments->resume, "Continue an interrupted run");
   add_force_option(*sub, arguments->force, "the output, and an interrupted run");
   add_quiet_option(*sub, arguments->quiet, "no report, no progress");
+  sub->add_flag("--accept", arguments->accept,
+                "Fit curves that are those of no material, too; --dry-run prints the bounds");
   add_interval_options(*sub, *arguments);
   add_bare_options(*sub, arguments->bare);
   sub->footer(

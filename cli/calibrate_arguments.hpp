@@ -24,6 +24,7 @@ struct CalibrateArguments {
   bool resume = false;
   bool force = false;
   bool quiet = false;
+  bool accept = false;  ///< implausible curves, too
   calibrate::BareFiles bare;
   std::string bare_option;  ///< first of the options for curves without a fit file that was given
   bool profile = false;     ///< and these replace what a fit file says

@@ -16,6 +16,7 @@
 #include "calibrate/report/law_choice.hpp"
 #include "calibrate/report/scene_fit_json.hpp"
 #include "calibrate/report/scene_fit_text.hpp"
+#include "calibrate/result/usable.hpp"
 #include "calibrate/search/optimizer.hpp"
 #include "calibrate/store/journaled_scene_fits.hpp"
 #include "calibrate/store/scene_fit_store.hpp"
@@ -93,12 +94,12 @@ int report(const CalibrateArguments& arguments, calibrate::SceneFitContents& con
     std::fflush(stdout);  // one file may take both
   }
   // Where laws are compared, one of them suffices.
-  const auto fitted = [](const SceneFitRecord* record) {
-    return record->result.status == calibrate::FitStatus::Fitted;
+  const auto usable = [](const SceneFitRecord* record) {
+    return calibrate::is_usable(record->result);
   };
   const bool all = std::ranges::all_of(
       calibrate::by_target(contents.records),
-      [&](const auto& records) { return std::ranges::any_of(records, fitted); });
+      [&](const auto& records) { return std::ranges::any_of(records, usable); });
   return all ? kDone : kNotAcceptable;
 }
 

@@ -3,9 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <set>
 #include <string_view>
 
 #include "calibrate/problem/parameter_set.hpp"
+#include "calibrate/target/plausibility.hpp"
 #include "calibrate/trial/remesh.hpp"
 #include "cli/tell.hpp"
 #include "plastica/base/check.hpp"
@@ -51,6 +53,15 @@ std::string repetition(const calibrate::WeightedTarget& weighted, calibrate::Div
 }
 
 }  // namespace
+
+void print_plausible(std::span<const calibrate::TargetBlock> blocks) {
+  std::set<std::string> said;
+  for (const calibrate::TargetBlock& block : blocks) {
+    if (block.options.test != calibrate::Test::Tension) continue;
+    const std::string text = calibrate::plausible_text(block.options);
+    if (said.insert(text).second) say("plausible: {}\n", text);
+  }
+}
 
 void print_repetitions(std::span<const calibrate::SceneFitCase> fits) {
   std::string beams;

@@ -72,6 +72,9 @@ sweeps::Wish wish_of(const RecommendArguments& arguments, sweeps::CostKind cost)
   }
   sweeps::Wish wish;
   if (!arguments.within.empty()) {
+    if (is_plain_number(arguments.within)) {
+      throw InputError({}, "--within", arguments.within, "needs a unit: \"1 %\"");
+    }
     wish.within = positive("--within", arguments.within, Dimension::Strain);
     if (*wish.within >= 1.0) {
       throw InputError({}, "--within", arguments.within, "must be below 100 %");

@@ -38,7 +38,10 @@ std::optional<ColumnSource> column_of(const Text& given, Dimension dimension,
       throw InputError({}, option, *given, "\"" + *unit + "\" " + error.rule());
     }
   }
-  return ColumnSource{column, unit, {}};
+  ColumnSource source;
+  source.column = column;
+  source.unit = unit;
+  return source;
 }
 
 /// "50 mm", or a column of the table, as COLUMN or COLUMN:UNIT.
@@ -217,6 +220,9 @@ TargetSource source_of(const BareFiles& bare) {
   source.elongation = column_of(bare.elongation, Dimension::Length, "--elongation");
   source.stress = column_of(bare.stress, Dimension::Stress, "--stress");
   source.force = column_of(bare.force, Dimension::Force, "--load");
+  for (auto* column : {&source.strain, &source.elongation, &source.stress, &source.force}) {
+    if (*column) (*column)->override_unit = bare.override_unit && (*column)->unit;
+  }
   const bool has_table = bare.table.has_value();
   source.gauge_length =
       specimen_value_of(bare.gauge_length, Dimension::Length, "--gauge-length", has_table);

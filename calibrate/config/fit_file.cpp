@@ -8,6 +8,7 @@
 #include "calibrate/config/read_target.hpp"
 #include "calibrate/config/target_files.hpp"
 #include "calibrate/config/unique_names.hpp"
+#include "calibrate/target/plausibility.hpp"
 #include "plastica/io/scene_file.hpp"
 #include "plastica/io/toml.hpp"
 
@@ -31,8 +32,12 @@ void use_fixed_modulus(const std::vector<Parameter>& parameters, TargetBlock& bl
 }
 
 std::vector<TargetBlock> read_targets(const TomlTable& root, const std::string& folder,
-                                      const std::vector<Parameter>& parameters) {
+                                      const FitOptions& fit) {
+  const std::vector<Parameter>& parameters = fit.parameters;
   TargetBlock defaults;
+  if (material_gives(root, "youngs_modulus")) {
+    defaults.options.expected_modulus = fit.setup.scene.material.youngs_modulus;
+  }
   if (const auto table = root.find_table("target_defaults")) {
     read_target(*table, folder, defaults);
   }
@@ -65,7 +70,7 @@ FitFile parse_fit_file(std::string text, const std::string& path) {
   const std::string folder = std::filesystem::path(path).parent_path().string();
   FitFile file{path, document.text(), read_fit_options(root), {}, {}};
   io::refuse_rules_of_chains(root);
-  file.targets = read_targets(root, folder, file.options.parameters);
+  file.targets = read_targets(root, folder, file.options);
   root.check_unused();
   file.notes = root.notes();
   return file;
@@ -79,7 +84,9 @@ std::vector<Target> import_all(const FitFile& file) {
   std::vector<Target> targets;
   UniqueNames names;
   for (const TargetBlock& block : file.targets) {
-    for (Target& target : import_targets(block.source, block.options)) {
+    std::vector<Target> imported = import_targets(block.source, block.options);
+    check_groups(imported, block.options);
+    for (Target& target : imported) {
       target.name = names.add(target.name);
       targets.push_back(std::move(target));
     }

@@ -216,16 +216,20 @@ void check_ties(const std::vector<Parameter>& parameters) {
 
 bool is_given(const TomlTable& root, const std::vector<Parameter>& parameters,
               std::string_view name) {
-  for (const Parameter& parameter : parameters) {
-    if (last_part(parameter.field->path) == name) return true;
-  }
+  return material_gives(root, name) ||
+         std::ranges::any_of(parameters, [&](const Parameter& parameter) {
+           return last_part(parameter.field->path) == name;
+         });
+}
+
+}  // namespace
+
+bool material_gives(const TomlTable& root, std::string_view name) {
   const auto material = root.find("material");
   if (!material) return false;
   return !material->is_table() || material->table().contains("name") ||
          material->table().contains(name);
 }
-
-}  // namespace
 
 std::vector<Parameter> default_parameters() {
   std::vector<Parameter> parameters(3);

@@ -26,6 +26,10 @@ std::vector<Parameter> default_parameters();
 const Field& parameter_field(std::string_view name, const SourceLocation& where,
                              std::string_view key, ParameterScope scope = ParameterScope::Material);
 
+/// Whether [material] gives a field of the material, by itself or with the name of a material.
+/// @param name  last part of its path
+bool material_gives(const io::TomlTable& root, std::string_view name);
+
 /// Refuses a fit of some test that leaves a stiffness or a yield stress neither to the fit nor to
 /// the file: a default of the library is no property of the user's material.
 /// @param root  the file, whose [material] may give it

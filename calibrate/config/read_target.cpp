@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "calibrate/config/read_csv_options.hpp"
+#include "calibrate/config/read_plausible.hpp"
 #include "plastica/io/read_input.hpp"
 #include "plastica/io/units.hpp"
 
@@ -25,6 +26,13 @@ std::optional<std::string> read_unit(const TomlTable& table, Dimension dimension
   return unit->string();
 }
 
+/// Whether a unit that is given goes before that of the file.
+bool overrides(const TomlTable& table, const std::optional<std::string>& unit) {
+  if (!table.is_set("override_unit")) return false;
+  if (!unit) throw table.at("override_unit").error("is of no use without unit");
+  return true;
+}
+
 /// A header or number, or { column = "Stress", unit = "MPa" }.
 ColumnSource read_any_column(const TomlValue& value, Dimension dimension) {
   if (value.is_table()) {
@@ -36,7 +44,10 @@ ColumnSource read_any_column(const TomlValue& value, Dimension dimension) {
     throw value.error("must be a column, { column = \"...\", unit = \"" +
                       std::string(si_unit(dimension)) + "\" }");
   }
-  return {column_name(value), std::nullopt, value.where()};
+  ColumnSource column;
+  column.column = column_name(value);
+  column.where = value.where();
+  return column;
 }
 
 /// One column or several, by names or numbers.
@@ -55,6 +66,7 @@ SpecimenValue read_specimen_value(const TomlValue& value, Dimension dimension) {
   if (value.is_table()) {
     const TomlTable table = value.table();
     specimen.unit = read_unit(table, dimension);
+    specimen.override_unit = overrides(table, specimen.unit);
     specimen.from = column_name(table.at("from"));
     return specimen;
   }
@@ -237,9 +249,13 @@ void read_characteristics(const TomlTable& table, TargetOptions& options) {
 }  // namespace
 
 ColumnSource read_column(const TomlTable& table, Dimension dimension) {
-  const auto unit = read_unit(table, dimension);
-  const TomlValue column = table.at("column");
-  return {column_name(column), unit, column.where()};
+  const TomlValue name = table.at("column");
+  ColumnSource column;
+  column.column = column_name(name);
+  column.where = name.where();
+  column.unit = read_unit(table, dimension);
+  column.override_unit = overrides(table, column.unit);
+  return column;
 }
 
 double read_factor(const TomlTable& table) {
@@ -287,6 +303,9 @@ void read_target(const TomlTable& table, const std::string& folder, TargetBlock&
   }
   if (const auto characteristics = table.find_table("characteristics")) {
     read_characteristics(*characteristics, options);
+  }
+  if (const auto plausible = table.find_table("plausible")) {
+    read_plausible(*plausible, options);
   }
 }
 

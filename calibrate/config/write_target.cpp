@@ -31,8 +31,9 @@ class BlockWriter {
   void add(std::string_view key, const std::optional<ColumnSource>& column) {
     if (!column) return;
     const bool lacks_unit = is_missing(std::string(key) + ".unit");
-    line(key, fmt::format("{{ column = {}{}{} }}", toml_string(column->column),
+    line(key, fmt::format("{{ column = {}{}{}{} }}", toml_string(column->column),
                           lacks_unit ? ", unit = \"?\"" : unit_text(column->unit),
+                          column->override_unit ? ", override_unit = true" : "",
                           column->factor != 1.0 ? fmt::format(", factor = {:g}", column->factor)
                                                 : std::string()));
   }
@@ -48,7 +49,8 @@ class BlockWriter {
     } else if (value->value) {
       line(key, fmt::format("\"{} {}\"", *value->value, si_unit(dimension)));
     } else {
-      line(key, fmt::format("{{ from = {}{} }}", toml_string(value->from), unit_text(value->unit)));
+      line(key, fmt::format("{{ from = {}{}{} }}", toml_string(value->from), unit_text(value->unit),
+                            value->override_unit ? ", override_unit = true" : ""));
     }
   }
 

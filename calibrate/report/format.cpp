@@ -9,6 +9,10 @@ std::string reason_of(const FitRecord& record) {
   return record.result.reason.empty() ? record.target.reason : record.result.reason;
 }
 
+std::string unusable_text(std::size_t count) {
+  return count == 0 ? std::string() : fmt::format(" ({} of no use)", count);
+}
+
 DisplayUnit display_unit_of(std::string_view path, Dimension dimension, double size) {
   return plastica::report::display_unit(dimension, size, path.find("modulus") != path.npos);
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <string_view>
 
@@ -26,6 +27,9 @@ using plastica::report::wrapped;
 
 /// Why there is no fit: the result's reason, else the target's; empty for a fitted one.
 std::string reason_of(const FitRecord& record);
+
+/// " (2 of no use)" behind the number of fits; empty for none.
+std::string unusable_text(std::size_t count);
 
 /// The unit in which a parameter of about this size is shown.
 DisplayUnit display_unit_of(std::string_view path, Dimension dimension, double size);

@@ -17,6 +17,7 @@
 #include "calibrate/report/summary.hpp"
 #include "calibrate/result/describe_fit.hpp"
 #include "calibrate/result/describe_target.hpp"
+#include "calibrate/result/usable.hpp"
 
 namespace plastica::calibrate {
 namespace {
@@ -37,6 +38,8 @@ Json fit_of(const FitRecord& record) {
   for (const auto& [name, value] : target.properties) properties[name] = number(value);
   Json fit = described_json(&record, kDescribeFit);
   fit["reason"] = text_or_null(reason_of(record));
+  fit["usable"] = is_usable(result);
+  fit["why_unusable"] = text_or_null(why_unusable(result));
   fit["evaluations"] = result.evaluations();
   fit["characteristics"] = described_json(&target.characteristics, kDescribeCharacteristics);
   add_outcome(fit, result);
@@ -82,11 +85,13 @@ std::string json_summary(std::span<const FitRecord> records, int indent,
                       {"parameters", statistics_of(group.parameters)}});
   }
   const Counts counts = count_statuses(shown);
-  Json all = {
-      {"fits", std::move(fits)},
-      {"groups", std::move(groups)},
-      {"counts",
-       {{"fitted", counts.fitted}, {"rejected", counts.rejected}, {"failed", counts.failed}}}};
+  Json all = {{"fits", std::move(fits)},
+              {"groups", std::move(groups)},
+              {"counts",
+               {{"fitted", counts.fitted},
+                {"rejected", counts.rejected},
+                {"failed", counts.failed},
+                {"unusable", counts.unusable}}}};
   if (compares_laws(records)) all["laws"] = laws_json(records);
   return all.dump(indent, ' ', false, Json::error_handler_t::replace) + '\n';
 }

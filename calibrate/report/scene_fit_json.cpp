@@ -18,6 +18,7 @@
 #include "calibrate/report/scene_population.hpp"
 #include "calibrate/result/describe_fit.hpp"
 #include "calibrate/result/describe_target.hpp"
+#include "calibrate/result/usable.hpp"
 
 namespace plastica::calibrate {
 namespace {
@@ -66,6 +67,8 @@ Json fit_of(const SceneFitRecord& record) {
     starts[i]["to"] = numbers(result.starts[i].to);
   }
   Json fit = described_json(&record, kDescribeSceneFit);
+  fit["usable"] = is_usable(result);
+  fit["why_unusable"] = text_or_null(why_unusable(result));
   fit["evaluations"] = result.evaluations();
   add_outcome(fit, result);
   fit["segments"] = segments_of(result);
@@ -111,7 +114,12 @@ std::string scene_fits_json(std::span<const SceneFitRecord> records, double conf
                                          [](const SceneFitRecord& r) { return r.result.status; });
   Json all = {{"fits", std::move(fits)},
               {"population", population_of(shown, confidence)},
-              {"counts", {{"fitted", fitted}, {"failed", std::ssize(shown) - fitted}}}};
+              {"counts",
+               {{"fitted", fitted},
+                {"failed", std::ssize(shown) - fitted},
+                {"unusable", std::ranges::count_if(shown, [](const SceneFitRecord& r) {
+                   return !why_unusable(r.result).empty();
+                 })}}}};
   if (compares_laws(records)) all["laws"] = laws_json(records);
   return all.dump(indent, ' ', false, Json::error_handler_t::replace) + '\n';
 }

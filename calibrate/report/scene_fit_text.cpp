@@ -13,6 +13,7 @@
 #include "calibrate/report/scene_errors_text.hpp"
 #include "calibrate/report/scene_fit_words.hpp"
 #include "calibrate/report/shown_intervals.hpp"
+#include "calibrate/result/usable.hpp"
 #include "plastica/report/ink.hpp"
 #include "plastica/report/table.hpp"
 
@@ -49,11 +50,15 @@ std::string waterfall(const SceneFitResult& result) {
 
 std::string header(const SceneFitRecord& record, const Ink& ink) {
   const SceneFitResult& result = record.result;
-  const bool fitted = result.status == FitStatus::Fitted;
-  std::string text =
-      wrapped("", fmt::format("{}: {}", printable(record.name), word_of(result.status)), kWidth);
-  text = fitted ? ink.heading(text) : ink.bad(text);
-  if (!fitted && !result.reason.empty()) text += scene_entry("reason", printable(result.reason));
+  const std::string unusable = why_unusable(result);
+  const bool usable = result.is_fitted() && unusable.empty();
+  std::string text = wrapped("",
+                             fmt::format("{}: {}{}", printable(record.name), word_of(result.status),
+                                         unusable.empty() ? "" : ", but no usable fit"),
+                             kWidth);
+  text = usable ? ink.heading(text) : ink.bad(text);
+  const std::string& reason = unusable.empty() ? result.reason : unusable;
+  if (!usable && !reason.empty()) text += scene_entry("reason", printable(reason));
   if (result.starts.empty()) return text;
   text += scene_entry("search", waterfall(result));
   std::string work = counted(static_cast<std::size_t>(result.runs), "run") + " of scenes";

@@ -11,6 +11,7 @@
 #include "calibrate/report/scene_fit_text.hpp"
 #include "calibrate/report/scene_fit_words.hpp"
 #include "calibrate/report/scene_population.hpp"
+#include "calibrate/result/usable.hpp"
 #include "plastica/report/ink.hpp"
 #include "plastica/report/table.hpp"
 
@@ -31,7 +32,8 @@ struct SceneFitFlag {
   char letter;
   std::string_view meaning;
 };
-constexpr std::array<SceneFitFlag, 8> kSceneFitFlags = {{{'b', "a parameter at a bound"},
+constexpr std::array<SceneFitFlag, 9> kSceneFitFlags = {{{'u', "no usable fit"},
+                                                         {'b', "a parameter at a bound"},
                                                          {'n', "a parameter not identified"},
                                                          {'k', "a parameter weak"},
                                                          {'s', "a break limited by sampling"},
@@ -46,6 +48,7 @@ std::string flags_of(const SceneFitResult& result) {
                                [&](const FittedParameter& p) { return p.verdict() == verdict; });
   };
   std::string flags;
+  if (!why_unusable(result).empty()) flags += 'u';
   if (any(Verdict::AtBound)) flags += 'b';
   if (any(Verdict::NotIdentified)) flags += 'n';
   if (any(Verdict::Weak)) flags += 'k';
@@ -226,7 +229,14 @@ std::string failures_text(std::span<const SceneFitRecord> records, const Ink& in
     list += wrapped(fmt::format("  {}: ", printable(record.name)), printable(record.result.reason),
                     kWidth);
   }
-  return list.empty() ? list : '\n' + ink.bad("Failed\n") + list;
+  if (!list.empty()) list = '\n' + ink.bad("Failed\n") + list;
+  std::string unusable;
+  for (const SceneFitRecord& record : records) {
+    const std::string why = why_unusable(record.result);
+    if (why.empty()) continue;
+    unusable += wrapped(fmt::format("  {}: ", printable(record.name)), why, kWidth);
+  }
+  return unusable.empty() ? list : list + '\n' + ink.bad("No usable fit\n") + unusable;
 }
 
 }  // namespace
@@ -248,8 +258,11 @@ std::string scene_fits_report(std::span<const SceneFitRecord> records,
   const auto fitted = static_cast<std::size_t>(std::ranges::count(
       records, FitStatus::Fitted, [](const SceneFitRecord& r) { return r.result.status; }));
   const std::size_t failed = records.size() - fitted;
-  const std::string last = fmt::format("fitted {}, failed {}\n", fitted, failed);
-  return text + (failed == 0 ? ink.good(last) : ink.bad(last));
+  const auto unusable = static_cast<std::size_t>(std::ranges::count_if(
+      records, [](const SceneFitRecord& r) { return !why_unusable(r.result).empty(); }));
+  const std::string last =
+      fmt::format("fitted {}{}, failed {}\n", fitted, unusable_text(unusable), failed);
+  return text + (failed + unusable == 0 ? ink.good(last) : ink.bad(last));
 }
 
 }  // namespace plastica::calibrate

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "calibrate/inference/bootstrap.hpp"
+#include "calibrate/result/usable.hpp"
 
 namespace plastica::calibrate {
 namespace {
@@ -32,7 +33,7 @@ class Fits {
   Fits(std::span<const SceneFitRecord> records, const std::vector<FittedParameter>& parameters)
       : n_(parameters.size()) {
     for (const SceneFitRecord& record : records) {
-      if (record.result.status == FitStatus::Fitted) add(record.result, parameters);
+      if (is_usable(record.result)) add(record.result, parameters);
     }
   }
 

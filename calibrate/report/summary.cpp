@@ -1,4 +1,5 @@
 #include "calibrate/report/summary.hpp"
+#include "calibrate/result/usable.hpp"
 
 #include <algorithm>
 #include <array>
@@ -92,7 +93,9 @@ GroupSummary summarize(std::span<const FitRecord> records, const std::vector<std
   for (const CharacteristicEntry& entry : kEntries) {
     for (const std::size_t i : members) {
       const Target& target = records[i].target;
-      if (target.status == TargetStatus::Rejected) continue;
+      if (target.status == TargetStatus::Rejected || target.status == TargetStatus::Implausible) {
+        continue;
+      }
       const std::optional<double> value = target.characteristics.*entry.value;
       if (value) characteristics.add(entry.name, entry.dimension, *value);
     }
@@ -102,7 +105,7 @@ GroupSummary summarize(std::span<const FitRecord> records, const std::vector<std
     if (result.status == FitStatus::Fitted) ++summary.fitted;
     if (result.status == FitStatus::Rejected) ++summary.rejected;
     if (result.status == FitStatus::Failed) ++summary.failed;
-    if (result.status != FitStatus::Fitted) continue;
+    if (!is_usable(result)) continue;
     for (const FittedParameter& parameter : result.parameters) {
       if (parameter.role == ParameterRole::Fixed || !parameter.identified) continue;
       parameters.add(parameter.name(), parameter.dimension, parameter.value);
@@ -155,6 +158,7 @@ Counts count_statuses(std::span<const FitRecord> records) {
     if (record.result.status == FitStatus::Fitted) ++counts.fitted;
     if (record.result.status == FitStatus::Rejected) ++counts.rejected;
     if (record.result.status == FitStatus::Failed) ++counts.failed;
+    if (!why_unusable(record.result).empty()) ++counts.unusable;
   }
   return counts;
 }

@@ -65,9 +65,9 @@ struct GroupSummary {
   std::size_t fitted = 0;
   std::size_t rejected = 0;
   std::size_t failed = 0;
-  /// Over the specimens that have it and whose target is not rejected; n >= 1 each.
+  /// Over the specimens that have it and whose target is neither rejected nor implausible; n >= 1.
   std::vector<GroupStatistic> characteristics;
-  /// Free and tied parameters over the fitted specimens whose curve determines them; n >= 1 each.
+  /// Free and tied parameters over the usable fits whose curve determines them; n >= 1 each.
   std::vector<GroupStatistic> parameters;
   std::size_t specimens() const { return fitted + rejected + failed; }
 };
@@ -77,6 +77,7 @@ struct Counts {
   std::size_t fitted = 0;
   std::size_t rejected = 0;
   std::size_t failed = 0;
+  std::size_t unusable = 0;  ///< of the fitted ones (usable.hpp)
 };
 
 Counts count_statuses(std::span<const FitRecord> records);

@@ -12,6 +12,7 @@
 #include "calibrate/report/summary.hpp"
 #include "calibrate/report/text.hpp"
 #include "calibrate/report/text_groups.hpp"
+#include "calibrate/result/usable.hpp"
 #include "plastica/report/ink.hpp"
 #include "plastica/report/table.hpp"
 
@@ -29,7 +30,8 @@ struct FitFlag {
   char letter;
   std::string_view meaning;
 };
-constexpr std::array<FitFlag, 5> kFitFlags = {{{'b', "a parameter at a bound"},
+constexpr std::array<FitFlag, 6> kFitFlags = {{{'u', "no usable fit"},
+                                               {'b', "a parameter at a bound"},
                                                {'n', "a parameter not identified"},
                                                {'p', "poor: the model cannot follow the curve"},
                                                {'r', "curve repaired"},
@@ -41,6 +43,7 @@ std::string flags_of(const FitRecord& record) {
     return std::any_of(result.parameters.begin(), result.parameters.end(), test);
   };
   std::string flags;
+  if (!why_unusable(result).empty()) flags += 'u';
   if (any_parameter([](const FittedParameter& p) { return p.at_lower || p.at_upper; })) {
     flags += 'b';
   }
@@ -239,7 +242,12 @@ std::string names_text(std::span<const FitRecord> records, const Ink& ink) {
     const std::string_view heading = status == FitStatus::Rejected ? "Rejected\n" : "Failed\n";
     if (!list.empty()) text += '\n' + ink.bad(heading) + list;
   }
-  return text;
+  std::string unusable;
+  for (const FitRecord& record : records) {
+    const std::string why = why_unusable(record.result);
+    if (!why.empty()) unusable += wrapped(first(record), why, kWidth);
+  }
+  return unusable.empty() ? text : text + '\n' + ink.bad("No usable fit\n") + unusable;
 }
 
 }  // namespace
@@ -256,9 +264,11 @@ std::string batch_report(std::span<const FitRecord> records, const ReportOptions
   text += groups_text(records, options, ink) + names_text(records, ink) +
           repairs_text(repaired, options.specimens_shown, ink);
   if (!text.empty()) text += '\n';
-  const std::string last = fmt::format("fitted {}, rejected {}, failed {}\n", counts.fitted,
-                                       counts.rejected, counts.failed);
-  return text + (counts.rejected + counts.failed == 0 ? ink.good(last) : ink.bad(last));
+  const std::string last =
+      fmt::format("fitted {}{}, rejected {}, failed {}\n", counts.fitted,
+                  unusable_text(counts.unusable), counts.rejected, counts.failed);
+  const bool all = counts.rejected + counts.failed + counts.unusable == 0;
+  return text + (all ? ink.good(last) : ink.bad(last));
 }
 
 }  // namespace plastica::calibrate

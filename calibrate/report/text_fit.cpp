@@ -12,6 +12,7 @@
 #include "calibrate/report/shown_intervals.hpp"
 #include "calibrate/report/summary.hpp"
 #include "calibrate/report/text.hpp"
+#include "calibrate/result/usable.hpp"
 #include "plastica/report/ink.hpp"
 #include "plastica/report/table.hpp"
 
@@ -29,11 +30,13 @@ std::string fit_entry(std::string_view label, std::string_view text) {
 
 std::string header(const FitRecord& record, const Ink& ink) {
   const Target& target = record.target;
-  const bool fitted = record.result.status == FitStatus::Fitted;
-  const std::string status(word_of(record.result.status));
+  const std::string unusable = why_unusable(record.result);
+  const bool usable = record.result.is_fitted() && unusable.empty();
+  std::string status(word_of(record.result.status));
+  if (!unusable.empty()) status += ", but no usable fit";
   std::string text = wrapped("", printable(target.name) + ": " + status, kWidth);
-  text = fitted ? ink.heading(text) : ink.bad(text);
-  const std::string reason = reason_of(record);
+  text = usable ? ink.heading(text) : ink.bad(text);
+  const std::string reason = unusable.empty() ? reason_of(record) : unusable;
   if (!reason.empty()) text += fit_entry("reason", printable(reason));
   text += fit_entry("file", printable(target.file));
   text += fit_entry("test", fmt::format("{}, {}", word_of(target.test), word_of(target.loading)));

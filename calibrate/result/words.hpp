@@ -40,7 +40,7 @@ std::span<const std::string_view> words_of() {
     static constexpr std::array kWords{"fitted"sv, "failed"sv, "rejected"sv};
     return kWords;
   } else if constexpr (std::is_same_v<Enum, TargetStatus>) {
-    static constexpr std::array kWords{"ready"sv, "too-coarse"sv, "rejected"sv};
+    static constexpr std::array kWords{"ready"sv, "too-coarse"sv, "rejected"sv, "implausible"sv};
     return kWords;
   } else if constexpr (std::is_same_v<Enum, Measure>) {
     static constexpr std::array kWords{"engineering"sv, "true"sv};

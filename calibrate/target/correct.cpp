@@ -227,6 +227,9 @@ double shift_strain(Target& target, const ElasticLine& line, const TargetOptions
                     "the yield stress are wrong",
                     100.0 * zero));
   }
+  if (!why_not && !is_preload && zero < 0.0 && !line.is_straight()) {
+    why_not = "the curve bends where the line was found: no foot is so";
+  }
   Correction& candidate = is_preload ? preload : toe;
   const Mode mode = is_preload ? options.preload.mode : options.toe.mode;
   if (!why_not && mode == Mode::Automatic) {

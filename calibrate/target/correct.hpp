@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <optional>
 
-#include "calibrate/target/characteristics.hpp"
+#include "calibrate/target/elastic_line.hpp"
 #include "calibrate/target/options.hpp"
 #include "calibrate/target/target.hpp"
 

@@ -162,9 +162,10 @@ class Specimens {
                      found == rows_.end() ? "has no row in the table" : "has more than one row");
   }
 
-  double number(std::size_t row, const SpecimenValue& value, Dimension dimension,
-                const char* field) const {
+  double number(std::size_t row, const SpecimenValue& value, Dimension dimension, const char* field,
+                std::vector<std::string>& warnings) const {
     const io::FoundColumn column = io::find_column(table_, named(value, field), dimension);
+    warn_of_unit(table_, column, warnings);
     const double si = column.to_si(table_.number(row, column.index));
     if (si > 0.0 && std::isfinite(si)) return si;
     throw InputError({table_.file(), table_.line_of_row(row)}, value.from,
@@ -225,9 +226,9 @@ void read_curve(const Plan& plan, const CsvTable& table, const io::FoundColumn& 
   double gauge_length = 1.0;
   double area = 1.0;
   const auto value_of = [&](const SpecimenValue& value, Dimension dimension, const char* field) {
-    const double si = value.value
-                          ? *value.value
-                          : specimens->number(specimens->row_of(part), value, dimension, field);
+    const double si = value.value ? *value.value
+                                  : specimens->number(specimens->row_of(part), value, dimension,
+                                                      field, target.warnings);
     target.properties.emplace_back(field, si);
     return si;
   };
@@ -347,6 +348,8 @@ std::vector<Target> import_targets(const TargetSource& source, const TargetOptio
           targets.push_back(std::move(target));
           continue;
         }
+        warn_of_unit(*table, columns.strain, target.warnings);
+        warn_of_unit(*table, column, target.warnings);
         if (target.test == Test::Tension) {
           warn_of_percent(columns.strain, target.raw.strain, target.warnings);
           warn_of_travel(table->names()[columns.strain.index], table->units()[columns.strain.index],

@@ -18,7 +18,8 @@ struct ColumnSource {
   std::string column;
   std::optional<std::string> unit;  ///< empty: the file's own; a strain or pure number needs none
   SourceLocation where;             ///< of the user's words, for error lines
-  double factor = 1.0;  ///< measured = factor x the specimen's, not 0: -1 in compression
+  double factor = 1.0;         ///< measured = factor x the specimen's, not 0: -1 in compression
+  bool override_unit = false;  ///< `unit` goes before another one of the file
 };
 
 /// A value of each specimen: one for all, or a column of the table.
@@ -27,6 +28,7 @@ struct SpecimenValue {
   std::string from;             ///< column of the table
   std::optional<std::string> unit;
   SourceLocation where;
+  bool override_unit = false;  ///< `unit` goes before another one of the table
 };
 
 /// A table beside the curves, one row a specimen.

@@ -8,6 +8,8 @@
 
 #include "calibrate/target/characteristics.hpp"
 #include "calibrate/target/correct.hpp"
+#include "calibrate/target/elastic_line.hpp"
+#include "calibrate/target/plausibility.hpp"
 #include "calibrate/target/repair.hpp"
 #include "calibrate/target/samples.hpp"
 #include "plastica/base/check.hpp"
@@ -99,6 +101,34 @@ void measure_break(Characteristics& c, double modulus) {
   c.break_strain_plastic = *c.break_strain - c.observed_break->last_intact_stress / modulus;
 }
 
+/// Takes out what cannot be, each with a warning: a number of it would be believed.
+void drop_impossible(Target& target, const ElasticLine& line) {
+  Characteristics& c = target.characteristics;
+  if (c.rp02 && !(*c.rp02 > line.low && *c.rp02 > 0.0)) {
+    c.rp02.reset();
+    target.warnings.emplace_back("no proof stress: it would lie below the window of the modulus");
+  }
+  if (c.break_strain_plastic && *c.break_strain_plastic < 0.0) {
+    c.break_strain_plastic.reset();
+    target.warnings.emplace_back(
+        "no permanent strain at the break: it would be negative, as Young's modulus is too small");
+  }
+  constexpr double kLargestError = 0.05;
+  if (c.youngs_modulus_stderr && *c.youngs_modulus_stderr > kLargestError * *c.youngs_modulus) {
+    target.warnings.push_back(
+        fmt::format("Young's modulus has a standard error of {:.2g} %: too few samples, or too "
+                    "much noise, on the elastic part",
+                    100.0 * *c.youngs_modulus_stderr / *c.youngs_modulus));
+  }
+  if (!line.is_straight()) {
+    target.warnings.push_back(fmt::format(
+        "the curve bends where Young's modulus is measured: its slope falls to 1/{:.2g} "
+        "there, so that the modulus is too small; name a lower window "
+        "(characteristics.window), or the modulus",
+        line.bend));
+  }
+}
+
 void measure(Target& target, const ElasticLine& line, const RawFacts& facts, double noise,
              const TargetOptions& options) {
   Characteristics& c = target.characteristics;
@@ -128,20 +158,19 @@ void measure(Target& target, const ElasticLine& line, const RawFacts& facts, dou
     c.rp02 = proof_stress(curve.strain, curve.stress, line.modulus, 0.0, options.offset);
   }
   if (const auto point = find_yield_point(curve.stress, noise, options.yield_drop)) {
-    c.reh = point->upper;
-    c.rel = point->lower;
+    // Where flow begins: a drop later on is that of a slip, or of a pause.
+    constexpr double kLatest = 0.005;
+    const double plastic = curve.strain[point->at] - point->upper / line.modulus;
+    if (plastic <= kLatest) {
+      c.reh = point->upper;
+      c.rel = point->lower;
+    } else {
+      target.warnings.push_back(
+          fmt::format("the stress drops at {:.3g} % strain: too late for an upper yield strength",
+                      100.0 * curve.strain[point->at]));
+    }
   }
-}
-
-/// From soft plastics to diamond: beyond them a unit is wrong, most likely.
-void warn_of_units(Target& target) {
-  constexpr double kSoft = 0.5e9, kStiff = 1.3e12;
-  const Characteristics& c = target.characteristics;
-  if (target.test != Test::Tension || !c.youngs_modulus || c.modulus_method == "given") return;
-  if (*c.youngs_modulus >= kSoft && *c.youngs_modulus <= kStiff) return;
-  target.warnings.push_back(
-      fmt::format("Young's modulus of {:.4g} GPa: are the units of strain and stress right?",
-                  *c.youngs_modulus / 1e9));
+  drop_impossible(target, line);
 }
 
 }  // namespace
@@ -187,8 +216,11 @@ void process_target(Target& target, const TargetOptions& options) {
   shift_strain(target, *line, options);
   if (!convert_to_true(target, options)) return;
   measure(target, *line, facts, noise, options);
-  warn_of_units(target);
   if (monotonic) check_sampling(target, noise, options);
+  if (target.status != TargetStatus::Ready) return;
+  std::string reason = why_implausible(target, options);
+  if (!reason.empty()) return refuse_implausible(target, std::move(reason), options);
+  warn_of_softness(target);
 }
 
 Target make_target(std::string name, Curve raw, const TargetOptions& options) {

@@ -17,6 +17,22 @@ struct CorrectionChoice {
 
 enum class ModulusMethod { Regression, Chord };
 
+/// Beyond these a tension curve is that of no material, see plausibility.hpp. Yield strain: stress
+/// at yield over Young's modulus.
+struct PlausibleBounds {
+  double least_modulus = 1e6;        ///< [Pa] rubbers have some MPa
+  double most_modulus = 1.3e12;      ///< [Pa] diamond has 1.2 TPa
+  double least_yield_strain = 5e-5;  ///< [1] pure copper has 2e-4
+  double most_yield_strain = 0.03;   ///< [1] of stresses above `strong_stress`: spring steel 0.01
+  double strong_stress = 120e6;      ///< [Pa] plastics without fibres yield below
+  /// [1] of proof stresses below `soft_modulus`: plastics have 0.01 and more
+  double least_soft_yield_strain = 5e-3;
+  double soft_modulus = 4.5e9;  ///< [Pa] metals are stiffer, even lead as it creeps
+  double most_strain = 12.0;    ///< [1] rubbers tear at 10
+  double modulus_factor = 2.5;  ///< that E may be off the expected one, > 1
+  double group_factor = 10.0;   ///< that E and the strength may be off a group's median, > 1
+};
+
 /// How a measured curve becomes a target: repairs, corrections, characteristics. A monotonic curve
 /// in compression (largest |stress| and its strain negative) or without a rising part is rejected.
 struct TargetOptions {
@@ -78,7 +94,10 @@ struct TargetOptions {
   /// Stress window of the modulus [Pa]; required for a chord. Empty: `modulus_low` to
   /// `modulus_high` of the proof stress (of Rm if there is none). Widened in steps of 0.1: at both
   /// ends, to at most 0 and 0.8, while it holds fewer than 3 samples; at the low end while the
-  /// modulus has a standard error above 3 %.
+  /// modulus has a standard error above 3 %. Of windows that agree with the proof stress of their
+  /// own slope the steepest one counts. It moves down, to 0.75 of itself and at most four times,
+  /// while the slope of its lower half exceeds that of the upper one by 40 % and 5 standard
+  /// errors.
   std::optional<std::pair<double, double>> modulus_window;
   double modulus_low = 0.2;
   double modulus_high = 0.6;
@@ -92,6 +111,11 @@ struct TargetOptions {
   /// (5 standard errors, 1e-6 to 10 %) count for both. A curve that is elastic to its end has no
   /// plateau to count.
   std::size_t min_samples = 5;
+
+  // Plausibility
+  PlausibleBounds plausible;
+  std::optional<double> expected_modulus;  ///< [Pa] that of the material that the user names
+  bool accept = false;                     ///< what is implausible is fitted, with a warning
 };
 
 }  // namespace plastica::calibrate

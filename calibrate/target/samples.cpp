@@ -36,6 +36,13 @@ void warn_of_percent(const io::FoundColumn& column, std::span<const double> stra
   }
 }
 
+void warn_of_unit(const io::CsvTable& table, const io::FoundColumn& column,
+                  std::vector<std::string>& warnings) {
+  if (column.overridden.empty()) return;
+  warnings.push_back("\"" + table.names()[column.index] + "\" is not taken in its file's unit, " +
+                     column.overridden + ", as you say (override_unit)");
+}
+
 void drop_missing(const Samples& samples, std::size_t reported) {
   const std::size_t dropped = filter(samples, [&](std::size_t i) {
     return std::isfinite(samples.abscissa[i]) && std::isfinite(samples.ordinate[i]);

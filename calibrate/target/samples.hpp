@@ -29,6 +29,10 @@ inline constexpr const char* kNoSamples = "no row has both numbers";
 /// Those of the corrected curve.
 Samples samples_of(Target& target);
 
+/// Warns of a unit of the file that the user's goes before.
+void warn_of_unit(const io::CsvTable& table, const io::FoundColumn& column,
+                  std::vector<std::string>& warnings);
+
 /// Keeps the samples for which keep(i) holds, in order; returns how many were dropped.
 template <typename Keep>
 std::size_t filter(const Samples& samples, Keep keep) {

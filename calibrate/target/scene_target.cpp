@@ -86,6 +86,7 @@ SceneTarget read_scene_target(const SceneTargetSource& source, const Scene& scen
       io::find_column(table, named(source.ordinate, "ordinate"), target.ordinate_is);
   target.abscissa = io::numbers_of(table, x);
   target.ordinate = io::numbers_of(table, y);
+  for (const io::FoundColumn& column : {x, y}) warn_of_unit(table, column, target.warnings);
   if (target.abscissa_is == Dimension::Strain) {
     warn_of_percent(x, target.abscissa, target.warnings);
   }

@@ -61,9 +61,10 @@ struct Characteristics {
 
 /// What became of a specimen on its way from the file to the fit.
 enum class TargetStatus {
-  Ready,      ///< can be fitted
-  TooCoarse,  ///< too few samples on the elastic part or the plateau
-  Rejected,   ///< cannot be repaired; `reason` says why
+  Ready,        ///< can be fitted
+  TooCoarse,    ///< too few samples on the elastic part or the plateau
+  Rejected,     ///< cannot be repaired; `reason` says why
+  Implausible,  ///< is that of no material (plausibility.hpp), most likely by a mistaken unit
 };
 
 /// One specimen, ready for a fit or rejected with its reason.

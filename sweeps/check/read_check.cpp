@@ -25,7 +25,9 @@ std::string sweep_path(const TomlValue& name, const std::string& check_path) {
 /// Fractions are numbers or percents; a value has the quantity's unit.
 double read_limit(const TomlValue& value, const Claim& claim, const Sweep* sweep) {
   if (claim.kind == ClaimKind::Value) return value.quantity(sweep->quantity.dimension);
-  return value.is_string() ? value.quantity(Dimension::Strain) : value.number();
+  const bool is_error = claim.kind == ClaimKind::Error ||
+                        claim.kind == ClaimKind::ExtrapolatedError || claim.kind == ClaimKind::Gci;
+  return is_error || value.is_string() ? value.quantity(Dimension::Strain) : value.number();
 }
 
 void read_stability(const TomlTable& scan, Claim& claim) {

@@ -117,8 +117,9 @@ void read_curve(const TomlTable& table, const TomlValue& value, const std::strin
     throw columns.error("must be two columns, [\"TIME:UNIT\", \"VALUE:UNIT\"]");
   }
   const auto read = [&](const TomlValue& name, Dimension dimension) {
-    return io::read_column(csv, io::named_column(name.string(), name.where(), name.key()),
-                           dimension);
+    io::NamedColumn column = io::named_column(name.string(), name.where(), name.key());
+    column.override_unit = table.is_set("override_unit");
+    return io::read_column(csv, column, dimension);
   };
   const Probe& probe = sweep.setup.scene.probes[sweep.quantity.probe];
   sweep.against.time = read(names[0], Dimension::Time);

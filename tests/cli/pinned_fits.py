@@ -70,6 +70,7 @@ table  = { file = "SHARED/s355-bam/published_values.csv", key = "specimen" }
 files  = ["SHARED/synthetic-bilinear/bilinear_lownoise.csv", "SHARED/synthetic-bilinear/linear.csv"]
 strain = { column = "strain", unit = "1" }
 stress = { column = "stress", unit = "Pa" }
+plausible = { accept = true }
 """,
     "200 specimens": BILINEAR,
     "200 specimens together": """
@@ -92,7 +93,7 @@ law             = "linear"
 tangent_modulus = "0.1 Pa"
 
 [drive]
-strain = [0, 1]
+strain = ["0 %", "100 %"]
 
 [[probe]]
 name = "stress"
@@ -130,7 +131,7 @@ def specimens(name, folder, shared):
         (folder / "coupon.toml").write_text(COUPON)
         return targets
     return ("[[target]]\nfiles = 'curve_*.csv'\nstrain = { column = 'strain', unit = '1' }\n"
-            "stress = { column = 'stress', unit = 'Pa' }\n")
+            "stress = { column = 'stress', unit = 'Pa' }\nplausible = { accept = true }\n")
 
 
 def rows_of(name, command, shared, data):

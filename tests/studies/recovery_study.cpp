@@ -13,6 +13,7 @@
 
 #include "calibrate/fit/fit.hpp"
 #include "calibrate/target/make.hpp"
+#include "tests/calibrate/target/curves.hpp"
 
 namespace plastica::calibrate {
 namespace {
@@ -84,7 +85,8 @@ TEST(Recovery, GivesYieldStressAndBreakStrainBackWithoutNoise) {
   double worst_break = 0.0;
   for (std::size_t i = 0; i < cases(); ++i) {
     const Specimen s = make_specimen(random, elastic(random), plateau(random), 0.0);
-    const Target target = make_target("recovery-" + std::to_string(i), s.curve, {});
+    const Target target =
+        make_target("recovery-" + std::to_string(i), s.curve, testing::any_numbers());
     const FitResult fit = fit_target(target, all_free());
     if (fit.status != FitStatus::Fitted) {
       ADD_FAILURE() << i << ": E " << s.modulus << " yield " << s.yield << " break "
@@ -117,7 +119,8 @@ TEST(Recovery, CallsCurvesTooCoarseInsteadOfFittingThem) {
     const bool on_plateau = i % 2 == 0;
     const Specimen s = make_specimen(random, on_plateau ? enough(random) : fewer(random),
                                      on_plateau ? few(random) : enough(random), 0.0);
-    const Target target = make_target("coarse-" + std::to_string(i), s.curve, {});
+    const Target target =
+        make_target("coarse-" + std::to_string(i), s.curve, testing::any_numbers());
     EXPECT_EQ(target.status, TargetStatus::TooCoarse)
         << i << " " << s.curve.size() << (on_plateau ? " plateau " : " elastic ") << target.reason;
     const FitResult fit = fit_target(target, all_free());
@@ -134,7 +137,8 @@ TEST(Recovery, CoversTheTrueYieldStressInTheStatedFractionOfNoisyCurves) {
   std::size_t covered = 0;
   for (std::size_t i = 0; i < cases(); ++i) {
     const Specimen s = make_specimen(random, elastic(random), plateau(random), 0.01);
-    const Target target = make_target("noisy-" + std::to_string(i), s.curve, {});
+    const Target target =
+        make_target("noisy-" + std::to_string(i), s.curve, testing::any_numbers());
     const FitResult fit = fit_target(target, all_free());
     if (fit.status != FitStatus::Fitted) {
       ADD_FAILURE() << i << ": " << fit.reason;

@@ -1,8 +1,27 @@
 #include "plastica/io/csv_column.hpp"
 
+#include <fmt/format.h>
+
 #include <cmath>
 
 namespace plastica::io {
+namespace {
+
+/// Whether the table's unit is the same as one that was given, or none.
+bool agrees(const std::string& own, const UnitConversion& given, Dimension dimension) {
+  if (own.empty() || own == "-" || own == "1") return true;
+  constexpr double kRounding = 1e-9;
+  try {
+    const UnitConversion to_si = unit_conversion(own, dimension);
+    return std::abs(to_si.scale - given.scale) <= kRounding * std::abs(given.scale) &&
+           std::abs(to_si.offset - given.offset) <= kRounding * std::abs(given.offset);
+  } catch (const InputError&) {
+    // The unit of something else, unless the user takes it for a pure number.
+    return dimension == Dimension::None;
+  }
+}
+
+}  // namespace
 
 NamedColumn named_column(const std::string& words, const SourceLocation& where, std::string key) {
   const std::size_t colon = words.rfind(':');
@@ -13,7 +32,14 @@ NamedColumn named_column(const std::string& words, const SourceLocation& where, 
 FoundColumn column_at(const CsvTable& table, std::size_t index, const NamedColumn& column,
                       Dimension dimension) {
   if (column.unit) {
-    return {index, unit_conversion(*column.unit, dimension, column.where, column.key)};
+    const UnitConversion given = unit_conversion(*column.unit, dimension, column.where, column.key);
+    const std::string& own = table.units()[index];
+    if (agrees(own, given, dimension)) return {index, given};
+    if (column.override_unit) return {index, given, true, own};
+    throw InputError(column.where, column.key, *column.unit,
+                     fmt::format("contradicts {}, where \"{}\" is in {}: correct one of them, or "
+                                 "let this one go before (override_unit)",
+                                 table.file(), table.names()[index], own));
   }
   const std::string& unit = table.units()[index];
   const bool is_fraction = dimension == Dimension::None || dimension == Dimension::Strain;

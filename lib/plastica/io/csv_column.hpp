@@ -16,6 +16,7 @@ struct NamedColumn {
   std::optional<std::string> unit;  ///< empty: the table's own
   SourceLocation where;             ///< of the words that name it …
   std::string key;                  ///< … and their key
+  bool override_unit = false;       ///< `unit` goes before another one of the table
 };
 
 /// "Stress:MPa" or "Stress": what stands behind the last colon is the unit.
@@ -25,12 +26,14 @@ NamedColumn named_column(const std::string& words, const SourceLocation& where, 
 struct FoundColumn {
   std::size_t index = 0;
   UnitConversion to_si{};
-  bool has_unit = true;  ///< else it is taken for a fraction
+  bool has_unit = true;      ///< else it is taken for a fraction
+  std::string overridden{};  ///< unit of the table that another one goes before; empty: none
 };
 
 /// A column by its name: in its given unit, or the table's. A strain or a pure number without
-/// either is a fraction.
-/// @throws InputError if there is none, if another one has no unit, or one that does not fit
+/// either is a fraction. A table's "-" or "1" is no unit.
+/// @throws InputError if there is none, if another one has no unit, or one that does not fit, or
+///         if the given unit is not the table's and does not override it
 FoundColumn find_column(const CsvTable& table, const NamedColumn& column, Dimension dimension);
 
 /// The same of a column whose place is known.

@@ -29,6 +29,7 @@ std::vector<double> tabled_strain(const TomlTable& table, const std::string& fil
   source.where = unit ? unit->where() : column.where();
   source.key = column.key();
   if (unit) source.unit = unit->string();
+  source.override_unit = table.is_set("override_unit");
   return read_column(csv, source, Dimension::Strain);
 }
 

@@ -59,6 +59,7 @@ History tabled(const TomlTable& table, const TomlValue& name) {
       source.unit = unit->string();
       source.where = unit->where();
     }
+    source.override_unit = table.is_set("override_unit");
     const std::size_t index = csv.find(source.name, source.where, source.key);
     if (dimension == Dimension::Time) time_index = index;
     if (dimension == Dimension::Time && !source.unit && csv.units()[index].empty()) {

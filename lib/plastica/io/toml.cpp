@@ -253,6 +253,11 @@ TomlValue TomlTable::at(std::string_view name) const {
   throw InputError(where(), joined_key(key(), name), "", rule);
 }
 
+bool TomlTable::is_set(std::string_view name) const {
+  const auto value = find(name);
+  return value && value->boolean();
+}
+
 std::optional<TomlTable> TomlTable::find_table(std::string_view name) const {
   const auto value = find(name);
   if (!value) return std::nullopt;

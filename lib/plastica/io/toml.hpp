@@ -77,6 +77,8 @@ class TomlTable {
   std::optional<TomlValue> find(std::string_view name) const;
   /// @throws InputError if it is not there
   TomlValue at(std::string_view name) const;
+  /// Whether a key is there and true. @throws InputError if it is neither true nor false
+  bool is_set(std::string_view name) const;
   /// @throws InputError if it is there and no table
   std::optional<TomlTable> find_table(std::string_view name) const;
   /// An array of tables; empty if it is not there. @throws InputError if it is anything else

@@ -1,5 +1,6 @@
 #include "plastica/io/units.hpp"
 
+#include <fmt/format.h>
 #include <udunits2.h>
 
 #include <algorithm>
@@ -303,6 +304,13 @@ double parse_quantity(std::string_view text, Dimension dimension, const SourceLo
                                    ? std::string()
                                    : "\"" + std::string(unit) + "\" ";
     throw InputError(where, field, whole, quoted + rule_for(result.refusal, dimension));
+  }
+  // "20" is more likely 20 % than 2000 %.
+  if (dimension == Dimension::Strain && unit.empty() && std::fabs(value) >= 1.0) {
+    throw InputError(where, field, whole,
+                     fmt::format("would be {:g} % as a fraction: write the unit, \"{:g} %\" or "
+                                 "\"{:g} %\"",
+                                 100.0 * value, value, 100.0 * value));
   }
   return result.conversion(value);
 }

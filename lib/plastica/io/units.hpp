@@ -29,7 +29,8 @@ UnitConversion unit_conversion(std::string_view unit, Dimension dimension,
 /// header "Stress (MPa)" has one, "Stress (true)" has not. A number alone is none: "Run (2)".
 bool is_unit(std::string_view text);
 
-/// Reads "355 MPa", "0.2 %", "1e-3" into SI.
+/// Reads "355 MPa", "0.2 %", "1e-3" into SI. A strain of 1 and more needs its unit: "20" may be
+/// meant in percent.
 /// @throws InputError if there is no number, or the unit does not fit
 double parse_quantity(std::string_view text, Dimension dimension, const SourceLocation& where = {},
                       std::string_view field = {});

@@ -180,8 +180,8 @@ TEST_F(FitFileErrors, CorrectionsAreAutomaticOffOrAStrain) {
             "f.toml:5: target[1].corrections.trim = 0: must be above 0");
   EXPECT_EQ(with("corrections = { drop_fraction = '150 %' }"),
             "f.toml:5: target[1].corrections.drop_fraction = 150 %: must be above 0 and below 1");
-  EXPECT_EQ(with("corrections = { reversal_tolerance = -1 }"),
-            "f.toml:5: target[1].corrections.reversal_tolerance = -1: must be at least 0");
+  EXPECT_EQ(with("corrections = { reversal_tolerance = -0.1 }"),
+            "f.toml:5: target[1].corrections.reversal_tolerance = -0.1: must be at least 0");
   EXPECT_EQ(with("corrections = { foot = 'off' }"),
             "f.toml:5: target[1].corrections.foot = 'off': is not a key of target[1].corrections; "
             "its keys are toe, preload, trim, measure, reversal_tolerance, shift_threshold, "
@@ -241,6 +241,28 @@ TEST_F(FitFileErrors, AMaterialMustNotBeLeftToTheLibrarysDefaults) {
             "in [material]");
 }
 
+TEST_F(FitFileErrors, BoundsOfPlausibilityRise) {
+  EXPECT_EQ(with("plausible = { youngs_modulus = ['2 GPa', '1 GPa'] }"),
+            "f.toml:5: target[1].plausible.youngs_modulus = ['2 GPa', '1 GPa']: must rise");
+  EXPECT_EQ(with("plausible = { yield_strain = '1 %' }"),
+            "f.toml:5: target[1].plausible.yield_strain = '1 %': must be a list in brackets");
+  EXPECT_EQ(
+      with("plausible = { yield_strain = ['1 %'] }"),
+      "f.toml:5: target[1].plausible.yield_strain = ['1 %']: must be two values, [least, most]");
+  EXPECT_EQ(with("plausible = { expected_modulus = '-1 GPa' }"),
+            "f.toml:5: target[1].plausible.expected_modulus = -1 GPa: must be above 0");
+  EXPECT_EQ(with("plausible = { group_factor = 1 }"),
+            "f.toml:5: target[1].plausible.group_factor = 1: must be above 1");
+  EXPECT_EQ(with("plausible = { accept = 'yes' }"),
+            "f.toml:5: target[1].plausible.accept = 'yes': must be true or false");
+}
+
+TEST_F(FitFileErrors, AnOverriddenUnitNeedsAnotherOne) {
+  EXPECT_EQ(error("[[target]]\nfiles = 'a.csv'\nstrain = { column = 'e', override_unit = true }\n"
+                  "stress = 's'\n"),
+            "f.toml:3: target[1].strain.override_unit = true: is of no use without unit");
+}
+
 TEST_F(FitFileErrors, EveryKeyStandsInItsDocumentation) {
   std::ifstream file(PLASTICA_SOURCE_DIR "/docs/file-formats.md");
   const std::string page{std::istreambuf_iterator<char>(file), {}};
@@ -250,6 +272,7 @@ TEST_F(FitFileErrors, EveryKeyStandsInItsDocumentation) {
   for (const std::string& text :
        {target + "[fit]\n" + q, target + "[fit.stop]\n" + q, target + q,
         target + "[target.corrections]\n" + q, target + "[target.characteristics]\n" + q,
+        target + "[target.plausible]\n" + q,
         target + "[fit.parameters.yield_stress]\n" + q + "[material]\nname = 'S355'\n"}) {
     const std::string message = error(text);
     const auto at = message.find("its keys are ");

@@ -114,7 +114,8 @@ TEST(JsonSummary, EscapesWhatUsersWrite) {
 
 TEST(JsonSummary, OfNothingIsStillOneObject) {
   EXPECT_EQ(json_summary({}, -1),
-            "{\"fits\":[],\"groups\":[],\"counts\":{\"fitted\":0,\"rejected\":0,\"failed\":0}}\n");
+            "{\"fits\":[],\"groups\":[],\"counts\":{\"fitted\":0,\"rejected\":0,\"failed\":0,"
+            "\"unusable\":0}}\n");
 }
 
 }  // namespace

@@ -57,7 +57,7 @@ TEST(SceneFitJson, HoldsParametersTargetsStartsAndCounts) {
   EXPECT_TRUE(fit["starts"][1]["cost"].is_null()) << "infinite";
   EXPECT_EQ(all["fits"][1]["reason"], "no curve at the start");
   EXPECT_TRUE(all["fits"][1]["targets"][0]["level"].is_null());
-  EXPECT_EQ(all["counts"], (Json{{"fitted", 1}, {"failed", 1}}));
+  EXPECT_EQ(all["counts"], (Json{{"fitted", 1}, {"failed", 1}, {"unusable", 0}}));
 }
 
 TEST(SceneFitJson, HoldsThePopulation) {

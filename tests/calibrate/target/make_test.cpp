@@ -2,7 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <limits>
 #include <string>
 
@@ -71,22 +70,6 @@ TEST(MakeTarget, WarnsOfACurveThatIsElasticToItsEndAndKeepsItReady) {
   EXPECT_EQ(target.warnings[0], "elastic to its end: the yield stress is not identifiable");
   EXPECT_FALSE(target.characteristics.rp02.has_value());
   EXPECT_TRUE(make_target("smooth", plastica::testing::smooth_curve()).warnings.empty());
-}
-
-/// A wrong unit shifts the modulus by orders of magnitude.
-TEST(MakeTarget, WarnsOfAModulusThatNoMaterialHas) {
-  const auto warns = [](double stress, double strain) {
-    Curve curve = plastica::testing::smooth_curve();
-    for (double& value : curve.stress) value *= stress;
-    for (double& value : curve.strain) value *= strain;
-    const Target target = make_target("scaled", curve);
-    return std::ranges::any_of(target.warnings, [](const std::string& warning) {
-      return warning.find("are the units of strain and stress right?") != std::string::npos;
-    });
-  };
-  EXPECT_FALSE(warns(1.0, 1.0));
-  EXPECT_TRUE(warns(1e-3, 1.0));
-  EXPECT_TRUE(warns(1.0, 1e-3));
 }
 
 TEST(MakeTarget, RefusesColumnsOfUnequalLengthAndOptionsThatMakeNoSense) {

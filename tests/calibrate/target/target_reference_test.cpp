@@ -10,6 +10,7 @@
 #include "calibrate/target/import.hpp"
 #include "calibrate/target/make.hpp"
 #include "plastica/io/csv.hpp"
+#include "tests/calibrate/target/curves.hpp"
 #include "tests/support/shared.hpp"
 
 namespace plastica::calibrate {
@@ -204,21 +205,22 @@ TEST(TargetReference, NoisyBilinearCurvesAreNeitherShiftedNorCalledCoarse) {
   source.files = {data("synthetic-bilinear/uq_200_samples.csv")};
   source.strain = column("strain", "1");
   source.stress = column("stress_*", "Pa");
-  std::vector<Target> targets = import_targets(source);
+  const TargetOptions options = plastica::testing::any_numbers();
+  std::vector<Target> targets = import_targets(source, options);
   ASSERT_EQ(targets.size(), 200U);
   for (const char* name : {"bilinear_lownoise", "linear"}) {
     source.files = {data(std::string("synthetic-bilinear/") + name + ".csv")};
     source.stress = column("stress", "Pa");
-    targets.push_back(import_targets(source).at(0));
+    targets.push_back(import_targets(source, options).at(0));
   }
   for (const Target& target : targets) {
     EXPECT_EQ(target.status, TargetStatus::Ready) << target.name << ": " << target.reason;
     EXPECT_EQ(target.corrected.size(), target.raw.size()) << target.name;
     EXPECT_EQ(target.corrected.strain, target.raw.strain) << target.name;
   }
-  ASSERT_FALSE(targets.back().warnings.empty());
-  EXPECT_EQ(targets.back().warnings.back(),
-            "elastic to its end: the yield stress is not identifiable");
+  EXPECT_EQ(std::ranges::count(targets.back().warnings,
+                               "elastic to its end: the yield stress is not identifiable"),
+            1);
 }
 
 }  // namespace

@@ -65,7 +65,8 @@ TEST(ReadHistory, OfColumnsHasTheRowsOfTheFile) {
   const std::vector<double> factor{0.0, 0.25, 0.5, 0.0, -1.0, -1.0};
   const History named = read("time = 'time', factor = 'a'");
   const History numbered = read("time = 2, factor = 4");
-  const History given = read("time = 2, time_unit = 's', factor = 'a', factor_unit = '1'");
+  const History given =
+      read("time = 2, time_unit = 's', factor = 'a', factor_unit = '1', override_unit = true");
   for (std::size_t k = 0; k < factor.size(); ++k) {
     const double time = std::vector<double>{0.0, 5e-3, 0.01, 0.02, 0.04, 7.0}[k];
     EXPECT_NEAR(named.at(time), factor[k], 1e-15) << time;

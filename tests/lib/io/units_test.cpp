@@ -145,6 +145,16 @@ TEST(Units, ABareNumberIsNoStress) {
             "twist = 3: an angle needs a unit (examples: rad, deg)");
 }
 
+TEST(Quantity, OfAStrainOfOneAndMoreNeedsItsUnit) {
+  EXPECT_EQ(message_from<InputError>([] { parse_quantity("20", Dimension::Strain, {}, "b"); }),
+            "b = 20: would be 2000 % as a fraction: write the unit, \"20 %\" or \"2000 %\"");
+  EXPECT_THROW(parse_quantity("-1", Dimension::Strain), InputError);
+  EXPECT_DOUBLE_EQ(parse_quantity("2000 %", Dimension::Strain), 20.0);
+  EXPECT_EQ(parse_quantity("2 mm/mm", Dimension::Strain), 2.0);
+  EXPECT_EQ(parse_quantity("0.99", Dimension::Strain), 0.99);
+  EXPECT_EQ(parse_quantity("20", Dimension::None), 20.0);
+}
+
 TEST(Quantity, IsANumberAndAUnit) {
   EXPECT_EQ(parse_quantity("355 MPa", Dimension::Stress), 355e6);
   EXPECT_EQ(parse_quantity(" +2.5e2kN ", Dimension::Force), 250e3);

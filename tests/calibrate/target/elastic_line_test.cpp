@@ -1,0 +1,107 @@
+#include "calibrate/target/elastic_line.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+#include <string>
+
+#include "calibrate/target/make.hpp"
+
+namespace plastica::calibrate {
+namespace {
+
+/// Elastic to its yield stress, then s = yield + strength ep^exponent; evenly spaced strains.
+struct Hardening {
+  const char* material;
+  double modulus, yield, strength, exponent, end;
+};
+
+constexpr Hardening kAustenitic{"austenitic steel", 193e9, 240e6, 1000e6, 0.75, 0.5};
+constexpr Hardening kCompressed{"aluminium in compression", 69e9, 120e6, 400e6, 0.6, 0.6};
+constexpr Hardening kHot{"hot soft metal", 45e9, 8e6, 20e6, 0.3, 0.5};
+constexpr Hardening kPolymer{"polymer", 2.3e9, 40e6, 20e6, 1.0, 0.8};
+
+/// @param samples  on the elastic part; as many times more on all of it as it is longer, or 400
+Curve curve_of(const Hardening& of, int samples, double noise = 0.0) {
+  std::mt19937_64 random(7);
+  std::normal_distribution<double> normal(0.0, 1.0);
+  Curve curve;
+  const auto add = [&](double strain, double stress) {
+    curve.strain.push_back(strain);
+    curve.stress.push_back(stress + noise * of.yield * normal(random));
+  };
+  const double yield_strain = of.yield / of.modulus;
+  for (int i = 0; i <= samples; ++i) add(yield_strain * i / samples, of.yield * i / samples);
+  for (int i = 1; i <= 400; ++i) {
+    const double plastic = of.end * i / 400.0;
+    const double stress = of.yield + of.strength * std::pow(plastic, of.exponent);
+    add(stress / of.modulus + plastic, stress);
+  }
+  return curve;
+}
+
+/// Worked by hand: the elastic part is exactly straight, so E is the material's, the toe nothing,
+/// and the proof stress that of 0.2 % on the hardening curve.
+TEST(ElasticLine, IsBelowTheKneeHoweverStronglyACurveHardens) {
+  for (const Hardening& of : {kAustenitic, kCompressed, kHot, kPolymer}) {
+    for (const int samples : {8, 20, 100}) {
+      for (const double noise : {0.0, 0.005}) {
+        const Target target = make_target("t", curve_of(of, samples, noise));
+        const std::string what = of.material + (", " + std::to_string(samples)) + ", noise " +
+                                 std::to_string(noise) + ": " + target.reason;
+        ASSERT_EQ(target.status, TargetStatus::Ready) << what;
+        const Characteristics& c = target.characteristics;
+        EXPECT_NEAR(*c.youngs_modulus / of.modulus, 1.0, noise > 0.0 ? 0.05 : 1e-9) << what;
+        ASSERT_TRUE(c.rp02.has_value()) << what;
+        // Its line is crossed where the permanent strain is 0.2 %, between two samples.
+        const double proof = of.yield + of.strength * std::pow(0.002, of.exponent);
+        EXPECT_NEAR(*c.rp02 / proof, 1.0, 0.02) << what;
+        EXPECT_LT(c.modulus_window_high, proof) << what;
+        for (const Correction& correction : target.corrections) {
+          if (correction.kind == "toe") {
+            EXPECT_LT(std::abs(correction.amount), 2e-4) << what;
+          }
+        }
+      }
+    }
+  }
+}
+
+/// One or two samples on the elastic part say nothing of E, and no number may be made of them.
+TEST(ElasticLine, IsNotFoundWhereTheElasticPartHasNoSamples) {
+  for (const Hardening& of : {kAustenitic, kCompressed, kHot}) {
+    for (const int samples : {1, 2}) {
+      const Target target = make_target("t", curve_of(of, samples));
+      const std::string what = of.material + (", " + std::to_string(samples));
+      EXPECT_NE(target.status, TargetStatus::Ready) << what;
+      if (!target.characteristics.youngs_modulus) continue;
+      EXPECT_NEAR(*target.characteristics.youngs_modulus / of.modulus, 1.0, 0.05) << what;
+    }
+  }
+}
+
+/// Ramberg and Osgood's curve is nowhere straight: the nearer to its foot, the nearer to E.
+TEST(ElasticLine, MovesDownACurveThatBends) {
+  for (const double exponent : {4.0, 5.0, 8.0, 20.0}) {
+    Curve curve;
+    for (int i = 0; i <= 600; ++i) {
+      const double stress = 240e6 * std::pow(250.0, 1.0 / exponent) * i / 600.0;
+      curve.strain.push_back(stress / 193e9 + 0.002 * std::pow(stress / 240e6, exponent));
+      curve.stress.push_back(stress);
+    }
+    const Target target = make_target("t", curve);
+    const bool is_warned = std::ranges::any_of(target.warnings, [](const std::string& warning) {
+      return warning.starts_with("the curve bends where Young's modulus is measured");
+    });
+    EXPECT_NEAR(*target.characteristics.youngs_modulus / 193e9, 1.0, is_warned ? 0.25 : 0.1)
+        << exponent;
+    EXPECT_EQ(is_warned, exponent < 5.0) << exponent;
+    EXPECT_NEAR(*target.characteristics.rp02 / 240e6, 1.0, exponent < 8.0 ? 0.04 : 0.01)
+        << exponent;
+  }
+}
+
+}  // namespace
+}  // namespace plastica::calibrate
