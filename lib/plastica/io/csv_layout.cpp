@@ -19,6 +19,14 @@ std::vector<Line> sample_of(const std::vector<Line>& lines) {
   return sample;
 }
 
+bool has_blank_between_digits(std::string_view cell) {
+  const auto is_digit = [](char c) { return c >= '0' && c <= '9'; };
+  for (std::size_t i = 1; i + 1 < cell.size(); ++i) {
+    if (cell[i] == ' ' && is_digit(cell[i - 1]) && is_digit(cell[i + 1])) return true;
+  }
+  return false;
+}
+
 /// What speaks for a dialect: numbers in rows of its most usual width; then rows of that width.
 struct Evidence {
   long numbers = 0;
@@ -36,8 +44,9 @@ Evidence evidence_for(const std::vector<Line>& sample, char separator, NumberFor
     ++evidence.lines;
     for (const std::string_view cell : cells) {
       if (read_number(cell, format).kind == CellKind::Number) ++evidence.numbers;
-      // "5;1" between commas: a row of "0,5;1,5" cut at its decimal commas.
+      // "5;1" between commas: a row of "0,5;1,5" cut at its decimal commas; "10 100" likewise.
       if (separator == ',' && cell.find(';') != std::string_view::npos) --evidence.numbers;
+      if (separator == ',' && has_blank_between_digits(cell)) evidence.numbers -= 2;
     }
   }
   Evidence best;
@@ -176,6 +185,9 @@ class Finder {
     std::string_view text = without_blanks(lines_[line].text);
     if (text.starts_with('{')) return false;
     const Cells& cells = names_of(line);
+    const bool has_words = std::ranges::any_of(
+        cells, [&](std::string_view cell) { return kind_of(cell) == CellKind::Text; });
+    if (!has_words) return false;  // "NaN", "-" and "n/a" are numbers that are missing
     const auto numbers = std::count_if(cells.begin(), cells.end(), [&](std::string_view cell) {
       return kind_of(cell) == CellKind::Number || kind_of(cell) == CellKind::OutOfRange;
     });
@@ -214,7 +226,7 @@ class Finder {
       if (!is_data(i)) continue;
       // Under a header, or with no header soon to come: then a broken row below is no excuse to
       // take this one for metadata.
-      if (i > 0 && is_header(i - 1)) return i;
+      if (i > 0 && is_header(i - 1) && !is_table_of_results(i)) return i;
       bool header_follows = false;
       for (std::size_t k = i + 1; k <= i + kFollowers && k < lines_.size(); ++k) {
         header_follows = header_follows || is_header(k);
@@ -222,6 +234,21 @@ class Finder {
       if (!header_follows) return i;
     }
     return lines_.size();
+  }
+
+  /// Whether the rows from a line on are a short table, of results, above the one of the curve.
+  bool is_table_of_results(std::size_t begin) {
+    constexpr std::size_t kMostRows = 2;
+    std::size_t end = begin;
+    while (end < lines_.size() && end <= begin + kMostRows && is_data(end)) ++end;
+    if (end > begin + kMostRows || end + 1 >= lines_.size()) return false;
+    const bool has_units = is_header(end) && is_unit_row(end + 1);
+    const std::size_t next = end + (has_units ? 2 : 1);
+    if (!is_header(end) || next + kMostRows >= lines_.size()) return false;
+    for (std::size_t i = next; i <= next + kMostRows; ++i) {
+      if (!is_data(i)) return false;
+    }
+    return true;
   }
 
   void find_header(Layout& layout) {
@@ -271,12 +298,13 @@ class Finder {
   Cells cells_;
 };
 
-/// Refuses a column such as 998, 999, 1,000 in a file without a number that shows what its commas
-/// are: they may begin decimals or part thousands.
+/// Refuses a column such as 998, 999, 1,000 in a file without a number that shows what its marks
+/// are: they may begin decimals or part thousands. A column whose other numbers all have decimals
+/// is clear: nobody writes 999.0 and 1.000 for a thousand.
 void refuse_ambiguous(const std::vector<Line>& lines, const Layout& layout,
                       const std::string& file) {
   struct Column {
-    bool has_hundreds = false;
+    bool has_whole = false;
     bool is_clear = false;  ///< a number can be read in one way only
     std::size_t line = 0;   ///< of one that can be read in two
     std::string_view cell;
@@ -289,21 +317,20 @@ void refuse_ambiguous(const std::vector<Line>& lines, const Layout& layout,
       const Number number = read_number(cells[k], layout.dialect.format);
       if (number.kind != CellKind::Number) continue;
       Column& column = columns[k];
-      const double size = std::abs(number.value);
       const bool is_whole = cells[k].find_first_not_of("+-0123456789") == std::string_view::npos;
       if (is_ambiguous(cells[k])) {
         if (!column.cell.empty()) continue;
         column.line = i;
         column.cell = cells[k];
-      } else if (is_whole && size < 1000.0) {
-        column.has_hundreds = column.has_hundreds || size >= 100.0;
+      } else if (is_whole && std::abs(number.value) < 1000.0) {
+        column.has_whole = true;
       } else {
         column.is_clear = true;
       }
     }
   }
   for (const Column& column : columns) {
-    if (column.cell.empty() || !column.has_hundreds || column.is_clear) continue;
+    if (column.cell.empty() || !column.has_whole || column.is_clear) continue;
     throw InputError({file, lines[column.line].number}, "", column.cell,
                      "has a decimal mark or one of thousands: say which by decimal = \".\" or "
                      "\",\"");
@@ -317,7 +344,9 @@ Layout layout_of(const std::vector<Line>& lines, const std::string& file,
   if (lines.empty()) throw InputError({file, 0}, "", "", "is empty");
   Layout layout = Finder(lines, file, options).layout();
   const NumberFormat& format = layout.dialect.format;
-  if (format.decimal == ',' && !format.is_certain) refuse_ambiguous(lines, layout, file);
+  // Who parts thousands by points has decimal commas, and no commas between cells.
+  const bool is_plain = layout.dialect.separator == ',' && format.decimal == '.';
+  if (!format.is_certain && !is_plain) refuse_ambiguous(lines, layout, file);
   return layout;
 }
 

@@ -73,6 +73,18 @@ std::string_view inside(std::string_view text, char open, char close) {
   return without_blanks(text.substr(1, text.size() - 2));
 }
 
+/// Chinese and Japanese programs write wide brackets.
+std::string with_narrow_brackets(std::string_view text) {
+  std::string narrow(text);
+  for (const auto& [wide, bracket] :
+       {std::pair<std::string_view, const char*>{"\xEF\xBC\x88", "("}, {"\xEF\xBC\x89", ")"}}) {
+    for (std::size_t at = narrow.find(wide); at != std::string::npos; at = narrow.find(wide, at)) {
+      narrow.replace(at, wide.size(), bracket);
+    }
+  }
+  return narrow;
+}
+
 }  // namespace
 
 std::vector<char> decoded(std::string_view bytes, const std::string& file) {
@@ -170,8 +182,9 @@ std::string lower_case(std::string_view text) {
   return lower;
 }
 
-std::pair<std::string, std::string> name_and_unit(std::string_view header) {
-  header = without_blanks(header);
+std::pair<std::string, std::string> name_and_unit(std::string_view text) {
+  const std::string narrow = with_narrow_brackets(text);
+  const std::string_view header = without_blanks(narrow);
   const auto apart = [&](std::size_t at, std::string_view unit) {
     return std::pair(std::string(without_blanks(header.substr(0, at))), std::string(unit));
   };
@@ -182,17 +195,20 @@ std::pair<std::string, std::string> name_and_unit(std::string_view header) {
     const std::string_view unit = inside(header.substr(open), '(', ')');
     if (unit == "-" || is_unit(unit)) return apart(open, unit);
   }
-  for (const std::string_view word : {" / ", " in "}) {
+  for (const std::string_view word : {" / ", " in ", ", ", "/"}) {
     const std::size_t at = header.rfind(word);
     if (at == std::string_view::npos || at == 0) continue;
     const std::string_view unit = without_blanks(header.substr(at + word.size()));
-    if (is_unit(unit)) return apart(at, unit);
+    // "N/mm2" and "mm/mm" are units, no names with one.
+    if (is_unit(unit) && (word.size() > 1 || !is_unit(header))) return apart(at, unit);
   }
+  if (header.size() > 1 && header.back() == '%') return apart(header.size() - 1, "%");
   return {std::string(header), std::string()};
 }
 
-UnitCell unit_cell(std::string_view cell) {
-  cell = without_blanks(cell);
+UnitCell unit_cell(std::string_view text) {
+  const std::string narrow = with_narrow_brackets(text);
+  const std::string_view cell = without_blanks(narrow);
   if (cell.empty() || cell == "-" || cell == "1") return {true, std::string(cell)};
   for (const std::string_view unit : {inside(cell, '(', ')'), inside(cell, '[', ']')}) {
     if (!unit.empty()) return {true, std::string(unit)};

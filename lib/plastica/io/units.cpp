@@ -66,7 +66,7 @@ std::string_view examples(Dimension dimension) {
 }
 
 /// Words that udunits2 does not know, and what they mean to it.
-constexpr std::array<std::pair<std::string_view, std::string_view>, 7> kSpellings{{
+constexpr std::array<std::pair<std::string_view, std::string_view>, 21> kSpellings{{
     {"Nm", "(N m)"},
     {"kNm", "(kN m)"},
     {"MNm", "(MN m)"},
@@ -74,6 +74,21 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 7> kSpelling
     {"kNmm", "(kN mm)"},
     {"deg", "arc_degree"},
     {"secs", "s"},
+    // As machines and laboratories write them; each has but one meaning.
+    {"KN", "kN"},
+    {"Kn", "kN"},
+    {"Mpa", "MPa"},
+    {"MPA", "MPa"},
+    {"Gpa", "GPa"},
+    {"GPA", "GPa"},
+    {"KPa", "kPa"},
+    {"Kpa", "kPa"},
+    {"PSI", "psi"},
+    {"KSI", "ksi"},
+    {"Lbf", "lbf"},
+    {"LBF", "lbf"},
+    {"MM", "mm"},
+    {"SEC", "s"},
 }};
 
 bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; }
@@ -274,6 +289,7 @@ bool is_unit(std::string_view text) {
     constexpr std::string_view kLetters = "%msKNVAh";
     return kLetters.find(text[0]) != std::string_view::npos;
   }
+  if (text == "force") return false;  // to udunits2 that is gravity
   return strain_scale(text) || angle_scale(text) || unit_table().parses(text);
 }
 

@@ -37,6 +37,51 @@ TEST(CsvNumbers, WhereTheDecimalMarkIsKnownTheOtherPartsThousands) {
   EXPECT_EQ(table_of("a,b\n1,1.234\n2,100\n").numbers(1), (Values{1.234, 100.0}));
 }
 
+/// 2.333 N beside 1667 um/m: a decimal or 2333?
+TEST(CsvNumbers, WhatMayBeThousandsIsRefusedWithEitherMark) {
+  for (const char* text : {"a;b\n0;0\n1667;2.333\n3333;3.667\n", "a;b\n0;998\n1;1.002\n",
+                           "a;b\n0;0\n1667;2,333\n3333;3,667\n", "a\tb\n0\t998\n1\t1.002\n"}) {
+    EXPECT_THROW(table_of(text), InputError) << text;
+  }
+  EXPECT_EQ(table_of("a;b\n0.000;1.234\n1.250;2.345\n").numbers(1), (Values{1.234, 2.345}));
+  EXPECT_EQ(table_of("a;b\n0;0.5\n1;1.234\n").numbers(1), (Values{0.5, 1.234}));
+}
+
+TEST(CsvNumbers, DecimalCommasBetweenBlanksAreNoCellsOfThousands) {
+  const CsvTable table =
+      table_of("Dehnung(%) Spannung(MPa)\n0,10 100,00\n0,11 126,67\n0,12 153,33\n");
+  EXPECT_EQ(table.names(), (std::vector<std::string>{"Dehnung", "Spannung"}));
+  EXPECT_EQ(table.numbers(1), (Values{100.0, 126.67, 153.33}));
+}
+
+TEST(CsvNumbers, RowsOfMissingNumbersAreNoHeader) {
+  const CsvTable table = table_of("0.0,0\n0.1,20\nn/a,n/a\n0.2,40\n0.3,60\n");
+  EXPECT_EQ(table.rows(), 5U);
+}
+
+TEST(CsvNumbers, AShortTableOfResultsIsNotTheCurve) {
+  const CsvTable table = table_of(
+      "\"\",\"Maximum Load (N)\",\"Stress at Maximum (MPa)\"\n\"1\",\"39840.00\",\"498.00\"\n"
+      "\"Time\",\"Strain\",\"Load\"\n\"(s)\",\"(%)\",\"(N)\"\n0.0,0.0,0.0\n0.1,0.1,900.5\n"
+      "0.2,0.2,1800.5\n0.3,0.3,2700.5\n0.4,0.4,3600.5\n");
+  EXPECT_EQ(table.names(), (std::vector<std::string>{"Time", "Strain", "Load"}));
+  EXPECT_EQ(table.units(), (std::vector<std::string>{"s", "%", "N"}));
+  EXPECT_EQ(table.rows(), 5U);
+}
+
+TEST(CsvNumbers, NamesOfColumnsAreNoUnits) {
+  const CsvTable table = table_of("Sample,A1\nstrain,force\n0.0,0.5\n0.1,1.5\n0.2,2.5\n");
+  EXPECT_EQ(table.names(), (std::vector<std::string>{"strain", "force"}));
+}
+
+TEST(CsvNumbers, UnitsStandInWideBracketsAndAtTheEndOfNames) {
+  const CsvTable table = table_of(
+      "\u65f6\u95f4\uff08s\uff09,Strain %,Kraft/kN,\"Force, N\",Strain\uff08%\uff09,N/mm2\n"
+      "0.1,0.5,1.5,1,2,3\n0.2,0.7,2.5,2,3,4\n");
+  EXPECT_EQ(table.units(), (std::vector<std::string>{"s", "%", "kN", "N", "%", ""}));
+  EXPECT_EQ(table.names()[2], "Kraft");
+}
+
 TEST(CsvNumbers, WhatIsNotGroupedByThreesIsNoNumber) {
   for (const char* cell : {"1,23.5", "1,2345.5", "0,123.5", "1,234,5", "1 23", "12.34.567"}) {
     const CsvTable table =

@@ -121,10 +121,19 @@ TEST(Units, AWrongDimensionNamesTheOneWanted) {
 }
 
 TEST(Units, AnUnknownUnitIsRefusedLikeAWrongOne) {
-  for (const char* unit : {"Mpa", "wibble", "5 MPa", "10", "(", "%", "MPa MPa", "lg(re 1 Pa)"}) {
+  for (const char* unit : {"mpa", "wibble", "5 MPa", "10", "(", "%", "MPa MPa", "lg(re 1 Pa)"}) {
     EXPECT_EQ(message_from<InputError>([&] { unit_conversion(unit, Dimension::Stress, {}, "u"); }),
               "u = " + std::string(unit) + ": is not a unit of stress (examples: Pa, MPa, ksi)");
   }
+}
+
+TEST(Units, UsualMisspellingsMeanWhatTheyCanOnlyMean) {
+  EXPECT_EQ(unit_conversion("Mpa", Dimension::Stress).scale, 1e6);
+  EXPECT_EQ(unit_conversion("KN", Dimension::Force).scale, 1e3);
+  EXPECT_EQ(unit_conversion("N/MM^2", Dimension::Stress).scale, 1e6);
+  EXPECT_EQ(unit_conversion("PSI", Dimension::Stress).scale,
+            unit_conversion("psi", Dimension::Stress).scale);
+  EXPECT_FALSE(is_unit("force"));
 }
 
 TEST(Units, AReciprocalIsNoConversion) {
