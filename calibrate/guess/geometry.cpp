@@ -7,6 +7,7 @@
 #include <cmath>
 #include <initializer_list>
 #include <numbers>
+#include <span>
 #include <string_view>
 #include <vector>
 
@@ -49,19 +50,29 @@ void add_columns(const io::CsvTable& table, std::vector<Entry>& entries) {
   }
 }
 
+/// Whether a name has one of the words in it.
+bool has(const std::string& name, std::span<const std::string_view> words) {
+  return std::ranges::any_of(
+      words, [&](std::string_view word) { return name.find(word) != std::string::npos; });
+}
+
 std::vector<Entry> entries_of(const io::CsvTable& table) {
   std::vector<Entry> entries;
   for (const io::HeaderEntry& entry : io::header_entries(table)) {
     entries.push_back({lower_name(entry.name), entry.name, entry.value, entry.unit});
   }
   add_columns(table, entries);
-  // After the test: not what a stress or strain is based on.
   std::erase_if(entries, [](const Entry& entry) {
-    constexpr std::array<std::string_view, 7> kAfter{"final", "after",    "nach",  "bruch",
-                                                     "end ",  "fracture", "finale"};
-    return !(entry.value > 0.0) || std::ranges::any_of(kAfter, [&](auto word) {
-      return entry.name.find(word) != std::string::npos;
-    });
+    // After the test: not what a stress or strain is based on.
+    constexpr std::array<std::string_view, 14> kAfter{
+        "final",    "after",   "nach",     "bruch", "end ",    "fracture", "finale",
+        "at break", "rupture", "ultimate", "après", "después", "dopo",     "reduced area"};
+    // Of another thing than the measured part of the specimen.
+    constexpr std::array<std::string_view, 20> kOther{
+        "piston",   "kolben", "oberfl", "surface", "focal",   "wave",   "thread",
+        "gewinde",  "crack",  "riss",   "total",   "overall", "gesamt", "grip",
+        "einspann", "head",   "kopf",   "notch",   "kerb",    "pin "};
+    return !(entry.value > 0.0) || has(entry.name, kAfter) || has(entry.name, kOther);
   });
   return entries;
 }
@@ -74,29 +85,68 @@ bool is_of(const std::string& unit, Dimension dimension) {
   }
 }
 
-/// The first entry that has one of the words in its name, or is one of short ones, and whose unit
-/// fits; the words in the order of their weight.
-const Entry* find(const std::vector<Entry>& entries, WordList within, WordList whole,
-                  Dimension dimension) {
-  const auto is_whole = [&](const Entry& entry, std::string_view word) {
-    if (!entry.name.starts_with(word)) return entry.name.ends_with(" " + std::string(word));
-    return entry.name.size() == word.size() || entry.name[word.size()] == ' ';
-  };
-  for (const std::string_view word : within) {
-    for (const Entry& entry : entries) {
-      if (entry.name.find(word) != std::string::npos && is_of(entry.unit, dimension)) return &entry;
+/// The last part of "specimen properties : width", the first of "L0 - standard travel", without
+/// what says that it is the initial one.
+std::string bare_name(std::string name) {
+  while (!name.empty() && (name.back() == ':' || name.back() == '=' || name.back() == ' ')) {
+    name.pop_back();
+  }
+  if (const std::size_t colon = name.rfind(':'); colon != std::string::npos) {
+    name.erase(0, colon + 1);
+  }
+  if (const std::size_t dash = name.find(" -"); dash != std::string::npos) name.erase(dash);
+  for (const std::string_view word :
+       {"initial", "original", "specimen", "sample", "anfangs", "0"}) {
+    if (const std::size_t at = name.find(word); at != std::string::npos && name.size() > 2) {
+      name.erase(at, word.size());
     }
   }
-  for (const std::string_view word : whole) {
-    for (const Entry& entry : entries) {
-      if (is_whole(entry, word) && is_of(entry.unit, dimension)) return &entry;
-    }
-  }
-  return nullptr;
+  std::erase(name, ' ');
+  return name;
 }
+
+/// What gives a dimension: one entry, or several that contradict each other.
+struct Found {
+  const Entry* entry = nullptr;
+  const Entry* other = nullptr;
+  bool is_clear() const { return entry != nullptr && other == nullptr; }
+};
 
 double si_of(const Entry& entry, Dimension dimension) {
   return io::unit_conversion(entry.unit, dimension)(entry.value);
+}
+
+/// The entries whose unit fits and whose name is one of the words, else those that have one of them
+/// in it.
+/// @param whole  short words, that only count as a whole name
+Found find(const std::vector<Entry>& entries, WordList within, WordList whole,
+           Dimension dimension) {
+  std::vector<const Entry*> exact, near;
+  for (const Entry& entry : entries) {
+    if (!is_of(entry.unit, dimension)) continue;
+    const std::string name = bare_name(entry.name);
+    const auto is_name = [&](std::string_view word) {
+      std::string bare(word);
+      std::erase(bare, ' ');
+      return name == bare || bare_name(std::string(word)) == name || entry.name == word;
+    };
+    if (std::ranges::any_of(within, is_name) || std::ranges::any_of(whole, is_name)) {
+      exact.push_back(&entry);
+    } else if (has(entry.name, {within.begin(), within.size()})) {
+      near.push_back(&entry);
+    }
+  }
+  const std::vector<const Entry*>& best = exact.empty() ? near : exact;
+  Found found;
+  for (const Entry* entry : best) {
+    if (found.entry == nullptr) {
+      found.entry = entry;
+    } else if (si_of(*entry, dimension) != si_of(*found.entry, dimension)) {
+      found.other = entry;
+      break;
+    }
+  }
+  return found;
 }
 
 std::string shown(const Entry& entry) {
@@ -108,40 +158,61 @@ std::string shown(const Entry& entry) {
 GivenGeometry find_geometry(const io::CsvTable& table) {
   const std::vector<Entry> entries = entries_of(table);
   GivenGeometry given;
-  const Entry* length =
+  const auto note = [](std::string& into, const Found& found) {
+    into = shown(*found.entry) + " and " + shown(*found.other);
+  };
+  Found length =
       find(entries,
            {"gauge length", "gage length", "gaugelength", "messlänge", "original length",
             "initial length", "longueur initiale", "longueur de base", "extensometer length"},
            {"l0", "lo", "le"}, Dimension::Length);
-  if (length == nullptr)
-    length = find(entries, {"length", "länge", "longueur", "longitud", "lunghezza"}, {},
-                  Dimension::Length);
-  if (length != nullptr) given.gauge_length = {si_of(*length, Dimension::Length), shown(*length)};
+  std::string doubt;
+  if (length.entry == nullptr) {
+    length = find(entries, {"parallel length", "versuchslänge"},
+                  {"length", "länge", "longueur", "longitud", "lunghezza"}, Dimension::Length);
+    doubt = ", which may be another length";
+  }
+  if (length.is_clear()) {
+    given.gauge_length = {si_of(*length.entry, Dimension::Length), shown(*length.entry) + doubt};
+  } else if (length.entry != nullptr) {
+    note(given.doubt_of_length, length);
+  }
 
   const auto dimension = [&](WordList within, WordList whole) {
     return find(entries, within, whole, Dimension::Length);
   };
-  const Entry* area = find(entries, {"area", "querschnitt", "section", "fläche", "aire", "sezione"},
-                           {"s0"}, Dimension::Area);
-  const Entry* diameter = dimension({"diamet", "durchmess", "diamèt", "diámet", "ø"}, {"d0", "d"});
-  const Entry* width = dimension({"width", "breite", "largeur", "ancho", "larghezza"}, {"b0", "b"});
-  const Entry* thickness =
+  const Found area = find(entries, {"area", "querschnitt", "section", "fläche", "aire", "sezione"},
+                          {"s0", "a0"}, Dimension::Area);
+  const Found diameter = dimension({"diamet", "durchmess", "diamèt", "diámet", "ø"}, {"d0", "d"});
+  const Found width = dimension({"width", "breite", "largeur", "ancho", "larghezza"}, {"b0", "b"});
+  const Found thickness =
       dimension({"thickness", "dicke", "épaisseur", "epaisseur", "espesor", "spessore"}, {"a0"});
-  if (area != nullptr) {
-    given.area = {si_of(*area, Dimension::Area), shown(*area)};
-  } else if (width != nullptr && thickness != nullptr) {
-    given.area = {si_of(*width, Dimension::Length) * si_of(*thickness, Dimension::Length),
-                  shown(*width) + " by " + shown(*thickness)};
-  } else if (diameter != nullptr) {
-    const double d = si_of(*diameter, Dimension::Length);
-    given.area = {std::numbers::pi / 4.0 * d * d, "pi/4 d^2 of " + shown(*diameter)};
+  constexpr std::array<std::string_view, 6> kTube{"inner", "innen", "intérieur",
+                                                  "wall",  "wand",  "paroi"};
+  const bool is_tube =
+      std::ranges::any_of(entries, [&](const Entry& entry) { return has(entry.name, kTube); });
+  const auto si = [](const Found& found) { return si_of(*found.entry, Dimension::Length); };
+  if (area.is_clear()) {
+    given.area = {si_of(*area.entry, Dimension::Area), shown(*area.entry)};
+  } else if (area.entry != nullptr) {
+    note(given.doubt_of_area, area);
+  } else if (is_tube) {
+    given.doubt_of_area = "a tube, whose ring is to be worked out";
+  } else if (width.is_clear() && thickness.is_clear() && width.entry != thickness.entry) {
+    given.area = {si(width) * si(thickness),
+                  shown(*width.entry) + " by " + shown(*thickness.entry)};
+  } else if (diameter.is_clear() && width.entry == nullptr) {
+    given.area = {std::numbers::pi / 4.0 * si(diameter) * si(diameter),
+                  "pi/4 d^2 of " + shown(*diameter.entry)};
+  } else {
+    for (const Found& found : {width, thickness, diameter}) {
+      if (found.other != nullptr) note(given.doubt_of_area, found);
+    }
   }
   for (const Entry& entry : entries) {
     constexpr std::array<std::string_view, 6> kWanted{"area",         "querschnitt", "section",
                                                       "gauge length", "gage length", "messlänge"};
-    const bool would_do = std::ranges::any_of(
-        kWanted, [&](auto word) { return entry.name.find(word) != std::string::npos; });
-    if (!entry.unit.empty() || !would_do) continue;
+    if (!entry.unit.empty() || !has(entry.name, kWanted)) continue;
     given.without_unit = fmt::format("\"{}\" = {:g}", entry.shown, entry.value);
     break;
   }

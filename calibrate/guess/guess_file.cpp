@@ -241,7 +241,8 @@ class Guesser {
     }
     const GivenGeometry geometry = find_geometry(table_);
     const auto value = [&](const char* key, const std::optional<GivenValue>& found,
-                           const char* unit, std::optional<SpecimenValue>& into, const char* what) {
+                           const std::string& doubt, const char* unit,
+                           std::optional<SpecimenValue>& into, const char* what) {
       if (into) return;
       if (found) {
         into.emplace();
@@ -251,17 +252,17 @@ class Guesser {
         return;
       }
       made.missing.emplace_back(key);
-      comment(key,
-              std::string(what) + (geometry.without_unit.empty()
-                                       ? ": fill it in"
-                                       : ": fill it in; the file says " + geometry.without_unit));
+      const std::string& says = doubt.empty() ? geometry.without_unit : doubt;
+      comment(key, std::string(what) + ": fill it in" +
+                       (says.empty() ? std::string() : "; the file says " + says));
     };
     if (source.elongation) {
-      value("gauge_length", geometry.gauge_length, "mm", source.gauge_length,
-            "the length that the elongation is of");
+      value("gauge_length", geometry.gauge_length, geometry.doubt_of_length, "mm",
+            source.gauge_length, "the length that the elongation is of");
     }
     if (source.force) {
-      value("area", geometry.area, "mm^2", source.area, "the cross-section of the specimen");
+      value("area", geometry.area, geometry.doubt_of_area, "mm^2", source.area,
+            "the cross-section of the specimen");
     }
     return made;
   }
