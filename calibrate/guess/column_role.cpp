@@ -14,45 +14,66 @@ namespace {
 
 using Words = std::span<const std::string_view>;
 
-constexpr std::array<std::string_view, 9> kStrain{"strain",      "dehnung",     "stauchung",
-                                                  "epsilon",     "ε",           "deformación",
-                                                  "deformation", "déformation", "deformazione"};
+constexpr std::array<std::string_view, 10> kStrain{
+    "应变", "strain",      "dehnung",     "stauchung",   "epsilon",
+    "ε",    "deformación", "deformation", "déformation", "deformazione"};
 constexpr std::array<std::string_view, 8> kStrainWhole{"e",    "eps",   "epsx", "epsy",
                                                        "epsz", "epsyy", "dms",  "ave"};
-constexpr std::array<std::string_view, 9> kStress{
-    "stress", "spannung", "sigma", "σ", "contrainte", "esfuerzo", "tensión", "tensione", "sforzo"};
+constexpr std::array<std::string_view, 10> kStress{"应力",     "stress",     "spannung", "sigma",
+                                                   "σ",        "contrainte", "esfuerzo", "tensión",
+                                                   "tensione", "sforzo"};
 constexpr std::array<std::string_view, 2> kStressWhole{"s", "sig"};
-constexpr std::array<std::string_view, 13> kElongation{
-    "elongation",   "extensom",     "verlängerung", "verlaengerung", "längenänderung",
-    "feinweg",      "ansetz",       "allongement",  "lvdt",          "clip",
-    "allungamento", "alargamiento", "delta l"};
+constexpr std::array<std::string_view, 14> kElongation{
+    "变形",           "elongation",   "extensom",     "verlängerung", "verlaengerung",
+    "längenänderung", "feinweg",      "ansetz",       "allongement",  "lvdt",
+    "clip",           "allungamento", "alargamiento", "delta l"};
 constexpr std::array<std::string_view, 3> kElongationWhole{"dl", "δl", "d_l"};
-constexpr std::array<std::string_view, 17> kTravel{
-    "travel",   "stroke",   "crosshead",      "displacement", "displ",    "standardweg",
-    "weg",      "course",   "déplacement",    "deplacement",  "traverse", "extension",
-    "position", "actuator", "desplazamiento", "spostamento",  "corsa"};
+constexpr std::array<std::string_view, 18> kTravel{
+    "位移",        "travel",   "stroke",   "crosshead",      "displacement", "displ",
+    "standardweg", "weg",      "course",   "déplacement",    "deplacement",  "traverse",
+    "extension",   "position", "actuator", "desplazamiento", "spostamento",  "corsa"};
 constexpr std::array<std::string_view, 2> kTravelWhole{"hub", "disp"};
-constexpr std::array<std::string_view, 6> kForce{"force",  "load",  "kraft",
-                                                 "fuerza", "forza", "effort"};
+constexpr std::array<std::string_view, 8> kForce{"载荷",  "力",     "force", "load",
+                                                 "kraft", "fuerza", "forza", "effort"};
 constexpr std::array<std::string_view, 5> kForceWhole{"f", "p", "last", "charge", "carga"};
-constexpr std::array<std::string_view, 6> kTime{"time",   "zeit",  "temps",
+constexpr std::array<std::string_view, 7> kTime{"时间",   "time",  "zeit", "temps",
                                                 "tiempo", "tempo", "dauer"};
 constexpr std::array<std::string_view, 1> kTimeWhole{"t"};
 constexpr std::array<std::string_view, 17> kGeometry{
     "width",        "breite",      "largeur",         "thickness", "dicke",    "épaisseur",
     "diamet",       "durchmess",   "diamèt",          "area",      "section",  "querschnitt",
     "gauge length", "gage length", "original length", "final",     "messlänge"};
+constexpr std::array<std::string_view, 5> kTrue{"true", "wahre", "vraie", "logarithm", "hencky"};
+constexpr std::array<std::string_view, 2> kTrueWhole{"log", "ln"};
 /// What makes another quantity of it.
-constexpr std::array<std::string_view, 22> kNot{
-    "rate",  "geschwindigkeit", "speed",       "vitesse",           "velocity",
-    "modul", "young",           "energ",       "transverse strain", "lateral",
-    "quer",  "poisson",         "transversal", "width strain",      "corr coef",
-    "count", "torque",          "fraction",    "temperatur",        "températur",
-    "work",  "residual"};
+constexpr std::array<std::string_view, 27> kNot{
+    "rate",      "geschwindigkeit", "speed",     "vitesse",  "velocity",   "modul",
+    "young",     "energ",           "lateral",   "poisson",  "transv",     "trans.",
+    "querdehn",  "width strain",    "radial",    "circumf",  "hoop",       "volum",
+    "corr coef", "count",           "torque",    "fraction", "temperatur", "températur",
+    "work",      "residual",        "drehmoment"};
+/// What is wanted of the machine, taken out of the curve, or part of it.
+constexpr std::array<std::string_view, 16> kLesser{
+    "set ",  "setpoint", "soll",      "command",    "target",  "demand",  "peak",      "max",
+    "error", "std",      "deviation", "abweichung", "plastic", "elastic", "plastisch", "elastisch"};
 
 bool has(std::string_view name, Words words) {
   return std::ranges::any_of(words,
                              [&](auto word) { return name.find(word) != std::string_view::npos; });
+}
+
+/// Whether one of the words stands by itself in a name: "log" in "log strain", not in "analog".
+bool has_word(std::string_view name, Words words) {
+  const auto is_letter = [](char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0; };
+  return std::ranges::any_of(words, [&](std::string_view word) {
+    for (std::size_t at = name.find(word); at != std::string_view::npos;
+         at = name.find(word, at + 1)) {
+      const std::size_t end = at + word.size();
+      const bool begins = at == 0 || !is_letter(name[at - 1]);
+      if (begins && (end == name.size() || !is_letter(name[end]))) return true;
+    }
+    return false;
+  });
 }
 
 /// Whether a name is one of short words, but for what says how it is measured.
@@ -175,9 +196,8 @@ ColumnMeaning meaning_of(std::string_view name, std::string_view unit) {
     }
   }
   if (meaning.role == ColumnRole::Other) return meaning;
-  meaning.is_true =
-      lower.find("true") != std::string::npos || lower.find("wahre") != std::string::npos ||
-      lower.find("vraie") != std::string::npos || lower.find("log") != std::string::npos;
+  meaning.is_true = has(lower, kTrue) || has_word(lower, kTrueWhole);
+  meaning.is_lesser = has(lower + " ", kLesser);
   meaning.is_weak = by_name == ColumnRole::Other;
   meaning.is_travel =
       meaning.role == ColumnRole::Travel ||

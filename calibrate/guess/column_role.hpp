@@ -21,9 +21,10 @@ enum class ColumnRole {
 /// What a column is taken for, and why.
 struct ColumnMeaning {
   ColumnRole role = ColumnRole::Other;
-  bool is_true = false;             ///< true strain or stress
-  bool is_travel = false;           ///< a strain that is travel over a length
-  bool is_weak = false;             ///< its unit alone says so, not its name
+  bool is_true = false;    ///< true strain or stress
+  bool is_travel = false;  ///< a strain that is travel over a length
+  bool is_lesser = false;  ///< wanted of the machine ("set", "soll"), an extreme, an error, a part
+  bool is_weak = false;    ///< its unit alone says so, not its name
   std::optional<std::string> unit;  ///< the file's own, or the one that ends the name
   std::string why;                  ///< "name", "name, unit", "unit", "place"
 };
