@@ -10,6 +10,7 @@
 #include "calibrate/guess/column_numbers.hpp"
 #include "calibrate/guess/geometry.hpp"
 #include "calibrate/guess/specimens.hpp"
+#include "calibrate/target/several_specimens.hpp"
 #include "plastica/io/units.hpp"
 
 namespace plastica::calibrate {
@@ -196,11 +197,26 @@ class Guesser {
       const std::vector<double> values = numbers_in(table_, *deformation);
       std::vector<std::size_t> taken{*deformation};
       if (load) taken.push_back(*load);
-      const std::vector<std::size_t> split = find_split(table_, values, taken);
-      for (const std::size_t k : split) block.source.split.push_back(name_of(k));
-      if (!split.empty()) {
-        block.comments.emplace_back("split", "the rows are several specimens, told apart by this");
+      const FoundSplit split = find_split(table_, values, taken);
+      for (const std::size_t k : split.columns) block.source.split.push_back(name_of(k));
+      if (!split.columns.empty()) {
+        block.comments.emplace_back(
+            "split", fmt::format("the rows are {} specimens, told apart by this{}", split.parts,
+                                 split.tells_all()
+                                     ? std::string()
+                                     : fmt::format("; within them the strain begins anew {} more "
+                                                   "times: loops, or several of one name",
+                                                   split.untold)));
         continue;
+      }
+      if (load) {
+        if (const auto next = find_next_specimen(values, numbers_in(table_, *load))) {
+          guess_.notes.push_back(fmt::format(
+              "another specimen begins in row {} of the numbers, and no column tells them apart: "
+              "give each a file, or a column of its own value",
+              *next + 1));
+          continue;
+        }
       }
       const std::size_t restarts = restarts_of(values).size();
       if (restarts < 2) continue;

@@ -12,6 +12,7 @@
 #include "calibrate/target/plausibility.hpp"
 #include "calibrate/target/repair.hpp"
 #include "calibrate/target/samples.hpp"
+#include "calibrate/target/several_specimens.hpp"
 #include "plastica/base/check.hpp"
 
 namespace plastica::calibrate {
@@ -53,8 +54,8 @@ std::string not_in_tension(const Curve& curve) {
   const auto [low, high] = std::minmax_element(curve.stress.begin(), curve.stress.end());
   const double strain = curve.strain[static_cast<std::size_t>(low - curve.stress.begin())];
   if (-*low > std::max(0.0, *high) && strain < 0.0) {
-    return "compression: the largest stress and its strain are negative; change the signs of both "
-           "columns to fit it as tension";
+    return "compression: the largest stress and its strain are negative; turn both columns by "
+           "factor = -1 to fit it as tension";
   }
   return *high > 0.0 ? "" : "the stress is nowhere positive";
 }
@@ -186,6 +187,13 @@ void process_target(Target& target, const TargetOptions& options) {
   Curve& curve = target.corrected;
   if (curve.size() == 0) {
     return give_up(target, TargetStatus::Rejected, kNoSamples);
+  }
+  if (const auto next = find_next_specimen(curve.strain, curve.stress);
+      next && options.loading != Loading::Cyclic) {
+    return give_up(target, TargetStatus::Rejected,
+                   "another specimen begins at sample " + std::to_string(*next + 1) +
+                       ", where the strain begins anew: tell them apart by split, or by a file "
+                       "each");
   }
   target.loading = options.loading ? *options.loading : find_loading(curve);
   const bool monotonic = target.loading == Loading::Monotonic;

@@ -66,7 +66,7 @@ TEST(Inspect, SplitsSpecimensThatStandOneUnderTheOther) {
   // The same without a fit file, and told.
   const CommandResult bare = place.run({"calibrate", "all.csv"});
   EXPECT_NE(bare.out.find("fitted 3"), std::string::npos) << bare.out;
-  EXPECT_NE(bare.err.find("all.csv: split: the rows are several specimens"), std::string::npos)
+  EXPECT_NE(bare.err.find("all.csv: split: the rows are 3 specimens"), std::string::npos)
       << bare.err;
 }
 

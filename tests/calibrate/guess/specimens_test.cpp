@@ -24,7 +24,7 @@ std::string rows_of(const std::vector<std::string>& begins) {
 Columns split_of(const std::string& header, const std::vector<std::string>& begins) {
   const io::CsvTable table = io::CsvTable::parse(header + "\n" + rows_of(begins), "s.csv");
   const std::size_t strain = table.columns() - 2;
-  return find_split(table, table.numbers(strain), {strain, strain + 1});
+  return find_split(table, table.numbers(strain), {strain, strain + 1}).columns;
 }
 
 TEST(FindSplit, TakesTheColumnThatChangesWhereTheStrainBeginsAnew) {
@@ -44,7 +44,28 @@ TEST(FindSplit, LeavesOneSpecimenWhole) {
   // A column that changes amid a rising strain, such as a stage of the test, is none.
   const io::CsvTable table = io::CsvTable::parse(
       "Stage,Strain,Stress\n1,0,0\n1,1,20\n1,2,40\n1,3,60\n2,4,80\n2,5,90\n2,6,95\n2,7,97\n", "s");
-  EXPECT_EQ(find_split(table, table.numbers(1), {1, 2}), Columns{});
+  EXPECT_TRUE(find_split(table, table.numbers(1), {1, 2}).columns.empty());
+}
+
+TEST(FindSplit, MixesNoSpecimensOfOneTemperature) {
+  EXPECT_EQ(split_of("Temp,Strain,Stress", {"20", "20", "100"}), Columns{});
+  EXPECT_EQ(split_of("Temp,Strain,Stress", {"20", "80", "100"}), Columns{0});
+  EXPECT_EQ(split_of("Width,Strain,Stress", {"12.5", "12.5", "12.48"}), Columns{});
+}
+
+TEST(FindSplit, CountsWhatOneNameHasSeveralTimes) {
+  const io::CsvTable table =
+      io::CsvTable::parse("Specimen,Strain,Stress\n" + rows_of({"A", "A", "B"}), "s.csv");
+  const FoundSplit split = find_split(table, table.numbers(1), {1, 2});
+  EXPECT_EQ(split.columns, Columns{0});
+  EXPECT_EQ(split.parts, 2U);
+  EXPECT_EQ(split.untold, 1U);
+}
+
+TEST(FindSplit, TakesNoStagesOfOneTestAndNoGapsForSpecimens) {
+  EXPECT_EQ(split_of("Cycle,Strain,Stress", {"1", "2", "3"}), Columns{});
+  EXPECT_EQ(split_of("Schritt,Strain,Stress", {"1", "2", "3"}), Columns{});
+  EXPECT_EQ(split_of("Area,Strain,Stress", {"80", ""}), Columns{});
 }
 
 TEST(Restarts, AreFallsBelowATenthOfWhatWasReached) {
