@@ -172,6 +172,15 @@ GivenGeometry find_geometry(const io::CsvTable& table) {
                   {"length", "länge", "longueur", "longitud", "lunghezza"}, Dimension::Length);
     doubt = ", which may be another length";
   }
+  // Which of two gauge lengths an elongation is of depends on what measured it.
+  for (const Entry& entry : entries) {
+    const bool is_sensors = entry.name.find("extensom") != std::string::npos;
+    if (!length.is_clear() || !is_sensors || !is_of(entry.unit, Dimension::Length)) continue;
+    if (entry.value > 0.0 &&
+        si_of(entry, Dimension::Length) != si_of(*length.entry, Dimension::Length)) {
+      length.other = &entry;
+    }
+  }
   if (length.is_clear()) {
     given.gauge_length = {si_of(*length.entry, Dimension::Length), shown(*length.entry) + doubt};
   } else if (length.entry != nullptr) {

@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "calibrate/target/characteristics.hpp"
 #include "plastica/base/check.hpp"
@@ -51,6 +53,22 @@ Window window_of(Values stress, double sign, double low, double high) {
   return window;
 }
 
+/// Standard deviations of the noise of strain [1] and stress [Pa], each by itself.
+struct Noise {
+  double strain = 0.0;
+  double stress = 0.0;
+};
+
+Noise noise_in(Values strain, Values stress) {
+  std::vector<double> rows(strain.size());
+  std::iota(rows.begin(), rows.end(), 0.0);
+  return {noise_of(rows, strain), noise_of(rows, stress)};
+}
+
+/// The line through samples with noise in both: Deming, Statistical Adjustment of Data (1943), 178.
+/// Without noise in the strain it is the regression of the stress, whose slope that noise would
+/// make too small.
+/// @param noise  of the stress about the curve, a floor of the standard errors
 ElasticLine regress(Values strain, Values stress, double noise) {
   const double n = static_cast<double>(strain.size());
   double mean_strain = 0.0;
@@ -63,15 +81,27 @@ ElasticLine regress(Values strain, Values stress, double noise) {
   mean_stress /= n;
   double sxx = 0.0;
   double sxy = 0.0;
+  double syy = 0.0;
   for (std::size_t i = 0; i < strain.size(); ++i) {
     const double x = strain[i] - mean_strain;
+    const double y = stress[i] - mean_stress;
     sxx += x * x;
-    sxy += x * (stress[i] - mean_stress);
+    sxy += x * y;
+    syy += y * y;
   }
   ElasticLine line;
   line.samples = strain.size();
   if (!(sxx > 0.0)) return line;
   line.modulus = sxy / sxx;
+  const Noise both = noise_in(strain, stress);
+  if (both.strain > 0.0 && sxy > 0.0) {
+    const double ratio = std::pow(both.stress / both.strain, 2);
+    const double excess = syy - ratio * sxx;
+    // Two forms of one root: neither loses digits.
+    const double root = std::hypot(excess, 2.0 * std::sqrt(ratio) * sxy);
+    line.modulus =
+        excess > 0.0 ? (excess + root) / (2.0 * sxy) : 2.0 * ratio * sxy / (root - excess);
+  }
   line.zero_strain = mean_strain - mean_stress / line.modulus;
   double squares = 0.0;
   for (std::size_t i = 0; i < strain.size(); ++i) {

@@ -220,7 +220,7 @@ void process_target(Target& target, const TargetOptions& options) {
     goes_on = drop_unloading(target, line->modulus, options) || goes_on;
   }
   trim_at_break(target, line->modulus, goes_on, options);
-  if (monotonic) drop_reversals(samples_of(target), options.reversal_tolerance, "strain");
+  if (monotonic) mend_reversals(samples_of(target), options.reversal_tolerance, "strain");
   shift_strain(target, *line, options);
   if (!convert_to_true(target, options)) return;
   measure(target, *line, facts, noise, options);

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <string>
+#include <vector>
 
 #include "calibrate/target/characteristics.hpp"
 
@@ -121,15 +123,27 @@ void average_reversals(const Samples& samples, std::string_view name) {
               "samples averaged where the " + std::string(name) + " ran backwards");
 }
 
-void drop_reversals(const Samples& samples, double tolerance, std::string_view name) {
+void mend_reversals(const Samples& samples, double tolerance, std::string_view name) {
+  std::vector<double> rows(samples.size());
+  std::iota(rows.begin(), rows.end(), 0.0);
+  // What falls back further than noise does is of the test: a slip, a loop, a pause.
+  constexpr double kNoise = 8.0;
+  const double far = std::max(tolerance, kNoise * noise_of(rows, samples.abscissa));
   double reached = -std::numeric_limits<double>::infinity();
   const std::size_t dropped = filter(samples, [&](std::size_t i) {
-    if (samples.abscissa[i] < reached - tolerance) return false;
+    if (samples.abscissa[i] < reached - far) return false;
     reached = std::max(reached, samples.abscissa[i]);
     return true;
   });
   note_repair(samples.repairs, std::string(name) + "-reversals", dropped,
               "samples dropped where the " + std::string(name) + " ran backwards");
+  double most = 0.0;
+  reached = -std::numeric_limits<double>::infinity();
+  for (const double value : samples.abscissa) {
+    reached = std::max(reached, value);
+    most = std::max(most, reached - value);
+  }
+  if (most > tolerance) average_reversals(samples, name);
 }
 
 }  // namespace plastica::calibrate

@@ -78,9 +78,11 @@ void drop_duplicates(const Samples& samples);
 /// that.
 void drop_outliers(const Samples& samples);
 
-/// Drops samples further than the tolerance below the abscissa reached: "NAME-reversals".
-/// @param name  of the abscissa
-void drop_reversals(const Samples& samples, double tolerance, std::string_view name);
+/// Makes an abscissa that must not fall beyond the tolerance rise: samples that run back further
+/// than 8 standard deviations of its noise are dropped, and where it still does the others are
+/// averaged. Dropping noise would keep the samples of positive noise, and the slope would be too
+/// small. Repair as `average_reversals`.
+void mend_reversals(const Samples& samples, double tolerance, std::string_view name);
 
 /// Averages samples at which the abscissa runs back with those before them, until it never falls:
 /// the closest rising abscissa by least squares (pool adjacent violators: Ayer et al., Ann. Math.
