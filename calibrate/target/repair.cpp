@@ -10,32 +10,75 @@
 
 namespace plastica::calibrate {
 
-RawFacts drop_missing(Target& target) {
-  const Curve& raw = target.raw;
+namespace {
+
+/// The first row of an end in which the strain stands still (or is noise about zero) while the load
+/// goes on: the extensometer was taken off, set to zero or clamped, and its value was recorded on.
+/// A break is no such end: its load falls within few rows. The number of rows if there is none.
+std::size_t strain_ends(const Curve& raw) {
+  constexpr double kStill = 1e-4, kLoaded = 0.2, kOn = 0.5, kMoves = 0.02;
+  constexpr std::size_t kFewest = 8;
   const std::size_t n = raw.size();
+  double span = 0.0, largest = 0.0;
+  for (std::size_t i = 0; i < n; ++i) {
+    if (std::isfinite(raw.strain[i])) span = std::max(span, std::abs(raw.strain[i]));
+    if (std::isfinite(raw.stress[i])) largest = std::max(largest, std::abs(raw.stress[i]));
+  }
+  if (n < 2 * kFewest) return n;
+  const double still = raw.strain[n - 1];
+  std::size_t begin = n;
+  while (begin > 0 && std::abs(raw.strain[begin - 1] - still) <= kStill * span) --begin;
+  // The row before has the last strain that was measured, or the same value.
+  if (begin == 0 || n - begin < kFewest) return n;
+  const double start = std::abs(raw.stress[begin]);
+  if (!(start >= kLoaded * largest)) return n;
+  std::size_t on = 0;
+  double low = start, high = start;
+  for (std::size_t i = begin; i < n; ++i) {
+    const double size = std::abs(raw.stress[i]);
+    if (size < kOn * start) continue;
+    ++on;
+    low = std::min(low, size);
+    high = std::max(high, size);
+  }
+  return on >= kFewest && high - low > kMoves * largest ? begin + 1 : n;
+}
+
+}  // namespace
+
+RawFacts drop_missing(Target& target) {
+  target.corrected = target.raw;
+  Curve& curve = target.corrected;
+  const std::size_t n = curve.size();
+  const std::size_t still = strain_ends(curve);
+  std::fill(curve.strain.begin() + static_cast<std::ptrdiff_t>(still), curve.strain.end(),
+            std::numeric_limits<double>::quiet_NaN());
   RawFacts facts;
   facts.largest_stress = -std::numeric_limits<double>::infinity();
   std::size_t end_of_strain = 0;  // one past the last row with a strain
   bool all_finite = true;
   for (std::size_t i = 0; i < n; ++i) {
-    const bool has_strain = std::isfinite(raw.strain[i]);
-    const bool has_stress = std::isfinite(raw.stress[i]);
+    const bool has_strain = std::isfinite(curve.strain[i]);
+    const bool has_stress = std::isfinite(curve.stress[i]);
     if (has_strain) end_of_strain = i + 1;
     all_finite = all_finite && has_strain && has_stress;
-    if (has_stress && raw.stress[i] > facts.largest_stress) {
-      facts.largest_stress = raw.stress[i];
+    if (has_stress && curve.stress[i] > facts.largest_stress) {
+      facts.largest_stress = curve.stress[i];
       facts.largest_has_strain = has_strain;
     }
   }
-  target.corrected = raw;
   if (!all_finite) {
     std::size_t removed = 0;
-    for (std::size_t i = end_of_strain; i < n; ++i) removed += std::isfinite(raw.stress[i]) ? 1 : 0;
+    for (std::size_t i = end_of_strain; i < n; ++i) {
+      removed += std::isfinite(curve.stress[i]) ? 1 : 0;
+    }
     facts.extensometer_removed = end_of_strain > 0 && removed > 0;
     if (!facts.extensometer_removed) removed = 0;
     drop_missing(samples_of(target), removed);
     note_repair(target.repairs, "extensometer-removed", removed,
-                "rows at the end have stress but no strain; Rm is taken from them too");
+                still < n ? "rows at the end have a strain that stands still while the load goes "
+                            "on; Rm is taken from them too"
+                          : "rows at the end have stress but no strain; Rm is taken from them too");
   }
   drop_duplicates(samples_of(target));
   return facts;

@@ -14,7 +14,8 @@ struct RawFacts {
   bool extensometer_removed = false;  ///< rows with stress but no strain follow the last strain
 };
 
-/// Samples with finite strain and stress, each once: fills target.corrected from target.raw.
+/// Samples with finite strain and stress, each once: fills target.corrected from target.raw. A
+/// strain that stands still to the end while the load goes on, for 8 rows at least, is none.
 /// Repairs "nan-rows", "extensometer-removed", "duplicates" are added to the target.
 RawFacts drop_missing(Target& target);
 

@@ -229,5 +229,43 @@ TEST(Repair, TakesALoadDropForABreakNotForUnloading) {
   EXPECT_EQ(find_loading(test.curve()), Loading::Monotonic);
 }
 
+/// A neck after Rm, with the extensometer as it is from some row on.
+Curve taken_off(double value, double noise) {
+  Curve curve = smooth_curve(400, 0.1);
+  for (int i = 1; i <= 200; ++i) {
+    curve.strain.push_back(0.1 + 5e-4 * i);
+    curve.stress.push_back(350e6 - 1e6 * i);
+  }
+  for (std::size_t i = 300; i < curve.size(); ++i) {
+    curve.strain[i] = (value < 0.0 ? curve.strain[299] : value) + noise * (i % 3 == 0 ? 1.0 : -0.5);
+  }
+  return curve;
+}
+
+TEST(Repair, TakesAStrainThatStandsStillUnderLoadForNone) {
+  for (const double value : {-1.0, 0.0, 0.02}) {  // held, set to zero, or clamped elsewhere
+    for (const double noise : {0.0, 1e-7}) {
+      const Target target = make_target("held", taken_off(value, noise));
+      EXPECT_EQ(target.status, TargetStatus::Ready) << target.reason;
+      EXPECT_GE(count_of(target, "extensometer-removed"), 299U) << value;
+      EXPECT_FALSE(target.characteristics.break_strain.has_value()) << value;
+      EXPECT_NEAR(*target.characteristics.rm, 350e6, 1e6) << value;
+      EXPECT_LT(target.characteristics.largest_strain, 0.076) << value;
+    }
+  }
+}
+
+/// Where the machine stops at the break, the strain stands still as well, without load.
+TEST(Repair, TakesABreakAtAStandingStrainForABreak) {
+  Curve curve = smooth_curve(400, 0.1);
+  for (int i = 1; i <= 20; ++i) {
+    curve.strain.push_back(0.1);
+    curve.stress.push_back(350e6 * std::pow(0.3, i));
+  }
+  const Target target = make_target("broken", curve);
+  EXPECT_EQ(count_of(target, "extensometer-removed"), 0U);
+  EXPECT_NEAR(target.characteristics.break_strain.value_or(0.0), 0.1, 1e-3);
+}
+
 }  // namespace
 }  // namespace plastica::calibrate
