@@ -210,7 +210,7 @@ void add_interval_options(CLI::App& sub, CalibrateArguments& arguments) {
   add("--bootstrap-block", arguments.bootstrap_block, 1, "Draw N neighbouring residuals together");
   add("--bootstrap-specimens", arguments.bootstrap_specimens, 0,
       "Resample the specimens N times: targets that share the parameters of a fit through scenes; "
-      "fits of a group, for their mean");
+      "fits of a group of ten and more, for their mean");
 }
 
 /// The first option of a group that was given; empty if none was.

@@ -180,7 +180,12 @@ void read_corrections(const TomlTable& table, TargetOptions& options) {
   read_fraction(table, "shift_threshold", kNone, 1.0, options.shift_threshold);
   read_fraction(table, "drop_fraction", 0.0, 1.0, options.drop_fraction);
   read_fraction(table, "zero_fraction", kNone, 1.0, options.zero_fraction);
-  read_fraction(table, "end_fraction", 0.0, 1.0, options.end_fraction);
+  if (const auto value = table.find("end_fraction")) {
+    options.end_fraction = value->quantity(Dimension::None);
+    if (!(options.end_fraction > 0.0 && options.end_fraction <= 1.0)) {
+      throw value->error("must be above 0 and at most 100 %");
+    }
+  }
 }
 
 void read_modulus(const TomlValue& value, TargetOptions& options) {

@@ -140,12 +140,24 @@ void add_tied_errors(const ParameterSet& set, FitResult& result) {
 /// The sampling of most curves leaves a break uncertain; up to this fraction there is no warning.
 constexpr double kMinor = 0.01;
 
+/// A record that ends near its largest load may have ended with the break, or before it.
+std::string why_no_break(const Curve& curve) {
+  const double rm = *std::ranges::max_element(curve.stress);
+  const double end = curve.stress.back() / rm;
+  const std::string where = fmt::format("at {:.3g} % strain", 100.0 * curve.strain.back());
+  if (end < 0.5) return "the specimen did not break; the record ends " + where;
+  return fmt::format(
+      "the record ends under load {}, at {:.0f} % of the largest stress; if the specimen broke "
+      "there, say so by corrections.end_fraction = \"{:.0f} %\"",
+      where, 100.0 * end, std::ceil(100.0 * end));
+}
+
 void add_warnings(const Target& target, FitResult& result) {
   for (const FittedParameter& p : result.parameters) {
     const bool no_break = p.role == ParameterRole::Free && !target.characteristics.observed_break &&
                           (p.name() == "break_strain" || p.name() == "break_shear_strain");
     if (no_break) {
-      result.warnings.push_back(p.name() + " is not identified: the specimen did not break");
+      result.warnings.push_back(p.name() + " is not identified: " + why_no_break(target.corrected));
     } else if (p.judgement) {
       const Judgement& judgement = *p.judgement;
       const bool minor =

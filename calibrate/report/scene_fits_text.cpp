@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "calibrate/inference/mean_interval.hpp"
 #include "calibrate/report/outcome_text.hpp"
 #include "calibrate/report/parameter_words.hpp"
 #include "calibrate/report/repairs_text.hpp"
@@ -145,7 +146,7 @@ std::string with_decimals(double value, double scatter, double mean) {
   return fmt::format("{:.{}f}", value, decimals_for(mean, scatter, 3));
 }
 
-/// Intervals of mean and deviation; empty of few fits.
+/// Intervals of mean and deviation, the latter "-" of few fits.
 std::string population_intervals_text(const ScenePopulation& population,
                                       std::span<const ColumnParameter> shown, double confidence) {
   const std::string of = fmt::format("{:.4g} % interval", 100.0 * confidence);
@@ -153,6 +154,7 @@ std::string population_intervals_text(const ScenePopulation& population,
                {"mean", Align::Range, of},
                {"std. dev. of specimens", Align::Range, of},
                {"", Align::Left}});
+  bool has_scatter = false;
   for (std::size_t i = 0; i < shown.size(); ++i) {
     const PopulationParameter& p = population.parameters[i];
     const DisplayUnit& unit = shown[i].unit;
@@ -162,13 +164,18 @@ std::string population_intervals_text(const ScenePopulation& population,
       };
       return number(low) + " … " + number(high);
     };
-    if (!std::isfinite(p.mean_low) || !std::isfinite(p.deviation_low)) continue;
+    if (!std::isfinite(p.mean_low)) continue;
+    has_scatter = has_scatter || std::isfinite(p.deviation_low);
     table.add({short_name(p.path), range(p.mean_low, p.mean_high),
-               range(p.deviation_low, p.deviation_high), std::string(unit.name)});
+               std::isfinite(p.deviation_low) ? range(p.deviation_low, p.deviation_high) : "-",
+               std::string(unit.name)});
   }
   if (table.rows() == 0) return {};
   return '\n' + table.text(2, kWidth) +
-         wrapped("  ", fmt::format("percentiles of {} resamples of the fits", kPopulationResamples),
+         wrapped("  ",
+                 fmt::format("mean: Student's t, of {} fits and more bootstrap-t{}; {} resamples",
+                             kFewestToDraw, has_scatter ? "; deviation: percentiles" : "",
+                             kPopulationResamples),
                  kWidth);
 }
 

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "calibrate/inference/bootstrap.hpp"
+#include "calibrate/inference/mean_interval.hpp"
 #include "calibrate/result/usable.hpp"
 
 namespace plastica::calibrate {
@@ -121,16 +122,14 @@ double specimen_covariance_of(const Moments& moments, double most) {
 
 /// What one resample of the fits says.
 struct Resample {
-  std::vector<double> mean, deviation;  ///< (n_parameters)
-  std::vector<double> covariance;       ///< of the specimens (n_parameters x same)
+  std::vector<double> deviation;   ///< (n_parameters)
+  std::vector<double> covariance;  ///< of the specimens (n_parameters x same)
 };
 
 Resample resample_of(const Fits& fits, std::span<const std::size_t> drawn, std::size_t n) {
   Resample resample;
   for (std::size_t a = 0; a < n; ++a) {
-    const Moments moments = moments_of(fits, drawn, a, a);
-    resample.mean.push_back(moments.mean);
-    resample.deviation.push_back(deviation_of(moments));
+    resample.deviation.push_back(deviation_of(moments_of(fits, drawn, a, a)));
   }
   resample.covariance.resize(n * n);
   for (std::size_t a = 0; a < n; ++a) {
@@ -143,7 +142,7 @@ Resample resample_of(const Fits& fits, std::span<const std::size_t> drawn, std::
   return resample;
 }
 
-/// Percentiles over resamples of the fits.
+/// Of the means by mean_interval.hpp, of all else percentiles over resamples of the fits.
 void add_intervals(const Fits& fits, double confidence, ScenePopulation& population) {
   std::vector<PopulationParameter>& parameters = population.parameters;
   const std::size_t n = parameters.size();
@@ -151,6 +150,17 @@ void add_intervals(const Fits& fits, double confidence, ScenePopulation& populat
   population.covariance_high.assign(n * n, kNan);
   for (PopulationParameter& p : parameters) {
     p.mean_low = p.mean_high = p.deviation_low = p.deviation_high = kNan;
+  }
+  for (std::size_t a = 0; a < n; ++a) {
+    std::vector<double> values;
+    for (std::size_t fit = 0; fit < fits.size(); ++fit) {
+      if (std::isfinite(fits.noise(fit, a, a))) values.push_back(fits.value(fit, a));
+    }
+    if (values.size() < 2) continue;
+    const MeanInterval mean =
+        mean_interval(std::move(values), {kPopulationResamples, 1, confidence});
+    parameters[a].mean_low = mean.low;
+    parameters[a].mean_high = mean.high;
   }
   if (fits.size() < kMinSpecimens) return;
   std::vector<Resample> resamples;
@@ -169,10 +179,7 @@ void add_intervals(const Fits& fits, double confidence, ScenePopulation& populat
   };
   for (std::size_t a = 0; a < n; ++a) {
     if (parameters[a].n < kMinSpecimens) continue;
-    const BootstrapInterval mean = interval([&](const Resample& r) { return r.mean[a]; });
     const BootstrapInterval scatter = interval([&](const Resample& r) { return r.deviation[a]; });
-    parameters[a].mean_low = mean.low;
-    parameters[a].mean_high = mean.high;
     parameters[a].deviation_low = scatter.low;
     parameters[a].deviation_high = scatter.high;
     for (std::size_t b = 0; b < n; ++b) {

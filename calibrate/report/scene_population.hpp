@@ -22,13 +22,12 @@ struct PopulationParameter {
   double rms_error = 0.0;  ///< root of the mean squared standard error [SI]
   /// Of the specimens alone, the noise taken out [SI], >= 0; NaN for n < 2.
   double specimen_deviation = 0.0;
-  /// Intervals of the mean and of the specimens' deviation, from a bootstrap over the fits [SI];
-  /// NaN for n < kMinSpecimens.
-  double mean_low = 0.0, mean_high = 0.0;
+  double mean_low = 0.0, mean_high = 0.0;  ///< by mean_interval.hpp [SI]; NaN for n < 2
+  /// Of the specimens' deviation, from a bootstrap over the fits [SI]; NaN for n < kMinSpecimens.
   double deviation_low = 0.0, deviation_high = 0.0;
 };
 
-/// Of fewer specimens a bootstrap says nothing, and how many resamples it has.
+/// Of fewer specimens a bootstrap says nothing of a scatter, and how many resamples it has.
 inline constexpr std::size_t kMinSpecimens = 8;
 inline constexpr int kPopulationResamples = 1000;
 
@@ -43,10 +42,10 @@ inline constexpr int kPopulationResamples = 1000;
 /// among specimens: the expectation of the observed moment is the specimens' plus the mean of that
 /// of the noise (method of moments).
 ///
-/// Their intervals are percentiles over resamples of the fits, each with the errors that it has:
-/// all fits are resampled with replacement, and mean, variance and covariance taken from those
-/// drawn (seeded; the same bits each time). Of few specimens those of a scatter are too narrow: of
-/// 20 by an eighth.
+/// Their intervals, but that of the mean, are percentiles over resamples of the fits, each with the
+/// errors that it has: all fits are resampled with replacement, and variance and covariance taken
+/// from those drawn (seeded; the same bits each time). Of few specimens those of a scatter are too
+/// narrow: of 20 by an eighth.
 struct ScenePopulation {
   std::vector<PopulationParameter> parameters;
   std::vector<double> covariance;           ///< of the values [SI] (n_parameters x same)

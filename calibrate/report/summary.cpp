@@ -1,5 +1,4 @@
 #include "calibrate/report/summary.hpp"
-#include "calibrate/result/usable.hpp"
 
 #include <algorithm>
 #include <array>
@@ -7,6 +6,8 @@
 #include <cmath>
 #include <map>
 #include <utility>
+
+#include "calibrate/result/usable.hpp"
 
 namespace plastica::calibrate {
 namespace {
@@ -71,10 +72,10 @@ struct Collector {
     entry->values.push_back(value);
   }
 
-  std::vector<GroupStatistic> statistics(const SpecimenDraws& draws = {}) && {
+  std::vector<GroupStatistic> statistics(const SpecimenDraws& draws) && {
     std::vector<GroupStatistic> all;
     for (Entry& entry : entries) {
-      if (draws.resamples > 0 && entry.values.size() > 1) {
+      if (entry.values.size() > 1) {
         entry.result.mean_interval = mean_interval(entry.values, draws);
       }
       entry.result.statistic = statistic_of(std::move(entry.values));
@@ -111,7 +112,7 @@ GroupSummary summarize(std::span<const FitRecord> records, const std::vector<std
       parameters.add(parameter.name(), parameter.dimension, parameter.value);
     }
   }
-  summary.characteristics = std::move(characteristics).statistics();
+  summary.characteristics = std::move(characteristics).statistics(draws);
   summary.parameters = std::move(parameters).statistics(draws);
   return summary;
 }
@@ -135,19 +136,6 @@ Statistic statistic_of(std::vector<double> values) {
   }
   statistic.standard_deviation = std::sqrt(squares / (n - 1.0));
   return statistic;
-}
-
-BootstrapInterval mean_interval(std::vector<double> values, const SpecimenDraws& how) {
-  std::sort(values.begin(), values.end());
-  std::vector<double> means;
-  for (int b = 0; b < how.resamples; ++b) {
-    // Other draws than those of the residuals.
-    Draws draws(~how.seed, static_cast<std::uint64_t>(b));
-    double sum = 0.0;
-    for (std::size_t i = 0; i < values.size(); ++i) sum += values[draws.below(values.size())];
-    means.push_back(sum / static_cast<double>(values.size()));
-  }
-  return bootstrap_interval(std::move(means), how.confidence);
 }
 
 std::span<const CharacteristicEntry> characteristic_entries() { return kEntries; }

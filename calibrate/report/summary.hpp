@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "calibrate/inference/bootstrap.hpp"
+#include "calibrate/inference/mean_interval.hpp"
 #include "calibrate/result/result.hpp"
 #include "calibrate/target/target.hpp"
 #include "plastica/base/quantity.hpp"
@@ -38,26 +38,13 @@ struct CharacteristicEntry {
 /// All of them, in the order in which they are shown.
 std::span<const CharacteristicEntry> characteristic_entries();
 
-/// How specimens are resampled, for the intervals of their means.
-struct SpecimenDraws {
-  int resamples = 0;  ///< 0: none
-  std::uint64_t seed = 1;
-  double confidence = 0.95;  ///< of the intervals, within (0, 1)
-};
-
 /// One quantity over the specimens of a group.
 struct GroupStatistic {
   std::string name;  ///< of the characteristic or parameter
   Dimension dimension = Dimension::None;
   Statistic statistic;
-  /// Of the mean of a parameter, from resampled specimens; empty if they were not, or for n < 2.
-  std::optional<BootstrapInterval> mean_interval;
+  std::optional<MeanInterval> mean_interval;  ///< empty for n < 2
 };
-
-/// Percentiles of the means of as many numbers drawn from these with replacement; their order does
-/// not change a bit of them. Source: Efron, Ann. Stat. 7 (1979) 1.
-/// @param values  2 or more
-BootstrapInterval mean_interval(std::vector<double> values, const SpecimenDraws& draws);
 
 /// What the specimens of one group have in common.
 struct GroupSummary {
@@ -89,6 +76,7 @@ std::string group_label(const std::vector<std::pair<std::string, std::string>>& 
 std::vector<std::vector<std::size_t>> group_indices(std::span<const FitRecord> records);
 
 /// The summary of each group, in the order of `group_indices`.
+/// @param draws  how intervals of means are found, and their confidence
 std::vector<GroupSummary> summarize_groups(std::span<const FitRecord> records,
                                            const SpecimenDraws& draws = {});
 

@@ -40,9 +40,7 @@ std::string mean_interval_text(const GroupStatistic& entry, const DisplayUnit& u
   return fmt::format("{:.{}f} … {:.{}f}", low, decimals, high, decimals);
 }
 
-/// @param draws  whether the table has a column for the intervals of means
-void add_statistic(Table& table, const GroupStatistic& entry, const std::string& label,
-                   bool draws) {
+void add_statistic(Table& table, const GroupStatistic& entry, const std::string& label) {
   const bool modulus = entry.name.find("modulus") != std::string::npos;
   const DisplayUnit unit = display_unit(entry.dimension, entry.statistic.mean, modulus);
   const Statistic& statistic = entry.statistic;
@@ -59,9 +57,9 @@ void add_statistic(Table& table, const GroupStatistic& entry, const std::string&
       deviation = fmt::format("{:.{}f}", scatter, decimals);
     }
   }
-  std::vector<std::string> cells = {label, std::to_string(statistic.n), middle, deviation,
-                                    std::string(unit.name)};
-  if (draws) cells.push_back(mean_interval_text(entry, unit));
+  std::vector<std::string> cells = {
+      label,     std::to_string(statistic.n),     middle,
+      deviation, mean_interval_text(entry, unit), std::string(unit.name)};
   table.add(std::move(cells));
 }
 
@@ -81,7 +79,9 @@ std::string groups_text(std::span<const FitRecord> records, const ReportOptions&
                         const Ink& ink) {
   const SpecimenDraws draws{options.specimen_resamples, options.seed, options.confidence};
   const std::vector<GroupSummary> groups = summarize_groups(records, draws);
-  const bool drawn = draws.resamples > 0;
+  const bool drawn = draws.resamples > 0 && std::ranges::any_of(groups, [](const auto& group) {
+                       return group.fitted >= kFewestToDraw;
+                     });
   const std::string proof = proof_label(records);
   const std::size_t shown =
       options.groups_shown == 0 ? groups.size() : std::min(groups.size(), options.groups_shown);
@@ -93,27 +93,32 @@ std::string groups_text(std::span<const FitRecord> records, const ReportOptions&
                                    fmt::format("Group {}: {}", printable(group_label(group.group)),
                                                counted(group.specimens(), "specimen")),
                                    kWidth));
-    std::vector<Table::Column> columns = {
-        {"", Table::Align::Left}, {"n"}, {"mean"}, {"std. dev."}, {"", Table::Align::Left}};
-    if (drawn) {
-      columns.push_back(
-          {fmt::format("{:.4g} % of the mean", 100.0 * options.confidence), Table::Align::Range});
-    }
-    Table table(std::move(columns));
+    Table table(
+        {{"", Table::Align::Left},
+         {"n"},
+         {"mean"},
+         {"std. dev."},
+         {fmt::format("{:.4g} % of the mean", 100.0 * options.confidence), Table::Align::Range},
+         {"", Table::Align::Left}});
     for (const GroupStatistic& entry : group.characteristics) {
-      add_statistic(table, entry, label_of(entry.name, proof), drawn);
+      add_statistic(table, entry, label_of(entry.name, proof));
     }
     if (!group.parameters.empty()) table.add_line("fitted");
     for (const GroupStatistic& entry : group.parameters) {
-      add_statistic(table, entry, printable(entry.name), drawn);
+      add_statistic(table, entry, printable(entry.name));
     }
     if (table.rows() > 0) text += table.text(2, kWidth);
   }
-  if (drawn && !groups.empty()) {
-    text += wrapped("  ",
-                    fmt::format("of the mean: percentiles of {} of the specimens of a group",
-                                counted(static_cast<std::size_t>(draws.resamples), "resample")),
-                    kWidth);
+  const bool any =
+      std::ranges::any_of(groups, [](const GroupSummary& group) { return group.specimens() > 1; });
+  if (any) {
+    text += wrapped(
+        "  ",
+        drawn ? fmt::format("of the mean: Student's t; of {} values and more bootstrap-t of {}",
+                            kFewestToDraw,
+                            counted(static_cast<std::size_t>(draws.resamples), "resample"))
+              : "of the mean: Student's t",
+        kWidth);
   }
   if (shown < groups.size()) {
     text += fmt::format("\n… {} left out …\n", counted(groups.size() - shown, "group"));

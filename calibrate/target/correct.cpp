@@ -146,7 +146,11 @@ std::optional<BreakFound> find_break(const Curve& curve, Loading loading, double
   if (goes_on) return std::nullopt;
   const std::size_t top =
       peak_before_end(curve, static_cast<std::size_t>(peak - stress.begin()), options.yield_drop);
-  if (stress[n - 1] <= options.end_fraction * stress[top] && falls_at_end(curve, top)) {
+  // Who says that the end is the break, whatever the load, need not see it fall.
+  const bool is_said = options.end_fraction >= stress[n - 1] / stress[top] &&
+                       options.end_fraction > TargetOptions{}.end_fraction;
+  if (is_said ||
+      (stress[n - 1] <= options.end_fraction * stress[top] && falls_at_end(curve, top))) {
     BreakFound found;
     found.intact = n;
     const double step = std::max(0.0, strain[n - 1] - strain[n - 2]);

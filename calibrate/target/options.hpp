@@ -74,7 +74,8 @@ struct TargetOptions {
   /// - a sample at or below `zero_fraction` of Rm;
   /// - the data end at or below `end_fraction` of Rm (necked): broken within one more step. Rm is
   ///   here the largest stress after an upper yield point, and the load must fall at the end: by a
-  ///   quarter of the fall from Rm within the second half of the strain from Rm on.
+  ///   quarter of the fall from Rm within the second half of the strain from Rm on. An
+  ///   `end_fraction` above the default says that the end is the break, fall or not.
   /// In the first three the load must stay down: no later sample is above (1 - drop_fraction) of
   /// the load before the drop (or twice `zero_fraction` of Rm). Unloading is no break: see
   /// `drop_unloading`.

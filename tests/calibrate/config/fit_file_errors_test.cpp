@@ -241,6 +241,13 @@ TEST_F(FitFileErrors, AMaterialMustNotBeLeftToTheLibrarysDefaults) {
             "in [material]");
 }
 
+TEST_F(FitFileErrors, TheEndMayBeTheBreakWhateverItsLoad) {
+  EXPECT_EQ(with("corrections = { end_fraction = '101 %' }"),
+            "f.toml:5: target[1].corrections.end_fraction = 101 %: must be above 0 and at most "
+            "100 %");
+  EXPECT_EQ(with("corrections = { end_fraction = '100 %' }"), "no error");
+}
+
 TEST_F(FitFileErrors, BoundsOfPlausibilityRise) {
   EXPECT_EQ(with("plausible = { youngs_modulus = ['2 GPa', '1 GPa'] }"),
             "f.toml:5: target[1].plausible.youngs_modulus = ['2 GPa', '1 GPa']: must rise");

@@ -281,8 +281,12 @@ TEST(Fit, SaysWhenTheSpecimenDidNotBreak) {
   EXPECT_FALSE(result.break_strain_total);
   EXPECT_EQ(result.fitted.size(), 90U);
   EXPECT_NEAR(result.fitted.stress.back(), 317e6, tolerance(400.0));
-  EXPECT_EQ(result.warnings,
-            std::vector<std::string>{"break_strain is not identified: the specimen did not break"});
+  EXPECT_EQ(
+      result.warnings,
+      std::vector<std::string>{
+          "break_strain is not identified: the record ends under load at 2 % strain, at 100 % "
+          "of the largest stress; if the specimen broke there, say so by "
+          "corrections.end_fraction = \"100 %\""});
 }
 
 TEST(Fit, SaysWhenTheModelCannotFollow) {

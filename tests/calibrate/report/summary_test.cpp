@@ -108,25 +108,20 @@ TEST(Counts, AreOfAllRecords) {
   EXPECT_EQ(counts.failed, 0U);
 }
 
-TEST(Summary, HasIntervalsOfMeansOfResampledSpecimens) {
+TEST(Summary, HasIntervalsOfMeansWhereThereAreTwo) {
   std::vector<FitRecord> records;
   for (int i = 0; i < 9; ++i) {
     records.push_back(fitted_record("bar-" + std::to_string(i), 280e6 + 4e6 * (i - 4)));
   }
-  const SpecimenDraws draws{4000, 1, 0.95};
-  const GroupSummary group = summarize_groups(records, draws).front();
+  const GroupSummary group = summarize_groups(records).front();
   const GroupStatistic* yield = find(group.parameters, "yield_stress");
   ASSERT_NE(yield, nullptr);
   ASSERT_TRUE(yield->mean_interval);
-  // Draws with replacement scatter as the specimens themselves do: with n, not n - 1. Of 4000 the
-  // standard error is known to 1.1 %, the ends to 3 % of it.
-  const double error = *yield->statistic.standard_deviation * std::sqrt(8.0 / 9.0) / 3.0;
-  EXPECT_NEAR(yield->mean_interval->standard_error, error, 0.04 * error);
-  EXPECT_NEAR(yield->mean_interval->low, 280e6 - 1.96 * error, 0.15 * error);
-  EXPECT_NEAR(yield->mean_interval->high, 280e6 + 1.96 * error, 0.15 * error);
-  std::ranges::reverse(records);
-  const GroupSummary turned = summarize_groups(records, draws).front();
-  EXPECT_EQ(find(turned.parameters, "yield_stress")->mean_interval->low, yield->mean_interval->low);
+  const double error = *yield->statistic.standard_deviation / 3.0;
+  EXPECT_NEAR(yield->mean_interval->standard_error, error, 1e-6 * error);
+  EXPECT_NEAR(yield->mean_interval->high - 280e6, 2.30600 * error, 1e-4 * error);  // t(0.975; 8)
+  EXPECT_TRUE(find(group.characteristics, "rm")->mean_interval);
+  records.resize(1);
   EXPECT_FALSE(find(summarize_groups(records).front().parameters, "yield_stress")->mean_interval);
 }
 

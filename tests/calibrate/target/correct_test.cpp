@@ -260,5 +260,17 @@ TEST(Correction, FindsTheBreakOfANoisyPlateauToTheSample) {
   }
 }
 
+/// What the report proposes where a record ends under load.
+TEST(Correction, TakesTheEndForTheBreakWhereTheUserSaysSo) {
+  const Curve curve = plastica::testing::smooth_curve();
+  EXPECT_FALSE(make_target("ends", curve).characteristics.break_strain.has_value());
+  TargetOptions options;
+  options.end_fraction = 1.0;
+  const Target target = make_target("broke", curve, options);
+  ASSERT_TRUE(target.characteristics.observed_break.has_value());
+  EXPECT_EQ(target.characteristics.observed_break->rule, "end-of-data");
+  EXPECT_EQ(target.characteristics.observed_break->last_intact_strain, curve.strain.back());
+}
+
 }  // namespace
 }  // namespace plastica::calibrate
