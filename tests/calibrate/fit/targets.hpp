@@ -48,6 +48,16 @@ inline FitOptions fit_of(std::vector<Parameter> parameters) {
   return options;
 }
 
+/// A fit of modulus, yield stress and all `more`; its setup holds the truth for `target_like`.
+inline FitOptions fit_with(HardeningLaw law, std::vector<Parameter> more = {}) {
+  FitOptions options = fit_of({free_parameter("youngs_modulus"), free_parameter("yield_stress")});
+  options.parameters.insert(options.parameters.end(), more.begin(), more.end());
+  options.setup.scene.material.hardening.law = law;
+  options.setup.scene.material.youngs_modulus = 190e9;
+  options.setup.scene.material.yield_stress = 317e6;
+  return options;
+}
+
 /// n strains from 0 to `last`, equally spaced, both included.
 inline std::vector<double> ramp(std::size_t n, double last) {
   std::vector<double> strain(n);
