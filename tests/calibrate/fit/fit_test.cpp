@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "tests/calibrate/fit/targets.hpp"
-#include "tests/support/message.hpp"
 #include "tests/support/tolerance.hpp"
 
 namespace plastica::calibrate {
