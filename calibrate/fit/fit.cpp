@@ -45,24 +45,19 @@ std::uint64_t seed_of(const std::string& name, std::uint64_t seed) {
 
 double largest_stress(const Curve& curve) { return largest_magnitude(curve.stress); }
 
-/// Limits of the misfit, as a fraction of the largest stress, for "close" and "fair".
-constexpr double kClose = 0.02;
-constexpr double kFair = 0.05;
-
 void describe_misfit(const Misfit::Details& details, const Target& target,
                      const FitOptions& options, FitResult& result) {
   const double stress = largest_stress(target.corrected);
   result.misfit_rms = std::sqrt(std::max(0.0, details.stress_cost));
   result.misfit_fraction = stress > 0.0 ? result.misfit_rms / stress : 0.0;
-  result.misfit_word = result.misfit_fraction < kClose  ? "close"
-                       : result.misfit_fraction < kFair ? "fair"
-                                                        : "poor";
   std::vector<double> residual;
   for (std::size_t i = 0; i < details.residual.size(); ++i) {
     if (details.weight[i] > 0.0) residual.push_back(details.residual[i]);
   }
   result.runs_test_p = runs_test_p(residual);
   result.autocorrelation = autocorrelation(residual);
+  result.misfit_word =
+      misfit_word(result.misfit_fraction, result.runs_test_p, result.autocorrelation);
   result.effective_samples = effective_samples(details.weight);
   result.noise = options.noise;
   std::string lack = lack_of_fit(phrase_of(result.law), result.misfit_fraction, result.runs_test_p,

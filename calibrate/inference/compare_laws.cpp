@@ -198,6 +198,13 @@ bool lacks_fit(double fraction, double runs_test_p) {
                                  : runs_test_p < kFewRuns && fraction > kLacking;
 }
 
+std::string_view misfit_word(double fraction, double runs_test_p, double autocorrelation) {
+  constexpr double kAlike = 0.5;  // neighbours of noise are not
+  if (lacks_fit(fraction, runs_test_p)) return "poor";
+  const bool is_noise = runs_test_p >= kFewRuns && !(autocorrelation > kAlike);
+  return is_noise || fraction < kLacking ? "close" : "fair";
+}
+
 std::string lack_of_fit(std::string_view law, double fraction, double runs_test_p,
                         std::string_view try_next) {
   if (!lacks_fit(fraction, runs_test_p)) return {};

@@ -6,6 +6,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "calibrate/inference/verdict.hpp"
@@ -92,6 +93,16 @@ double autocorrelation(std::span<const double> residual);
 /// short to count runs, where they are more than 5 % of it.
 /// @param fraction  rms of the residuals over the largest measured value
 bool lacks_fit(double fraction, double runs_test_p);
+
+/// How well a law describes a curve, in one word for all that speaks of it:
+/// - "poor": `lacks_fit`;
+/// - "close": the residuals are noise (no fewer runs than noise has, neighbours not alike), or
+/// below
+///   1 % of the largest value;
+/// - "fair": what is left, such as 1 to 5 % of a curve too short to count runs.
+/// @param autocorrelation  of neighbouring residuals: many elastic samples may hide the runs of few
+///                         others from the count
+std::string_view misfit_word(double fraction, double runs_test_p, double autocorrelation);
 
 /// Says that it does not, and what to try; empty where it does.
 /// @param try_next  `laws_to_try`

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <string_view>
 
-#include "calibrate/inference/compare_laws.hpp"
 #include "calibrate/report/format.hpp"
 #include "calibrate/report/parameter_words.hpp"
 
@@ -30,22 +29,17 @@ void advise_on(const FittedParameter& parameter, std::vector<std::string>& advic
   }
 }
 
-/// Neighbouring residuals of noise are not as alike as this.
-constexpr double kAlike = 0.5;
-
 }  // namespace
 
 std::string misfit_meaning(const FitResult& result) {
+  constexpr double kNothing = 0.01;
   const std::string name(phrase_of(result.law));
-  // Of a short curve the elastic samples may drown the runs of the others: neighbours tell, too.
-  const bool noise = result.runs_test_p >= kFewRuns && !(result.autocorrelation > kAlike);
-  if (lacks_fit(result.misfit_fraction, result.runs_test_p)) {
-    return name + " does not describe this curve";
+  if (result.misfit_word == "close") {
+    return name + " follows this curve" +
+           (result.misfit_fraction < kNothing ? "" : " within its noise");
   }
-  if (result.misfit_word == "close") return name + " follows this curve";
-  if (noise && !result.misfit_word.empty()) return name + " follows this curve within its noise";
   if (result.misfit_word == "fair") return name + " follows this curve roughly";
-  if (result.misfit_word == "poor") return name + " cannot follow this curve";
+  if (result.misfit_word == "poor") return name + " does not describe this curve";
   return {};
 }
 
@@ -65,7 +59,7 @@ std::vector<std::string> advice_for(const FitRecord& record) {
         "Standard errors hold only as far as the model does: they count the scatter about the "
         "fitted curve, not the shape that the model lacks.");
   }
-  if (result.misfit_word == "poor" && !(result.runs_test_p >= kFewRuns)) {
+  if (result.misfit_word == "poor") {
     advice.emplace_back(
         "If it is the fall after the largest stress that the model misses, fit up to there; the "
         "picture shows what is missing.");

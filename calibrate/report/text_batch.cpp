@@ -33,7 +33,7 @@ struct FitFlag {
 constexpr std::array<FitFlag, 6> kFitFlags = {{{'u', "no usable fit"},
                                                {'b', "a parameter at a bound"},
                                                {'n', "a parameter not identified"},
-                                               {'p', "poor: the model cannot follow the curve"},
+                                               {'p', "poor: the law does not describe the curve"},
                                                {'r', "curve repaired"},
                                                {'w', "warnings"}}};
 

@@ -37,7 +37,7 @@ struct FitResult : FitOutcome {
   double cost = 0.0;             ///< f at the solution, break term included [Pa^2]
   double misfit_rms = 0.0;       ///< sqrt of f without the break term [Pa]
   double misfit_fraction = 0.0;  ///< misfit_rms / largest measured stress [1]
-  std::string misfit_word;       ///< "close", "fair", "poor": how well the model can follow
+  std::string misfit_word;       ///< "close", "fair", "poor": compare_laws.hpp
   /// Probability of so few runs of one sign, if the residuals were noise (verdict.hpp); NaN for
   /// fewer than 20.
   double runs_test_p = std::numeric_limits<double>::quiet_NaN();

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace plastica::calibrate {
@@ -136,6 +137,26 @@ TEST(LackOfFit, NeedsRunsAndAFraction) {
             "Voce hardening does not describe this curve (misfit 6 % of the largest value): "
             "standard errors are too small");
   EXPECT_EQ(lack_of_fit("Voce hardening", 0.04, kNan, ""), "");
+}
+
+/// One scale: what lacks a fit is poor, what is left of noise is close, and nothing is both.
+TEST(MisfitWord, DoesNotContradictTheLackOfFit) {
+  constexpr double kUncounted = std::numeric_limits<double>::quiet_NaN();
+  for (const double fraction : {1e-4, 0.005, 0.0101, 0.015, 0.03, 0.08, 0.4}) {
+    for (const double p : {kUncounted, 1e-30, 1e-4, 2e-3, 0.5}) {
+      for (const double alike : {0.0, 0.4, 0.9}) {
+        const std::string_view word = misfit_word(fraction, p, alike);
+        EXPECT_EQ(word == "poor", lacks_fit(fraction, p)) << fraction << ' ' << p;
+        if (fraction < 0.01) {
+          EXPECT_EQ(word, "close") << fraction << ' ' << p;
+        }
+      }
+    }
+  }
+  EXPECT_EQ(misfit_word(0.08, 0.5, 0.1), "close") << "noise";
+  EXPECT_EQ(misfit_word(0.03, 0.5, 0.8), "fair") << "neighbours are alike";
+  EXPECT_EQ(misfit_word(0.03, kUncounted, 0.0), "fair") << "too short to tell";
+  EXPECT_EQ(misfit_word(0.02, 1e-5, 0.0), "poor");
 }
 
 }  // namespace

@@ -1,9 +1,6 @@
 #include <gtest/gtest.h>
 
-#include <limits>
-#include <optional>
 #include <sstream>
-#include <utility>
 
 #include "calibrate/report/format.hpp"
 #include "calibrate/report/text.hpp"
@@ -144,18 +141,6 @@ TEST(FitReport, ShowsFixedAndTiedParametersWithoutVerdicts) {
   EXPECT_TRUE(has(text, "tied\n"));
 }
 
-/// Many elastic samples may hide the runs of a few others from the runs test.
-TEST(FitReport, CallsNoMisfitNoiseWhoseNeighboursAreAlike) {
-  FitRecord record = fitted_record();
-  record.result.misfit_word = "fair";
-  record.result.misfit_fraction = 0.03;
-  record.result.runs_test_p = 0.5;
-  record.result.autocorrelation = 0.1;
-  EXPECT_TRUE(has(fit_report(record), "within its noise"));
-  record.result.autocorrelation = 0.8;
-  EXPECT_FALSE(has(fit_report(record), "within its noise"));
-}
-
 TEST(FitReport, ListsStrongCorrelationsOnly) {
   FitRecord record = fitted_record();
   EXPECT_FALSE(has(fit_report(record), "Correlations"));
@@ -168,30 +153,29 @@ TEST(FitReport, ListsStrongCorrelationsOnly) {
 
 TEST(FitReport, SaysHowWellTheModelFollowsInAPlainWord) {
   FitRecord record = fitted_record();
+  const auto unwrapped = [](std::string text) {
+    for (std::size_t at = text.find("\n  "); at != std::string::npos; at = text.find("\n  ", at)) {
+      text.replace(at, text.find_first_not_of(' ', at + 1) - at, " ");
+    }
+    return text;
+  };
   EXPECT_TRUE(fit_has_line(fit_report(record),
                            "  misfit        0.39 % of Rm (rms 1.10 MPa): close, ideal plasticity "
                            "follows this curve"));
-  record.result.runs_test_p = 1e-9;
-  EXPECT_TRUE(has(fit_report(record), "close, ideal plasticity follows")) << "below 1 %";
-  record.result.misfit_fraction = 0.015;
-  EXPECT_TRUE(has(fit_report(record), "close, ideal plasticity does not"));
-  record.result.misfit_fraction = 0.0039;
-  record.result.runs_test_p = std::numeric_limits<double>::quiet_NaN();
-  const std::optional<double> rm = std::exchange(record.target.characteristics.rm, std::nullopt);
+  record.result.misfit_fraction = 0.03;
+  EXPECT_TRUE(has(unwrapped(fit_report(record)),
+                  "close, ideal plasticity follows this curve within its noise"));
+  record.target.characteristics.rm.reset();
   record.result.misfit_word = "fair";
   EXPECT_TRUE(has(fit_report(record),
-                  "0.39 % of the largest stress (rms 1.10 MPa): fair, ideal plasticity"));
-  record.target.characteristics.rm = rm;
+                  "3.0 % of the largest stress (rms 1.10 MPa): fair, ideal plasticity"));
+  EXPECT_FALSE(has(fit_report(record), "fall after the largest stress"));
   record.result.misfit_word = "poor";
-  const std::string text = fit_report(record);
-  EXPECT_TRUE(has(text, "poor, ideal plasticity cannot follow this curve"));
-  EXPECT_TRUE(has(text, "  - If it is the fall after the largest stress"));
   record.result.law = Law::Linear;
   record.result.runs_test_p = 1e-20;
-  EXPECT_TRUE(has(fit_report(record), "runs test p 1e-20: poor, linear hardening cannot"));
-  record.result.runs_test_p = 0.4;
-  EXPECT_TRUE(has(fit_report(record), "linear hardening follows"));
-  EXPECT_FALSE(has(fit_report(record), "fall after the largest stress"));
+  const std::string text = unwrapped(fit_report(record));
+  EXPECT_TRUE(has(text, "runs test p 1e-20: poor, linear hardening does not describe this curve"));
+  EXPECT_TRUE(has(text, "- If it is the fall after the largest stress"));
 }
 
 TEST(FitReport, SaysHowFarTheModelGoesRightBelowTheIntervals) {
