@@ -13,6 +13,7 @@
 #include "calibrate/report/summary.hpp"
 #include "calibrate/report/text.hpp"
 #include "calibrate/result/usable.hpp"
+#include "calibrate/target/repair.hpp"
 #include "plastica/report/ink.hpp"
 #include "plastica/report/table.hpp"
 
@@ -44,6 +45,8 @@ std::string header(const FitRecord& record, const Ink& ink) {
   std::string samples = fmt::format("{} measured", target.raw.size());
   if (record.result.samples > 0) samples += fmt::format(", {} fitted", record.result.samples);
   text += fit_entry("samples", samples);
+  const std::string many = too_many_dropped(target);
+  if (!many.empty()) text += ink.bad(fit_entry("dropped", many));
   if (!target.group.empty()) text += fit_entry("group", printable(group_label(target.group)));
   if (!target.properties.empty()) {
     std::string list;

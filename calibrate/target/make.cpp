@@ -224,6 +224,9 @@ void process_target(Target& target, const TargetOptions& options) {
   shift_strain(target, *line, options);
   if (!convert_to_true(target, options)) return;
   measure(target, *line, facts, noise, options);
+  if (std::string many = too_many_dropped(target); !many.empty()) {
+    target.warnings.insert(target.warnings.begin(), std::move(many));
+  }
   if (monotonic) check_sampling(target, noise, options);
   if (target.status != TargetStatus::Ready) return;
   std::string reason = why_implausible(target, options);

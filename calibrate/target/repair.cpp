@@ -1,9 +1,13 @@
 #include "calibrate/target/repair.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "calibrate/target/samples.hpp"
@@ -82,6 +86,27 @@ RawFacts drop_missing(Target& target) {
   }
   drop_duplicates(samples_of(target));
   return facts;
+}
+
+std::string too_many_dropped(const Target& target) {
+  constexpr std::array<std::string_view, 5> kDrops{"nan-rows", "outliers", "foot-reversals",
+                                                   "unloading-loops", "unloading"};
+  constexpr double kMany = 0.2;
+  if (target.loading == Loading::Cyclic) return {};
+  std::size_t dropped = 0;
+  std::string rules;
+  for (const Repair& repair : target.repairs) {
+    if (std::ranges::find(kDrops, repair.kind) == kDrops.end()) continue;
+    dropped += repair.count;
+    rules += (rules.empty() ? "" : ", ") + repair.kind + " " + std::to_string(repair.count);
+  }
+  const auto all = static_cast<double>(target.raw.size());
+  const double fraction = static_cast<double>(dropped) / std::max(all, 1.0);
+  if (!(fraction > kMany)) return {};
+  return fmt::format(
+      "{:.0f} % of the samples were dropped ({}), as the curve is taken for one "
+      "monotonic test: if it is a cyclic one, say loading = \"cyclic\"",
+      100.0 * fraction, rules);
 }
 
 Loading find_loading(const Curve& curve) {

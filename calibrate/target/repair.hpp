@@ -19,6 +19,10 @@ struct RawFacts {
 /// Repairs "nan-rows", "extensometer-removed", "duplicates" are added to the target.
 RawFacts drop_missing(Target& target);
 
+/// Says that more than a fifth of the samples were dropped as of no monotonic test, and by which
+/// repairs; empty of fewer, and of a cyclic curve.
+std::string too_many_dropped(const Target& target);
+
 /// Whether a curve is cyclic by the rule of TargetOptions::loading.
 Loading find_loading(const Curve& curve);
 

@@ -267,5 +267,27 @@ TEST(Repair, TakesABreakAtAStandingStrainForABreak) {
   EXPECT_NEAR(target.characteristics.break_strain.value_or(0.0), 0.1, 1e-3);
 }
 
+TEST(Repair, SaysAboveAllThatManySamplesWereDropped) {
+  // A loop of a hundred samples in a test of two hundred.
+  const Curve smooth = smooth_curve(200);
+  Curve curve;
+  for (std::size_t i = 0; i < smooth.size(); ++i) {
+    curve.strain.push_back(smooth.strain[i]);
+    curve.stress.push_back(smooth.stress[i]);
+    if (i != 100) continue;
+    for (int k = 1; k < 100; ++k) {
+      const double down = 0.9 * smooth.stress[i] * (k < 50 ? k : 100 - k) / 50.0;
+      curve.strain.push_back(smooth.strain[i] - down / 70e9);
+      curve.stress.push_back(smooth.stress[i] - down);
+    }
+  }
+  const Target target = make_target("loops", curve);
+  ASSERT_FALSE(target.warnings.empty());
+  EXPECT_TRUE(target.warnings.front().starts_with(
+      "33 % of the samples were dropped (unloading-loops 99), as the curve is taken for one "))
+      << target.warnings.front();
+  EXPECT_EQ(too_many_dropped(make_target("smooth", smooth)), "");
+}
+
 }  // namespace
 }  // namespace plastica::calibrate
