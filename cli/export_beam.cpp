@@ -162,6 +162,11 @@ std::string beam_text(const BeamRequest& request, ResultKind kind) {
     set_field(source.setup, find_field("beam.segments"), static_cast<double>(*request.segments), {},
               std::to_string(*request.segments));
   }
+  for (const std::string& note : source.notes) {
+    if (note.starts_with("NO USABLE FIT") || note.starts_with("a poor fit")) {
+      tell("warning: {}: {}\n", request.file, note);
+    }
+  }
   tell_of_segments(request, source);
   calibrate::EngineBeam beam = calibrate::engine_beam(source.setup.scene, source.setup.solver);
   const auto words = calibrate::engine_formats();

@@ -45,8 +45,9 @@ def frame_of(point, rotation):
 
 
 def build(simulation):
-    """Adds the beam to a simulation; gives its bodies and, by name, its joints."""
-    simulation.setUniformGravity(agx.Vec3(*GRAVITY))
+    """Adds the beam to a simulation; gives its bodies and, by name, its joints.
+
+    The simulation's gravity is not touched: the scene's is GRAVITY."""
     bodies = []
     for length, mass, inertia, center, rotation in SEGMENTS:
         body = agx.RigidBody()

@@ -9,7 +9,9 @@
 #include <fmt/format.h>
 
 #include "calibrate/fit/scene_laws.hpp"
+#include "calibrate/inference/compare_laws.hpp"
 #include "calibrate/report/format.hpp"
+#include "calibrate/result/usable.hpp"
 #include "plastica/model/region.hpp"
 
 namespace plastica::calibrate {
@@ -48,6 +50,15 @@ std::optional<double> held_value(const Parameter& held, const SceneFitRecord& re
   return std::nullopt;
 }
 
+/// What stands at the head of an export, for whoever gets it without the report.
+void note_doubts(const std::string& why_unusable, bool is_poor, std::vector<std::string>& notes) {
+  if (!why_unusable.empty()) {
+    notes.push_back("NO USABLE FIT: " + why_unusable);
+  } else if (is_poor) {
+    notes.emplace_back("a poor fit: its law does not describe the curve");
+  }
+}
+
 }  // namespace
 
 FittedScene fitted_scene(const Scene& scene, const FitRecord& record, const FitOptions& options) {
@@ -57,6 +68,7 @@ FittedScene fitted_scene(const Scene& scene, const FitRecord& record, const FitO
   FittedScene fitted{scene, {}};
   Scene& out = fitted.scene;
   fitted.notes.push_back("material fitted to " + record.target.name);
+  note_doubts(why_unusable(record.result), record.result.misfit_word == "poor", fitted.notes);
 
   out.material.name = record.target.name;
   // The numbers of a law hold with that law.
@@ -99,6 +111,10 @@ FittedSetup fitted_setup(const Setup& setup, const SceneFitRecord& record,
     throw InputError({}, "--case", record.name, "has no fit: " + record.result.reason);
   }
   FittedSetup fitted{setup, {"fitted to " + record.name}};
+  const bool is_poor = std::ranges::any_of(record.result.targets, [](const TargetFit& target) {
+    return lacks_fit(target.misfit_fraction, target.runs_test_p);
+  });
+  note_doubts(why_unusable(record.result), is_poor, fitted.notes);
   if (has_one_law(record)) {
     // The numbers of a law hold with that law.
     fitted.setup = setup_of(record.result.law, setup);

@@ -41,27 +41,9 @@ std::string attribute_text(std::string_view text) {
 
 EngineAxes world_axes() { return {{{1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {0.0, 0.0, 1.0}}}; }
 
-/// The scene's, or where a support off the start is welded, what an explicit step can take.
-double time_step_of(const EngineBeam& beam) {
-  double step = beam.time_step;
-  const bool welds = std::any_of(beam.joints.begin(), beam.joints.end(),
-                                 [](const EngineJoint& joint) { return joint.off_start; });
-  if (!welds) return step;
-  for (const EngineJoint& joint : beam.joints) {
-    for (const std::size_t segment : {joint.child, joint.parent.value_or(joint.child)}) {
-      for (std::size_t k = 0; k < 3; ++k) {
-        if (joint.stiffness[k] == 0.0) continue;
-        step =
-            std::min(step, 0.1 * std::sqrt(beam.segments[segment].inertia[k] / joint.stiffness[k]));
-      }
-    }
-  }
-  return step;
-}
-
 class MjcfWriter {
  public:
-  explicit MjcfWriter(const EngineBeam& beam) : beam_(beam), time_step_(time_step_of(beam)) {}
+  explicit MjcfWriter(const EngineBeam& beam) : beam_(beam), time_step_(mjcf_time_step(beam)) {}
 
   std::string write() {
     text_ = fmt::format("<mujoco model=\"{}\">\n<!--\n", attribute_text(one_line(beam_.name)));
@@ -197,6 +179,25 @@ class MjcfWriter {
 };
 
 }  // namespace
+
+double mjcf_time_step(const EngineBeam& beam, std::string* limiting) {
+  double step = beam.time_step;
+  const bool welds = std::any_of(beam.joints.begin(), beam.joints.end(),
+                                 [](const EngineJoint& joint) { return joint.off_start; });
+  if (!welds) return step;
+  for (const EngineJoint& joint : beam.joints) {
+    for (const std::size_t segment : {joint.child, joint.parent.value_or(joint.child)}) {
+      for (std::size_t k = 0; k < 3; ++k) {
+        if (joint.stiffness[k] == 0.0) continue;
+        const double own = 0.1 * std::sqrt(beam.segments[segment].inertia[k] / joint.stiffness[k]);
+        if (own >= step) continue;
+        step = own;
+        if (limiting != nullptr) *limiting = fmt::format("{} about {}", joint.name, "xyz"[k]);
+      }
+    }
+  }
+  return step;
+}
 
 std::string mjcf_text(const EngineBeam& beam) { return MjcfWriter(beam).write(); }
 

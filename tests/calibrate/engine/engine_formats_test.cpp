@@ -144,6 +144,25 @@ TEST(EngineText, SaysTheEquationsInEachFormat) {
   }
 }
 
+/// The world is the user's.
+TEST(EngineText, OfAgxLeavesTheGravityOfTheSimulationAlone) {
+  const std::string text = engine_text(beam_of(rich_scene()), EngineFormat::Agx);
+  EXPECT_EQ(text.find("setUniformGravity"), std::string::npos);
+  EXPECT_NE(text.find("\nGRAVITY = (0, -9.81, 0)\n"), std::string::npos);
+}
+
+TEST(EngineText, OfMujocoSaysItsStepAndWhatLimitsIt) {
+  const auto note = [](const Scene& scene) {
+    return calibrate::engine_notes(beam_of(scene), EngineFormat::Mjcf).back();
+  };
+  EXPECT_TRUE(note(cantilever_scene(2)).find("s, the scene's, and each joint's damping") !=
+              std::string::npos)
+      << note(cantilever_scene(2));
+  Scene held = cantilever_scene(2);
+  held.supports.push_back({.at = Place::end(), .kind = SupportKind::Roller});
+  EXPECT_TRUE(note(held).find("a tenth of what joint_") != std::string::npos) << note(held);
+}
+
 TEST(EngineText, OfAnElasticBeamHasNoYielding) {
   const EngineBeam beam = beam_of(cantilever_scene(2));
   EXPECT_EQ(engine_text(beam, EngineFormat::Mjcf).find("<numeric name=\"joint_0_x"),

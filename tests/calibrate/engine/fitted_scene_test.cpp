@@ -51,6 +51,17 @@ TEST(FittedScene, HasTheNumbersOfTheFitAndElseItsOwn) {
   EXPECT_TRUE(has(fitted, "yield_stress = 310.0 ± 2.4 MPa, fitted"));
 }
 
+/// Who gets the export has not seen the report.
+TEST(FittedScene, SaysThatAFitIsPoorOrOfNoUse) {
+  FitRecord record = fit_of({yield()});
+  record.result.misfit_word = "poor";
+  EXPECT_TRUE(has(fitted_scene(breakable_scene(), record, {}),
+                  "a poor fit: its law does not describe the curve"));
+  record.result.misfit_fraction = 0.7;
+  EXPECT_TRUE(has(fitted_scene(breakable_scene(), record, {}),
+                  "NO USABLE FIT: the misfit is 70 % of the largest value, above 50 %"));
+}
+
 TEST(FittedScene, KeepsWhatTheFitDoesNotKnow) {
   FittedParameter unknown = break_strain();
   unknown.identified = false;
