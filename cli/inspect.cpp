@@ -71,7 +71,7 @@ void print_specimens(const calibrate::TargetSource& source) {
 }
 
 void inspect_file(const std::string& path, const calibrate::TargetSource& given) {
-  const io::CsvTable table = io::CsvTable::read(path);
+  const io::CsvTable table = io::CsvTable::read(path, given.csv);
   say("{}: {} rows, {} columns, separated by {}, decimal {}\n", path, table.rows(), table.columns(),
       name_of_separator(table.separator()), table.decimal() == ',' ? "comma" : "point");
   for (const std::string& line : table.preamble()) say("  metadata: {}\n", line);

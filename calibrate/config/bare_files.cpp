@@ -223,6 +223,11 @@ TargetSource source_of(const BareFiles& bare) {
   for (auto* column : {&source.strain, &source.elongation, &source.stress, &source.force}) {
     if (*column) (*column)->override_unit = bare.override_unit && (*column)->unit;
   }
+  if (bare.decimal) {
+    std::size_t mark = 0;
+    set_word(bare.decimal, "--decimal", {".", ","}, mark);
+    source.csv.decimal = ".,"[mark];
+  }
   const bool has_table = bare.table.has_value();
   source.gauge_length =
       specimen_value_of(bare.gauge_length, Dimension::Length, "--gauge-length", has_table);

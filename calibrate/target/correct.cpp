@@ -4,9 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
+
+#include "calibrate/target/characteristics.hpp"
 
 namespace plastica::calibrate {
 namespace {
@@ -94,6 +97,22 @@ bool is_slack(const Curve& curve, const ElasticLine& line) {
     if (std::abs(curve.stress[before++]) > nothing) return false;
   }
   return before > 0;
+}
+
+/// The slack before a curve whose modulus is given: where its own elastic line, if that has about
+/// the given slope, meets zero stress.
+std::optional<double> slack_before(const Target& target, double modulus, double threshold,
+                                   const TargetOptions& options) {
+  constexpr double kAlike = 0.15;
+  const Curve& curve = target.corrected;
+  if (target.loading != Loading::Monotonic) return std::nullopt;
+  TargetOptions without = options;
+  without.youngs_modulus.reset();
+  const auto own =
+      find_elastic_line(curve, target.loading, noise_of(curve.strain, curve.stress), without);
+  const bool is_alike = own && std::abs(own->modulus / modulus - 1.0) < kAlike;
+  if (!is_alike || !(own->zero_strain > threshold) || !is_slack(curve, *own)) return std::nullopt;
+  return own->zero_strain;
 }
 
 /// Drops the samples before the origin: no law of a specimen that carries load passes there, and a
@@ -207,10 +226,13 @@ double shift_strain(Target& target, const ElasticLine& line, const TargetOptions
 
   // With a given modulus the line goes through the first sample, and only a coarse offset counts.
   const bool given = options.youngs_modulus.has_value();
-  const double zero = given ? curve.strain[0] - curve.stress[0] / line.modulus : line.zero_strain;
   const double fraction = given ? options.given_modulus_threshold : options.shift_threshold;
   const double threshold =
       std::max(fraction * line.yield_stress / line.modulus, 6.0 * line.zero_strain_stderr);
+  const auto slack = given ? slack_before(target, line.modulus, threshold, options) : std::nullopt;
+  const double zero = slack   ? *slack
+                      : given ? curve.strain[0] - curve.stress[0] / line.modulus
+                              : line.zero_strain;
   const char* why_not = nullptr;
   if (total != 0.0) {
     why_not = "another strain shift is set";
@@ -222,7 +244,7 @@ double shift_strain(Target& target, const ElasticLine& line, const TargetOptions
   // Zeroed at another load, the whole curve lies beside its place, from the first sample on.
   const double first_beside = curve.strain[0] - curve.stress[0] / line.modulus - zero;
   const bool is_preload = std::abs(first_beside) < 0.5 * std::abs(zero);
-  if (!why_not && !is_preload && std::abs(zero) > line.yield_stress / line.modulus &&
+  if (!why_not && !is_preload && std::abs(zero) > line.yield_stress / line.modulus && !slack &&
       (given || !is_slack(curve, line))) {
     why_not = "the elastic line misses the origin by more than the yield strain: no foot";
     target.warnings.push_back(

@@ -53,10 +53,11 @@ struct TargetOptions {
   // Corrections
   /// Toe (foot) compensation, amount: strain [1] taken off every sample. Automatic: the elastic
   /// line meets zero stress further than `shift_threshold` of the yield strain and 6 standard
-  /// errors from zero strain, and the first sample is not on that line. Never automatic with a
-  /// given modulus (its line goes through the measured zero), on a cyclic curve, or by more than
-  /// the yield strain, unless the curve carries less than 5 % of the yield stress until nine tenths
-  /// of the way there: slack. Samples before the new origin are dropped.
+  /// errors from zero strain, and the first sample is not on that line. Never automatic
+  /// on a cyclic curve, or by more than the yield strain, unless the curve carries less than 5 % of
+  /// the yield stress until nine tenths of the way there: slack. With a given modulus (its line
+  /// goes through the measured zero) only slack beyond `given_modulus_threshold`, of a curve that
+  /// rises within 15 % of it. Samples before the new origin are dropped.
   CorrectionChoice toe;
   /// Preload offset, amount: strain [1] taken off every sample. Automatic: as the toe, but the
   /// first sample is on the elastic line (nearer to it than half of the shift): the strain was

@@ -106,5 +106,29 @@ TEST(Inspect, SpecimensSideBySideAreNoBareFile) {
        "prints into a fit file"});
 }
 
+/// The hint of the error works, in both commands.
+TEST(Inspect, TakesTheDecimalMarkThatTheNumbersDoNotShow) {
+  const Workplace place;
+  std::string text = "Strain (um/m);Stress (MPa)\n0;0\n";
+  for (int i = 1; i < 30; ++i) {
+    const int stress = i < 15 ? 20125 * i : 290000 + 1001 * i;
+    text += std::to_string(100 * i) + ";" + std::to_string(stress / 1000) + "." +
+            std::to_string(1000 + stress % 1000).substr(1) + "\n";
+  }
+  place.write("bar.csv", text);
+  const CommandResult refused = place.run({"inspect", "bar.csv"});
+  EXPECT_EQ(refused.code, 2);
+  EXPECT_NE(refused.err.find("say which by decimal = \".\" or \",\" (--decimal)"),
+            std::string::npos)
+      << refused.err;
+  const std::string block = block_in(place.run({"inspect", "bar.csv", "--decimal", "."}).out);
+  EXPECT_NE(block.find("decimal = \".\"\n"), std::string::npos) << block;
+  place.write("f.toml", block);
+  EXPECT_EQ(place.run({"calibrate", "f.toml"}).code, 0);
+  EXPECT_EQ(place.run({"calibrate", "bar.csv", "--decimal", ".", "-o", "b.h5"}).code, 0);
+  EXPECT_EQ(place.run({"calibrate", "bar.csv", "--decimal", ",", "-o", "c.h5"}).code, 1);
+  EXPECT_EQ(place.run({"inspect", "bar.csv", "--decimal", "x"}).code, 2);
+}
+
 }  // namespace
 }  // namespace plastica::testing

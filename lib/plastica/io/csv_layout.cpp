@@ -333,7 +333,7 @@ void refuse_ambiguous(const std::vector<Line>& lines, const Layout& layout,
     if (column.cell.empty() || !column.has_whole || column.is_clear) continue;
     throw InputError({file, lines[column.line].number}, "", column.cell,
                      "has a decimal mark or one of thousands: say which by decimal = \".\" or "
-                     "\",\"");
+                     "\",\" (--decimal)");
   }
 }
 

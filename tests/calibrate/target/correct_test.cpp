@@ -94,6 +94,33 @@ TEST(Correction, ZeroesAGrossOffsetWhereTheModulusIsGiven) {
   EXPECT_EQ(small.corrected.strain, small.raw.strain);
 }
 
+/// Grips that were slack, and a modulus that the user knows.
+TEST(Correction, TakesOffSlackWhereTheModulusIsGiven) {
+  TargetOptions options;
+  options.youngs_modulus = 70e9;
+  for (const double slack : {1e-3, 5e-3, 2e-2}) {
+    Curve curve;
+    for (int i = 0; i < 60; ++i) {
+      curve.strain.push_back(slack * i / 60.0);
+      curve.stress.push_back(0.1e6);
+    }
+    const Curve smooth = plastica::testing::smooth_curve();
+    for (std::size_t i = 0; i < smooth.size(); ++i) {
+      curve.strain.push_back(slack + smooth.strain[i]);
+      curve.stress.push_back(smooth.stress[i]);
+    }
+    const Target target = make_target("slack", curve, options);
+    EXPECT_TRUE(find(target, "toe").applied) << slack;
+    EXPECT_NEAR(find(target, "toe").amount, slack, 2e-5);
+    const Target plain = make_target("plain", smooth, options);
+    EXPECT_NEAR(*target.characteristics.rp02 / *plain.characteristics.rp02, 1.0, 1e-3);
+    // Of another slope than the given one nothing is known of its zero.
+    TargetOptions other = options;
+    other.youngs_modulus = 100e9;
+    EXPECT_FALSE(find(make_target("other", curve, other), "toe").applied);
+  }
+}
+
 TEST(Correction, DoesNotShiftACyclicCurve) {
   TargetOptions options;
   options.loading = Loading::Cyclic;

@@ -50,7 +50,7 @@ TEST(CsvErrors, ACommaThatMayPartThousandsIsRefused) {
   const std::string rows = "t;F\n1;998\n2;999\n3;1,000\n4;1,001\n";
   EXPECT_EQ(parse_error(rows),
             "curve.csv:4: 1,000: has a decimal mark or one of thousands: say which by decimal = "
-            "\".\" or \",\"");
+            "\".\" or \",\" (--decimal)");
   EXPECT_EQ(CsvTable::parse(rows, "", {.decimal = '.'}).number(3, 1), 1001.0);
   EXPECT_EQ(CsvTable::parse(rows, "", {.decimal = ','}).number(3, 1), 1.001);
   // A number with two decimals, or one below a thousand with three, shows what a comma is.
