@@ -41,6 +41,8 @@ void read_plausible(const TomlTable& table, TargetOptions& options) {
               bounds.most_yield_strain);
   read_bound(table, "soft_yield_strain", Dimension::Strain, bounds.least_soft_yield_strain);
   read_bound(table, "strain", Dimension::Strain, bounds.most_strain);
+  read_bound(table, "strong_strain", Dimension::Strain, bounds.most_strong_strain);
+  read_bound(table, "ductile_modulus", Dimension::Stress, bounds.most_ductile_modulus);
   read_bound(table, "modulus_factor", Dimension::None, bounds.modulus_factor);
   read_bound(table, "group_factor", Dimension::None, bounds.group_factor);
   for (const auto& [key, factor] : {std::pair("modulus_factor", bounds.modulus_factor),

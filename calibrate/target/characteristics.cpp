@@ -23,8 +23,14 @@ double noise_of(std::span<const double> strain, std::span<const double> stress) 
     const double bend = stress[i] - (1.0 - a) * stress[i - 1] - a * stress[i + 1];
     bends.push_back(std::abs(bend) / std::sqrt(1.0 + a * a + (1.0 - a) * (1.0 - a)));
   }
-  const auto middle = bends.begin() + static_cast<std::ptrdiff_t>(bends.size() / 2);
-  std::nth_element(bends.begin(), middle, bends.end());
+  // A load cell at its limit has no noise there, and a coarse one repeats itself.
+  const double nothing = 1e-12 * largest_magnitude(stress);  // but for rounding
+  const auto begin =
+      std::partition(bends.begin(), bends.end(), [&](double bend) { return bend <= nothing; });
+  const auto left = bends.end() - begin;
+  const bool is_still = 2 * left <= std::ssize(bends) && left >= 5;
+  const auto middle = is_still ? begin + left / 2 : bends.begin() + std::ssize(bends) / 2;
+  std::nth_element(is_still ? begin : bends.begin(), middle, bends.end());
   return *middle / 0.6745;
 }
 

@@ -99,6 +99,26 @@ bool is_slack(const Curve& curve, const ElasticLine& line) {
   return before > 0;
 }
 
+/// What the load cell shows when nothing is left to carry load is its zero.
+void warn_of_load_zero(Target& target, std::size_t broken) {
+  constexpr std::size_t kFewest = 3;
+  constexpr double kSmall = 0.01, kLarge = 0.2;  // of Rm; beyond, something still carries
+  const Curve& curve = target.corrected;
+  if (curve.size() < broken + kFewest) return;
+  std::vector<double> rest(curve.stress.end() - kFewest, curve.stress.end());
+  const auto [low, high] = std::ranges::minmax_element(rest);
+  const double rm = *std::ranges::max_element(curve.stress);
+  const double noise = noise_of(curve.strain, curve.stress);
+  const double stands = 0.5 * (*low + *high);
+  const bool is_still = *high - *low < std::max(0.1 * std::abs(stands), 8.0 * noise);
+  const double size = std::abs(stands);
+  if (!is_still || size < std::max(kSmall * rm, 5.0 * noise) || size > kLarge * rm) return;
+  target.warnings.push_back(
+      fmt::format("after the break the stress is {:+.3g} MPa: if that is the load cell's zero, all "
+                  "stresses are off by it",
+                  stands / 1e6));
+}
+
 /// The slack before a curve whose modulus is given: where its own elastic line, if that has about
 /// the given slope, meets zero stress.
 std::optional<double> slack_before(const Target& target, double modulus, double threshold,
@@ -202,6 +222,7 @@ void trim_at_break(Target& target, double modulus, bool goes_on, const TargetOpt
     return;
   }
   const std::size_t cut = curve.size() - found->intact;
+  warn_of_load_zero(target, found->intact);
   curve.strain.resize(found->intact);
   curve.stress.resize(found->intact);
   std::string text = "rule: " + found->observation.rule;

@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 #include <utility>
+#include <vector>
 
 #include "calibrate/target/characteristics.hpp"
 #include "calibrate/target/correct.hpp"
@@ -102,6 +104,44 @@ void measure_break(Characteristics& c, double modulus) {
   c.break_strain_plastic = *c.break_strain - c.observed_break->last_intact_stress / modulus;
 }
 
+/// A stress that stands at its largest value to the last digit, in a record that has noise below
+/// it.
+void warn_of_saturation(Target& target) {
+  constexpr std::size_t kFewest = 5;
+  const std::vector<double>& stress = target.corrected.stress;
+  const double largest = *std::ranges::max_element(stress);
+  std::size_t run = 0, longest = 0, end = 0;
+  for (std::size_t i = 0; i < stress.size(); ++i) {
+    run = stress[i] == largest ? run + 1 : 0;
+    if (run > longest) {
+      longest = run;
+      end = i;
+    }
+  }
+  if (longest < kFewest) return;
+  const std::span<const double> before(stress.data(), end + 1 - longest);
+  const std::span<const double> strain(target.corrected.strain.data(), before.size());
+  if (!(noise_of(strain, before) > 1e-6 * largest)) return;
+  target.warnings.push_back(fmt::format(
+      "the stress stands at its largest value, {:.5g} MPa, for {} samples: if the load cell was at "
+      "its limit, Rm and what is fitted are that limit",
+      largest / 1e6, longest));
+}
+
+/// The slope that the curve has, where the user gives another one.
+void warn_of_given_modulus(Target& target, const ElasticLine& given, double noise,
+                           const TargetOptions& options) {
+  constexpr double kAlike = 0.25;
+  TargetOptions without = options;
+  without.youngs_modulus.reset();
+  const auto own = find_elastic_line(target.corrected, target.loading, noise, without);
+  if (!own || std::abs(own->modulus / given.modulus - 1.0) <= kAlike) return;
+  target.warnings.push_back(fmt::format(
+      "the curve rises with {:.4g} GPa, and not with the given {:.4g} GPa: one of them is "
+      "wrong, and with it the proof stress",
+      own->modulus / 1e9, given.modulus / 1e9));
+}
+
 /// Takes out what cannot be, each with a warning: a number of it would be believed.
 void drop_impossible(Target& target, const ElasticLine& line) {
   Characteristics& c = target.characteristics;
@@ -162,7 +202,13 @@ void measure(Target& target, const ElasticLine& line, const RawFacts& facts, dou
     // Where flow begins: a drop later on is that of a slip, or of a pause.
     constexpr double kLatest = 0.005;
     const double plastic = curve.strain[point->at] - point->upper / line.modulus;
-    if (plastic <= kLatest) {
+    constexpr double kBelow = 0.995;  // of the proof stress: flow has not begun
+    if (c.rp02 && point->upper < kBelow * *c.rp02) {
+      target.warnings.push_back(fmt::format(
+          "the stress falls at {:.4g} MPa, below the proof stress: a pause or a slip, and no upper "
+          "yield strength",
+          point->upper / 1e6));
+    } else if (plastic <= kLatest) {
       c.reh = point->upper;
       c.rel = point->lower;
     } else {
@@ -199,6 +245,7 @@ void process_target(Target& target, const TargetOptions& options) {
   const bool monotonic = target.loading == Loading::Monotonic;
   if (monotonic) {
     drop_outliers(samples_of(target));
+    drop_spikes(samples_of(target));
     std::string reason = not_in_tension(curve);
     if (!reason.empty()) return give_up(target, TargetStatus::Rejected, std::move(reason));
     drop_foot_reversals(target, options.reversal_tolerance);
@@ -224,6 +271,8 @@ void process_target(Target& target, const TargetOptions& options) {
   shift_strain(target, *line, options);
   if (!convert_to_true(target, options)) return;
   measure(target, *line, facts, noise, options);
+  warn_of_saturation(target);
+  if (options.youngs_modulus && monotonic) warn_of_given_modulus(target, *line, noise, options);
   if (std::string many = too_many_dropped(target); !many.empty()) {
     target.warnings.insert(target.warnings.begin(), std::move(many));
   }

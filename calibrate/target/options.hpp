@@ -27,10 +27,12 @@ struct PlausibleBounds {
   double strong_stress = 120e6;      ///< [Pa] plastics without fibres yield below
   /// [1] of proof stresses below `soft_modulus`: plastics have 0.01 and more
   double least_soft_yield_strain = 5e-3;
-  double soft_modulus = 4.5e9;  ///< [Pa] metals are stiffer, even lead as it creeps
-  double most_strain = 12.0;    ///< [1] rubbers tear at 10
-  double modulus_factor = 2.5;  ///< that E may be off the expected one, > 1
-  double group_factor = 10.0;   ///< that E and the strength may be off a group's median, > 1
+  double soft_modulus = 4.5e9;          ///< [Pa] metals are stiffer, even lead as it creeps
+  double most_strain = 12.0;            ///< [1] rubbers tear at 10
+  double most_strong_strain = 1.5;      ///< [1] of stresses above `strong_stress`
+  double most_ductile_modulus = 450e9;  ///< [Pa] of what stretches by 2 %: tungsten has 410 GPa
+  double modulus_factor = 2.5;          ///< that E may be off the expected one, > 1
+  double group_factor = 10.0;  ///< that E and the strength may be off a group's median, > 1
 };
 
 /// How a measured curve becomes a target: repairs, corrections, characteristics. A monotonic curve

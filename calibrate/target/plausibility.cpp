@@ -34,13 +34,17 @@ struct Mistake {
   std::string_view says;
 };
 
-constexpr std::array<Mistake, 10> kMistakes{{
+constexpr std::array<Mistake, 14> kMistakes{{
     {1e3, 1.0, "stress looks a thousand times too large: is its unit one step smaller?"},
     {1e-3, 1.0, "stress looks a thousand times too small: is its unit one step larger?"},
     {1e6, 1.0, "stress looks a million times too large: is it in Pa?"},
     {1e-6, 1.0, "stress looks a million times too small: is it in MPa?"},
     {1e-2, 1.0, "stress looks a hundred times too small: is the area in mm^2, not cm^2?"},
     {1e2, 1.0, "stress looks a hundred times too large: is the area in cm^2, not mm^2?"},
+    {4.0, 1.0, "stress looks four times too large: is a radius taken for the diameter?"},
+    {0.25, 1.0, "stress looks four times too small: is a diameter taken for the radius?"},
+    {1.0, 10.0, "strain looks ten times too large: is its unit, or the gauge length's, smaller?"},
+    {1.0, 0.1, "strain looks ten times too small: is its unit, or the gauge length's, larger?"},
     {1.0, 1e2, "strain looks a hundred times too large: is it in %?"},
     {1.0, 1e-2, "strain looks a hundred times too small: is it a fraction, not in %?"},
     {1.0, 1e-3, "strain looks a thousand times too small: is the gauge length in mm, not m?"},
@@ -67,13 +71,15 @@ std::string likely_cause(const Judged& curve, const TargetOptions& options) {
     if (is_usual(mended, options))
       causes += (causes.empty() ? "" : " or: ") + std::string(mistake.says);
   }
-  if (!causes.empty()) return causes;
+  // A machine's give makes a strong material look soft.
+  if (!causes.empty() && !(curve.strength > options.plausible.strong_stress)) return causes;
   for (double give = 1.5; give < 60.0; give *= 1.2) {
     if (is_usual({curve.modulus * give, curve.strength, curve.strain, curve.yields}, options)) {
-      return "the strain may be crosshead travel, in which the machine gives way";
+      return causes + (causes.empty() ? "" : " or: ") +
+             "the strain may be crosshead travel, in which the machine gives way";
     }
   }
-  return "are the units of strain and stress right?";
+  return !causes.empty() ? causes : "are the units of strain and stress right?";
 }
 
 std::string stress_text(double stress) {
@@ -120,6 +126,18 @@ std::string beyond_bounds(const Judged& curve, bool is_measured, const TargetOpt
     return fmt::format("{} is more than {} (plausible.yield_strain)", shown,
                        percent(bounds.most_yield_strain));
   }
+  constexpr double kDuctile = 0.02;
+  if (is_measured && curve.strain > kDuctile && e > bounds.most_ductile_modulus) {
+    return fmt::format(
+        "Young's modulus of {} is more than {} for what stretches by {} "
+        "(plausible.ductile_modulus)",
+        stress_text(e), stress_text(bounds.most_ductile_modulus), percent(curve.strain));
+  }
+  if (is_strong && curve.strain > bounds.most_strong_strain) {
+    return fmt::format(
+        "a strain of {} is more than {} for a stress of {} (plausible.strong_strain)",
+        percent(curve.strain), percent(bounds.most_strong_strain), stress_text(curve.strength));
+  }
   if (curve.strain > bounds.most_strain) {
     return fmt::format("a strain of {} is more than {} (plausible.strain)", percent(curve.strain),
                        percent(bounds.most_strain));
@@ -162,13 +180,15 @@ void warn_of_softness(Target& target) {
 std::string plausible_text(const TargetOptions& options) {
   const PlausibleBounds& b = options.plausible;
   std::string text = fmt::format(
-      "Young's modulus {} to {}; yield strain {} to {} (the latter above {}), and at least {} "
-      "below a "
-      "modulus of {}; strain up to {}; within a factor of {:g} of its group's median",
-      stress_text(b.least_modulus), stress_text(b.most_modulus), percent(b.least_yield_strain),
+      "Young's modulus {} to {}, beyond a strain of 2 % to {}; yield strain {} to {} (the latter "
+      "above {}), and at least {} below a modulus of {}; strain up to {}, above {} up to {}; "
+      "within "
+      "a factor of {:g} of its group's median",
+      stress_text(b.least_modulus), stress_text(b.most_modulus),
+      stress_text(b.most_ductile_modulus), percent(b.least_yield_strain),
       percent(b.most_yield_strain), stress_text(b.strong_stress),
       percent(b.least_soft_yield_strain), stress_text(b.soft_modulus), percent(b.most_strain),
-      b.group_factor);
+      stress_text(b.strong_stress), percent(b.most_strong_strain), b.group_factor);
   if (options.expected_modulus) {
     text += fmt::format("; Young's modulus within a factor of {:g} of {}", b.modulus_factor,
                         stress_text(*options.expected_modulus));
@@ -207,6 +227,14 @@ void check_groups(std::span<Target> targets, const TargetOptions& options) {
       const double factor = options.plausible.group_factor;
       const std::string of_modulus = times_off(*c.youngs_modulus, modulus, factor);
       const std::string of_strength = times_off(*c.rm, strength, factor);
+      constexpr double kFar = 1.5;
+      const std::string far = times_off(*c.youngs_modulus, modulus, kFar);
+      if (of_modulus.empty() && of_strength.empty() && !far.empty()) {
+        target->warnings.push_back(fmt::format(
+            "Young's modulus is {} the median of its {} specimens: is its gauge length, area or "
+            "material another one?",
+            far, members.size()));
+      }
       if (of_modulus.empty() && of_strength.empty()) continue;
       const bool is_modulus = !of_modulus.empty();
       refuse_implausible(*target,

@@ -6,10 +6,12 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "calibrate/target/characteristics.hpp"
 #include "calibrate/target/samples.hpp"
 
 namespace plastica::calibrate {
@@ -29,23 +31,41 @@ std::size_t strain_ends(const Curve& raw) {
     if (std::isfinite(raw.stress[i])) largest = std::max(largest, std::abs(raw.stress[i]));
   }
   if (n < 2 * kFewest) return n;
-  const double still = raw.strain[n - 1];
+  // The noise of the end, by its last rows.
+  constexpr std::size_t kLast = 30;
+  const std::size_t last = std::min(n, kLast);
+  std::vector<double> rows(last);
+  std::iota(rows.begin(), rows.end(), 0.0);
+  std::vector<double> end(raw.strain.end() - static_cast<std::ptrdiff_t>(last), raw.strain.end());
+  if (!std::ranges::all_of(end, [](double strain) { return std::isfinite(strain); })) return n;
+  const double noise = noise_of(rows, end);
+  std::ranges::nth_element(end, end.begin() + static_cast<std::ptrdiff_t>(last / 2));
+  const double still = end[last / 2];
+  const double near = std::max(kStill * span, 6.0 * noise);
   std::size_t begin = n;
-  while (begin > 0 && std::abs(raw.strain[begin - 1] - still) <= kStill * span) --begin;
+  while (begin > 0 && std::abs(raw.strain[begin - 1] - still) <= near) --begin;
   // The row before has the last strain that was measured, or the same value.
   if (begin == 0 || n - begin < kFewest) return n;
   const double start = std::abs(raw.stress[begin]);
   if (!(start >= kLoaded * largest)) return n;
-  std::size_t on = 0;
+  std::vector<double> on;  // strains of the rows in which the load goes on
   double low = start, high = start;
   for (std::size_t i = begin; i < n; ++i) {
     const double size = std::abs(raw.stress[i]);
     if (size < kOn * start) continue;
-    ++on;
+    on.push_back(raw.strain[i]);
     low = std::min(low, size);
     high = std::max(high, size);
   }
-  return on >= kFewest && high - low > kMoves * largest ? begin + 1 : n;
+  if (on.size() < kFewest || high - low <= kMoves * largest) return n;
+  // It stands still if its second half has gone no further than the first.
+  const std::size_t half = on.size() / 2;
+  double first = 0.0, second = 0.0;
+  for (std::size_t i = 0; i < half; ++i) {
+    first += on[i] / static_cast<double>(half);
+    second += on[on.size() - 1 - i] / static_cast<double>(half);
+  }
+  return std::abs(second - first) <= std::max(kStill * span, 1.5 * noise) ? begin + 1 : n;
 }
 
 }  // namespace
@@ -89,8 +109,8 @@ RawFacts drop_missing(Target& target) {
 }
 
 std::string too_many_dropped(const Target& target) {
-  constexpr std::array<std::string_view, 5> kDrops{"nan-rows", "outliers", "foot-reversals",
-                                                   "unloading-loops", "unloading"};
+  constexpr std::array<std::string_view, 6> kDrops{
+      "nan-rows", "outliers", "spikes", "foot-reversals", "unloading-loops", "unloading"};
   constexpr double kMany = 0.2;
   if (target.loading == Loading::Cyclic) return {};
   std::size_t dropped = 0;

@@ -74,24 +74,6 @@ std::vector<double> medians_of_three(std::span<const double> values) {
   return out;
 }
 
-void drop_outliers(const Samples& samples) {
-  const std::vector<double> y = samples.ordinate;
-  const std::size_t n = y.size();
-  if (n < 3) return;
-  const std::vector<double> medians = medians_of_three(y);
-  const double largest = largest_magnitude(std::span(medians).subspan(1, n - 2));
-  if (!(largest > 0.0)) return;
-  const double threshold = std::max(0.2 * largest, 8.0 * noise_of(samples.abscissa, y));
-  const std::size_t dropped = filter(samples, [&](std::size_t i) {
-    if (i == 0 || i + 1 == n) return true;
-    const double a = y[i] - y[i - 1];
-    const double b = y[i] - y[i + 1];
-    const double least = std::min(std::abs(a), std::abs(b));
-    return a * b <= 0.0 || least <= threshold || std::abs(a - b) >= 0.25 * least;
-  });
-  note_repair(samples.repairs, "outliers", dropped, "lone samples far off both neighbours dropped");
-}
-
 void average_reversals(const Samples& samples, std::string_view name) {
   struct Pool {
     double abscissa, ordinate;  ///< sums

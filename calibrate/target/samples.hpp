@@ -78,6 +78,13 @@ void drop_duplicates(const Samples& samples);
 /// that.
 void drop_outliers(const Samples& samples);
 
+/// Drops spikes of a monotonic test of a coupon, "spikes", which would be its Rm or its break:
+/// - up to 5 samples whose ordinate is above that of the samples before and behind as a lone
+/// outlier
+///   is, or whose abscissa is so by more than 20 usual steps and 1 % of the range;
+/// - up to 5 samples at the end that leave all before them by a fifth of the largest in one step.
+void drop_spikes(const Samples& samples);
+
 /// Makes an abscissa that must not fall beyond the tolerance rise: samples that run back further
 /// than 8 standard deviations of its noise are dropped, and where it still does the others are
 /// averaged. Dropping noise would keep the samples of positive noise, and the slope would be too

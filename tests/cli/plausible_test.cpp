@@ -173,7 +173,8 @@ TEST(Plausible, WhatTheUserAcceptsIsFitted) {
   place.write("a.csv", steel("Strain [mm/mm],Stress [GPa]"));
   EXPECT_EQ(calibrated(place, {"a.csv", "--accept"}).code, 0);
   const std::string fit = "[[target]]\nfiles = 'a.csv'\nstrain = 'Strain'\nstress = 'Stress'\n";
-  for (const std::string plausible : {"accept = true", "youngs_modulus = ['1 GPa', '1e6 GPa']\n"}) {
+  for (const std::string plausible :
+       {"accept = true", "youngs_modulus = ['1 GPa', '1e6 GPa']\nductile_modulus = '1e6 GPa'\n"}) {
     place.write("fit.toml", fit + "[target.plausible]\n" + plausible + "\n");
     const Outcome outcome = calibrated(place, {"fit.toml"});
     EXPECT_EQ(outcome.code, 0) << outcome.said << outcome.reason;
@@ -184,7 +185,7 @@ TEST(Plausible, TheBoundsArePrintedBeforeARun) {
   const Workplace place;
   place.write("a.csv", steel(kSteelHeader));
   const CommandResult result = place.run({"calibrate", "a.csv", "--dry-run"});
-  EXPECT_NE(result.out.find("plausible: Young's modulus 1 MPa to 1300 GPa; "), std::string::npos)
+  EXPECT_NE(result.out.find("plausible: Young's modulus 1 MPa to 1300 GPa, "), std::string::npos)
       << result.out;
 }
 

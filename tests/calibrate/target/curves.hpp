@@ -53,6 +53,7 @@ inline calibrate::TargetOptions any_numbers() {
   options.plausible.least_modulus = options.plausible.least_yield_strain = 0.0;
   options.plausible.least_soft_yield_strain = 0.0;
   options.plausible.most_modulus = options.plausible.strong_stress = kInfinity;
+  options.plausible.most_ductile_modulus = kInfinity;
   return options;
 }
 

@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <limits>
+#include <random>
 #include <string>
 
 #include "plastica/base/check.hpp"
@@ -88,6 +90,72 @@ TEST(MakeTarget, KeepsTheRawCurveAsItWas) {
   EXPECT_EQ(target.raw.strain, curve.strain);
   EXPECT_EQ(target.raw.stress, curve.stress);
   EXPECT_LT(target.corrected.size(), curve.size());
+}
+
+bool warns_that(const Target& target, const std::string& beginning) {
+  return std::ranges::any_of(
+      target.warnings, [&](const std::string& warning) { return warning.starts_with(beginning); });
+}
+
+/// A hardening steel with some noise, that breaks to `zero`.
+Curve noisy_curve(double zero = 0.0) {
+  Curve curve = plastica::testing::smooth_curve(800);
+  std::mt19937_64 random(3);
+  std::normal_distribution<double> noise(0.0, 0.5e6);
+  for (double& stress : curve.stress) stress += noise(random) + zero;
+  for (int i = 1; i <= 5; ++i) {
+    curve.strain.push_back(0.1 + 1e-4 * i);
+    curve.stress.push_back(zero + noise(random));
+  }
+  return curve;
+}
+
+TEST(MakeTarget, WarnsOfALoadCellAtItsLimit) {
+  const std::string warning = "the stress stands at its largest value, ";
+  Curve curve = noisy_curve();
+  EXPECT_FALSE(warns_that(make_target("whole", curve), warning));
+  for (double& stress : curve.stress) stress = std::min(stress, 320e6);
+  const Target target = make_target("capped", curve);
+  EXPECT_TRUE(warns_that(target, warning + "320 MPa, for "));
+  EXPECT_FALSE(target.characteristics.reh.has_value()) << "its noise is no yield point";
+  // A made curve without any noise has a right to its plateau.
+  EXPECT_FALSE(
+      warns_that(make_target("ideal", plastica::testing::IdealPlastic{}.curve()), warning));
+}
+
+TEST(MakeTarget, WarnsOfAGivenModulusThatIsNotTheCurves) {
+  TargetOptions options;
+  for (const double given : {20e9, 205e9}) {
+    options.youngs_modulus = given;
+    EXPECT_TRUE(warns_that(make_target("other", noisy_curve(), options), "the curve rises with "));
+  }
+  options.youngs_modulus = 72e9;
+  EXPECT_FALSE(warns_that(make_target("near", noisy_curve(), options), "the curve rises with "));
+}
+
+TEST(MakeTarget, WarnsOfALoadCellThatIsNotZeroAfterTheBreak) {
+  const std::string warning = "after the break the stress is ";
+  EXPECT_TRUE(warns_that(make_target("plus", noisy_curve(30e6)), warning + "+3"));
+  EXPECT_TRUE(warns_that(make_target("minus", noisy_curve(-30e6)), warning + "-"));
+  EXPECT_FALSE(warns_that(make_target("zero", noisy_curve()), warning));
+}
+
+/// The machine stopped on the elastic part, and the load relaxed.
+TEST(MakeTarget, TakesNoRelaxationForAYieldPoint) {
+  const Curve whole = noisy_curve();
+  Curve curve;
+  for (std::size_t i = 0; i < whole.size(); ++i) {
+    curve.strain.push_back(whole.strain[i]);
+    curve.stress.push_back(whole.stress[i]);
+    if (i != 20) continue;  // 175 MPa
+    for (int k = 1; k <= 20; ++k) {
+      curve.strain.push_back(whole.strain[i] + 1e-8 * k);
+      curve.stress.push_back(whole.stress[i] * (1.0 - 0.05 * k / 20.0));
+    }
+  }
+  const Target target = make_target("pause", curve);
+  EXPECT_FALSE(target.characteristics.reh.has_value());
+  EXPECT_TRUE(warns_that(target, "the stress falls at 17"));
 }
 
 }  // namespace

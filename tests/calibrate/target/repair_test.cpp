@@ -244,7 +244,7 @@ Curve taken_off(double value, double noise) {
 
 TEST(Repair, TakesAStrainThatStandsStillUnderLoadForNone) {
   for (const double value : {-1.0, 0.0, 0.02}) {  // held, set to zero, or clamped elsewhere
-    for (const double noise : {0.0, 1e-7}) {
+    for (const double noise : {0.0, 1e-7, 1e-5}) {
       const Target target = make_target("held", taken_off(value, noise));
       EXPECT_EQ(target.status, TargetStatus::Ready) << target.reason;
       EXPECT_GE(count_of(target, "extensometer-removed"), 299U) << value;
@@ -287,6 +287,44 @@ TEST(Repair, SaysAboveAllThatManySamplesWereDropped) {
       "33 % of the samples were dropped (unloading-loops 99), as the curve is taken for one "))
       << target.warnings.front();
   EXPECT_EQ(too_many_dropped(make_target("smooth", smooth)), "");
+}
+
+/// A spike is no strength and no strain at break.
+TEST(Repair, DropsSpikesOfSeveralSamples) {
+  const Target whole = make_target("whole", plastica::testing::IdealPlastic{}.curve());
+  const auto expect_dropped = [&](const Curve& curve, std::size_t count) {
+    const Target target = make_target("spike", curve);
+    EXPECT_EQ(count_of(target, "spikes"), count);
+    EXPECT_NEAR(*target.characteristics.rm / *whole.characteristics.rm, 1.0, 1e-9);
+    EXPECT_NEAR(target.characteristics.break_strain.value_or(0.0),
+                *whole.characteristics.break_strain, 6e-4);
+  };
+  for (const std::size_t at : {60U, 100U}) {
+    for (const std::size_t length : {2U, 3U, 5U}) {
+      Curve curve = plastica::testing::IdealPlastic{}.curve();
+      for (std::size_t i = at; i < at + length; ++i) curve.stress[i] *= 1.6;
+      expect_dropped(curve, length);
+    }
+  }
+  Curve strain = plastica::testing::IdealPlastic{}.curve();
+  strain.strain[70] = 0.9;
+  expect_dropped(strain, 1);
+  Curve overflow = plastica::testing::IdealPlastic{}.curve();
+  for (std::size_t i = overflow.size() - 2; i < overflow.size(); ++i) overflow.stress[i] = 9999e6;
+  expect_dropped(overflow, 2);
+}
+
+TEST(Repair, KeepsWhatFallsForAFewSamples) {
+  Curve curve = plastica::testing::IdealPlastic{}.curve();
+  for (std::size_t i = 100; i < 103; ++i) curve.stress[i] = 200e6;
+  EXPECT_EQ(count_of(make_target("dropout", curve), "spikes"), 0U);
+  // Few samples on a steep rise are no spike at the end.
+  Curve elastic;
+  for (int i = 0; i < 40; ++i) {
+    elastic.strain.push_back(1e-5 * i * i);
+    elastic.stress.push_back(2e6 * i * i);
+  }
+  EXPECT_EQ(count_of(make_target("rise", elastic), "spikes"), 0U);
 }
 
 }  // namespace

@@ -1,0 +1,102 @@
+#include <algorithm>
+#include <cmath>
+#include <span>
+#include <vector>
+
+#include "calibrate/target/characteristics.hpp"
+#include "calibrate/target/samples.hpp"
+
+namespace plastica::calibrate {
+namespace {
+
+constexpr std::size_t kLongest = 5;
+
+/// The value below which a share of the sizes of some numbers are.
+double quantile_of_sizes(std::span<const double> values, double share) {
+  std::vector<double> sizes;
+  for (const double value : values) sizes.push_back(std::abs(value));
+  const auto at = static_cast<std::ptrdiff_t>(share * static_cast<double>(sizes.size() - 1));
+  std::ranges::nth_element(sizes, sizes.begin() + at);
+  return sizes[static_cast<std::size_t>(at)];
+}
+
+/// Marks runs of `shortest` to 5 values whose sizes are above those before and behind, which are
+/// near to each other. What falls for some samples is kept: a dropout, or a loop.
+void mark_runs(std::span<const double> v, double threshold, std::size_t shortest,
+               std::vector<bool>& keep) {
+  for (std::size_t length = shortest; length <= kLongest; ++length) {
+    for (std::size_t i = 1; i + length < v.size(); ++i) {
+      const double before = v[i - 1];
+      const double behind = v[i + length];
+      double least = std::abs(v[i] - before);
+      bool is_one_side = true;
+      for (std::size_t k = i; k < i + length; ++k) {
+        const double a = v[k] - before;
+        const double b = v[k] - behind;
+        is_one_side = is_one_side && a * v[k] > 0.0 && b * v[k] > 0.0;
+        least = std::min({least, std::abs(a), std::abs(b)});
+      }
+      if (!is_one_side || least <= threshold || std::abs(before - behind) >= 0.25 * least) continue;
+      for (std::size_t k = i; k < i + length; ++k) keep[k] = false;
+    }
+  }
+}
+
+/// Marks up to 5 values at the end that leave all before them by a fifth in one step.
+void mark_end(std::span<const double> v, std::vector<bool>& keep) {
+  constexpr std::size_t kFewest = 30;
+  const std::size_t n = v.size();
+  if (n < kFewest) return;
+  double largest = 0.0;  // of all but the last
+  for (std::size_t i = 0; i + kLongest < n; ++i) largest = std::max(largest, std::abs(v[i]));
+  for (std::size_t i = n - kLongest; i < n; ++i) {
+    if (std::abs(v[i] - v[i - 1]) > 0.2 * largest && std::abs(v[i]) > 1.2 * largest) {
+      for (std::size_t k = i; k < n; ++k) {
+        if (std::abs(v[k]) > 1.2 * largest) keep[k] = false;
+      }
+      return;
+    }
+    largest = std::max(largest, std::abs(v[i]));
+  }
+}
+
+}  // namespace
+
+void drop_outliers(const Samples& samples) {
+  const std::vector<double> y = samples.ordinate;
+  const std::size_t n = y.size();
+  if (n < 3) return;
+  const std::vector<double> medians = medians_of_three(y);
+  const double largest = largest_magnitude(std::span(medians).subspan(1, n - 2));
+  if (!(largest > 0.0)) return;
+  const double threshold = std::max(0.2 * largest, 8.0 * noise_of(samples.abscissa, y));
+  const std::size_t dropped = filter(samples, [&](std::size_t i) {
+    if (i == 0 || i + 1 == n) return true;
+    const double a = y[i] - y[i - 1];
+    const double b = y[i] - y[i + 1];
+    const double least = std::min(std::abs(a), std::abs(b));
+    return a * b <= 0.0 || least <= threshold || std::abs(a - b) >= 0.25 * least;
+  });
+  note_repair(samples.repairs, "outliers", dropped, "lone samples far off both neighbours dropped");
+}
+
+void drop_spikes(const Samples& samples) {
+  constexpr double kMost = 0.95;  // of all: a few spikes do not count
+  const std::size_t n = samples.size();
+  if (n < 3) return;
+  const std::vector<double>& y = samples.ordinate;
+  const std::vector<double>& x = samples.abscissa;
+  const double usual = quantile_of_sizes(y, kMost);
+  if (!(usual > 0.0)) return;
+  std::vector<bool> keep(n, true);
+  mark_runs(y, std::max(0.2 * usual, 8.0 * noise_of(x, y)), 2, keep);
+  std::vector<double> steps;
+  for (std::size_t i = 1; i < n; ++i) steps.push_back(x[i] - x[i - 1]);
+  const double step = quantile_of_sizes(steps, 0.5);
+  mark_runs(x, std::max(20.0 * step, 0.01 * quantile_of_sizes(x, kMost)), 1, keep);
+  mark_end(y, keep);
+  const std::size_t dropped = filter(samples, [&](std::size_t i) { return keep[i]; });
+  note_repair(samples.repairs, "spikes", dropped, "samples far off their neighbours dropped");
+}
+
+}  // namespace plastica::calibrate
