@@ -47,7 +47,9 @@ std::vector<std::string> advice_for(const FitRecord& record) {
   const FitResult& result = record.result;
   std::vector<std::string> advice;
   if (record.target.status == TargetStatus::TooCoarse) {
-    advice.emplace_back("Sample the test more often, or fit fewer parameters by fixing E.");
+    advice.emplace_back(
+        "Sample the test more often on its elastic part; characteristics.min_samples says how many "
+        "samples are wanted, and with E fixed two of them may do.");
   }
   if (result.status != FitStatus::Fitted) return advice;
   for (const FittedParameter& parameter : result.parameters) advise_on(parameter, advice);

@@ -28,7 +28,9 @@ double noise_of(std::span<const double> strain, std::span<const double> stress) 
   const auto begin =
       std::partition(bends.begin(), bends.end(), [&](double bend) { return bend <= nothing; });
   const auto left = bends.end() - begin;
-  const bool is_still = 2 * left <= std::ssize(bends) && left >= 5;
+  // Fewer are corners of a curve that has no noise at all.
+  const bool is_still =
+      2 * left <= std::ssize(bends) && 10 * left >= std::ssize(bends) && left >= 20;
   const auto middle = is_still ? begin + left / 2 : bends.begin() + std::ssize(bends) / 2;
   std::nth_element(is_still ? begin : bends.begin(), middle, bends.end());
   return *middle / 0.6745;

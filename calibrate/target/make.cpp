@@ -164,7 +164,7 @@ void drop_impossible(Target& target, const ElasticLine& line) {
   if (!line.is_straight()) {
     target.warnings.push_back(fmt::format(
         "the curve bends where Young's modulus is measured: its slope falls to 1/{:.2g} "
-        "there, so that the modulus is too small; name a lower window "
+        "there, so that the modulus is not that of an elastic part; name a window "
         "(characteristics.window), or the modulus",
         line.bend));
   }
@@ -256,10 +256,11 @@ void process_target(Target& target, const TargetOptions& options) {
     std::string reason = monotonic ? no_rising_part(curve) : std::string();
     if (!reason.empty()) return give_up(target, TargetStatus::Rejected, std::move(reason));
     const std::size_t samples = curve.size();
-    return give_up(target, TargetStatus::TooCoarse,
-                   "too coarse: the elastic part has fewer than 3 samples in the window of the "
-                   "modulus, or none that rise; the curve has " +
-                       std::to_string(samples));
+    return give_up(
+        target, TargetStatus::TooCoarse,
+        "too coarse: no elastic part is found (fewer than 3 samples in the window of the "
+        "modulus, none that rise, or a window above the knee); the curve has " +
+            std::to_string(samples) + " samples");
   }
   bool goes_on = facts.extensometer_removed;
   if (monotonic) {

@@ -176,8 +176,14 @@ class Finder {
   bool is_unit_row(std::size_t line) {
     const Cells& cells = cells_of(line);
     const bool fits = cells.size() == dialect_.width || cells.size() + 1 == dialect_.width;
-    return fits && std::all_of(cells.begin(), cells.end(),
-                               [](std::string_view cell) { return unit_cell(cell).is_unit; });
+    // Units are those of numbers: "A-1,,A" is a specimen without its number.
+    bool is_of_numbers = cells.size() != dialect_.width || !any_numeric_;
+    for (std::size_t i = 0; i < cells.size() && !is_of_numbers; ++i) {
+      is_of_numbers = dialect_.numeric[i] && !cells[i].empty();
+    }
+    return fits && is_of_numbers && std::ranges::all_of(cells, [](std::string_view cell) {
+             return unit_cell(cell).is_unit;
+           });
   }
 
   /// Could be a row of names over the data: few numbers in it, not a line of metadata.
@@ -236,15 +242,32 @@ class Finder {
     return lines_.size();
   }
 
+  /// A row of names in each column, unlike a row of data that lacks its numbers.
+  bool has_words_alone(std::size_t line) {
+    const Cells& cells = names_of(line);
+    return cells.size() == dialect_.width && std::ranges::all_of(cells, [&](std::string_view cell) {
+             return kind_of(cell) == CellKind::Text;
+           });
+  }
+
+  bool lacks_numbers(std::size_t line) {
+    const Cells& cells = cells_of(line);
+    if (cells.size() != dialect_.width) return false;
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+      if (dialect_.numeric[i] && kind_of(cells[i]) != CellKind::Missing) return false;
+    }
+    return true;
+  }
+
   /// Whether the rows from a line on are a short table, of results, above the one of the curve.
   bool is_table_of_results(std::size_t begin) {
     constexpr std::size_t kMostRows = 2;
     std::size_t end = begin;
     while (end < lines_.size() && end <= begin + kMostRows && is_data(end)) ++end;
     if (end > begin + kMostRows || end + 1 >= lines_.size()) return false;
-    const bool has_units = is_header(end) && is_unit_row(end + 1);
+    const bool has_units = is_unit_row(end + 1);
     const std::size_t next = end + (has_units ? 2 : 1);
-    if (!is_header(end) || next + kMostRows >= lines_.size()) return false;
+    if (!has_words_alone(end) || next + kMostRows >= lines_.size()) return false;
     for (std::size_t i = next; i <= next + kMostRows; ++i) {
       if (!is_data(i)) return false;
     }
@@ -257,7 +280,11 @@ class Finder {
       layout.unit_row = above;
       layout.header = above - 1;
     } else if (is_header(above)) {
-      layout.header = above;
+      // Rows without their numbers, right below the names, are rows all the same.
+      std::size_t names = above;
+      while (names > 0 && lacks_numbers(names)) --names;
+      layout.header = has_words_alone(names) ? names : above;
+      layout.first_data = *layout.header + 1;
     } else if (is_unit_row(above)) {
       layout.unit_row = above;
     } else {

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <utility>
@@ -252,6 +253,22 @@ TEST(Csv, ReadsMegabytesInAFractionOfASecond) {
   const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
   EXPECT_EQ(force.back(), 0.123456789);
   EXPECT_LT(taken.count(), 2.0);  // 0.05 s optimized; slack for builds with sanitizers
+}
+
+/// A table of specimens in which a value is missing, above all in its first rows.
+TEST(Csv, RowsOfWordsWithoutTheirNumbersAreRows) {
+  for (const std::string missing : {"", "n/a"}) {
+    const std::string one = "A-01," + missing + ",A\n";
+    const std::string two = "A-02," + missing + ",A\n";
+    for (const std::string& rows :
+         {one + "A-02,78.5,A\nA-03,78.5,B\n", one + two + "A-03,78.5,A\nA-04,78.5,A\n",
+          "A-01,78.5,A\n" + two + "A-03,78.5,\nB-01,785.4,B\nB-02,7854,B\n"}) {
+      const CsvTable table = CsvTable::parse("specimen,S0_mm2,batch\n" + rows, "info.csv");
+      EXPECT_EQ(table.names(), (std::vector<std::string>{"specimen", "S0_mm2", "batch"})) << rows;
+      EXPECT_EQ(table.cell(0, 0), "A-01") << rows;
+      EXPECT_EQ(table.rows(), static_cast<std::size_t>(std::ranges::count(rows, '\n'))) << rows;
+    }
+  }
 }
 
 }  // namespace
