@@ -5,6 +5,7 @@
 
 #include "calibrate/engine/engine_notes.hpp"
 #include "calibrate/engine/writers.hpp"
+#include "plastica/model/section_kind.hpp"
 
 namespace plastica::calibrate {
 namespace {

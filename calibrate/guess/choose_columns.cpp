@@ -44,6 +44,7 @@ std::set<std::string> words_in(std::string_view name) {
 /// Of each name the words that not all of them have: "a" and "b" of "Strain A" and "Strain B".
 std::vector<std::string> own_words(const std::vector<std::string>& names) {
   std::vector<std::set<std::string>> all;
+  all.reserve(names.size());
   for (const std::string& name : names) all.push_back(words_in(name));
   std::vector<std::string> own;
   for (const std::set<std::string>& words : all) {

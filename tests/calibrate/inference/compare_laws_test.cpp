@@ -21,7 +21,7 @@ LawFit fit_of_law(Law law, double rms, std::size_t parameters) {
                  .samples = 100.0,
                  .autocorrelation = 0.0,
                  .noise = {}}};
-  for (std::size_t i = 0; i < parameters; ++i) fit.parameters.push_back("p");
+  for (std::size_t i = 0; i < parameters; ++i) fit.parameters.emplace_back("p");
   fit.verdicts.assign(parameters, Verdict::Identified);
   fit.misfit_fraction = rms;
   return fit;
