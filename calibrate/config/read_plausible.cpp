@@ -39,6 +39,7 @@ void read_plausible(const TomlTable& table, TargetOptions& options) {
               bounds.most_modulus);
   read_bounds(table, "yield_strain", Dimension::Strain, bounds.least_yield_strain,
               bounds.most_yield_strain);
+  read_bound(table, "elastic_strain", Dimension::Strain, bounds.most_elastic_strain);
   read_bound(table, "soft_yield_strain", Dimension::Strain, bounds.least_soft_yield_strain);
   read_bound(table, "strain", Dimension::Strain, bounds.most_strain);
   read_bound(table, "strong_strain", Dimension::Strain, bounds.most_strong_strain);

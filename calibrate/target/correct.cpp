@@ -96,6 +96,11 @@ bool is_slack(const Curve& curve, const ElasticLine& line) {
   while (before < curve.size() && curve.strain[before] < kNear * line.zero_strain) {
     if (std::abs(curve.stress[before++]) > nothing) return false;
   }
+  // A foot of the material, as of rubber in true stress, rises steadily.
+  constexpr double kFlat = 0.05;
+  if (before > 0 && curve.stress[before - 1] > kFlat * line.modulus * curve.strain[before - 1]) {
+    return false;
+  }
   return before > 0;
 }
 

@@ -216,7 +216,7 @@ double bend_of(Values strain, Values stress, double sign, const ElasticLine& lin
 /// elastic part, which is steeper, has no samples to be seen by. One that starts on the line was
 /// zeroed under load; a foot starts above it.
 bool is_beyond_knee(Values strain, Values stress, const ElasticLine& line, double noise) {
-  constexpr double kFar = 0.12;  // of the yield stress; what grips and sensors do is below 0.09
+  constexpr double kFar = 0.18;  // of the yield stress; preloads and sticking sensors stay below
   const double below = line.modulus * (strain[0] - line.zero_strain) - stress[0];
   return below > std::max(kFar * line.yield_stress, 6.0 * noise);
 }

@@ -25,7 +25,9 @@ struct Judged {
 std::optional<Judged> judged(const Target& target) {
   const Characteristics& c = target.characteristics;
   if (target.test != Test::Tension || !c.youngs_modulus || !c.rm) return std::nullopt;
-  return Judged{*c.youngs_modulus, c.rp02.value_or(*c.rm), c.largest_strain, c.rp02.has_value()};
+  // Of what stretches far the true stress is many times the engineering one.
+  const double rm = target.measure == Measure::True ? *c.rm / std::exp(c.largest_strain) : *c.rm;
+  return Judged{*c.youngs_modulus, c.rp02.value_or(rm), c.largest_strain, c.rp02.has_value()};
 }
 
 /// A mistake: by what it multiplies stresses and strains.
@@ -122,9 +124,11 @@ std::string beyond_bounds(const Judged& curve, bool is_measured, const TargetOpt
     return fmt::format("{} is less than {} (plausible.{})", shown, percent(least),
                        is_soft ? "soft_yield_strain" : "yield_strain");
   }
-  if (is_strong && y > bounds.most_yield_strain) {
-    return fmt::format("{} is more than {} (plausible.yield_strain)", shown,
-                       percent(bounds.most_yield_strain));
+  // Fibres break at 5 %, and do not yield.
+  const double most = curve.yields ? bounds.most_yield_strain : bounds.most_elastic_strain;
+  if (is_strong && y > most) {
+    return fmt::format("{} is more than {} (plausible.{})", shown, percent(most),
+                       curve.yields ? "yield_strain" : "elastic_strain");
   }
   constexpr double kDuctile = 0.02;
   if (is_measured && curve.strain > kDuctile && e > bounds.most_ductile_modulus) {

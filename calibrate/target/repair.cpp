@@ -48,24 +48,33 @@ std::size_t strain_ends(const Curve& raw) {
   if (begin == 0 || n - begin < kFewest) return n;
   const double start = std::abs(raw.stress[begin]);
   if (!(start >= kLoaded * largest)) return n;
-  std::vector<double> on;  // strains of the rows in which the load goes on
-  double low = start, high = start;
+  Curve on;  // the rows in which the load goes on
   for (std::size_t i = begin; i < n; ++i) {
-    const double size = std::abs(raw.stress[i]);
-    if (size < kOn * start) continue;
-    on.push_back(raw.strain[i]);
-    low = std::min(low, size);
-    high = std::max(high, size);
+    if (std::abs(raw.stress[i]) < kOn * start) continue;
+    on.strain.push_back(raw.strain[i]);
+    on.stress.push_back(std::abs(raw.stress[i]));
   }
-  if (on.size() < kFewest || high - low <= kMoves * largest) return n;
-  // It stands still if its second half has gone no further than the first.
+  if (on.size() < kFewest) return n;
+  const auto mean_of = [](const std::vector<double>& values, std::size_t from, std::size_t count) {
+    double mean = 0.0;
+    for (std::size_t i = from; i < from + count; ++i)
+      mean += values[i] / static_cast<double>(count);
+    return mean;
+  };
+  // The load moves from quarter to quarter, not by its noise.
+  const std::size_t quarter = on.size() / 4;
+  double low = largest, high = 0.0;
+  for (std::size_t q = 0; q < 4; ++q) {
+    const double mean = mean_of(on.stress, q * quarter, quarter);
+    low = std::min(low, mean);
+    high = std::max(high, mean);
+  }
+  if (high - low <= kMoves * largest) return n;
+  // It stands still if its second half has gone no further than the first: four standard errors.
   const std::size_t half = on.size() / 2;
-  double first = 0.0, second = 0.0;
-  for (std::size_t i = 0; i < half; ++i) {
-    first += on[i] / static_cast<double>(half);
-    second += on[on.size() - 1 - i] / static_cast<double>(half);
-  }
-  return std::abs(second - first) <= std::max(kStill * span, 1.5 * noise) ? begin + 1 : n;
+  const double gone = mean_of(on.strain, on.size() - half, half) - mean_of(on.strain, 0, half);
+  const double error = noise * std::sqrt(2.0 / static_cast<double>(half));
+  return std::abs(gone) <= std::max(kStill * span, 4.0 * error) ? begin + 1 : n;
 }
 
 }  // namespace

@@ -81,7 +81,8 @@ void drop_outliers(const Samples& samples);
 /// Drops spikes of a monotonic test of a coupon, "spikes", which would be its Rm or its break:
 /// - up to 5 samples whose ordinate is above that of the samples before and behind as a lone
 /// outlier
-///   is, or whose abscissa is so by more than 20 usual steps and 1 % of the range;
+///   is, on level ground, or whose abscissa is so by more than 20 mean steps, 1 % of the range and
+///   8 times its noise;
 /// - up to 5 samples at the end that leave all before them by a fifth of the largest in one step.
 void drop_spikes(const Samples& samples);
 

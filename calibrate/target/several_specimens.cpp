@@ -37,16 +37,28 @@ std::optional<std::size_t> find_next_specimen(std::span<const double> deformatio
   const double most_load = *std::ranges::max_element(size);
   const double far = 10.0 * median_step(way);
   const double most_way = *std::ranges::max_element(way);
-  double reached = 0.0;
+  std::vector<double> way_after = way, load_after = size;  // largest from each sample on
+  for (std::size_t i = way.size() - 1; i-- > 0;) {
+    way_after[i] = std::max(way_after[i], way_after[i + 1]);
+    load_after[i] = std::max(load_after[i], load_after[i + 1]);
+  }
+  // Where a sensor drops out the curve is back where it was, in as long a step.
+  const auto comes_back = [&](std::size_t from) {
+    constexpr std::size_t kSoon = 20;
+    for (std::size_t k = from + 1; k < std::min(way.size(), from + kSoon); ++k) {
+      if (way[k] - way[k - 1] > far) return true;
+    }
+    return false;
+  };
+  double reached = 0.0, loaded = 0.0;
   for (std::size_t i = 1; i < way.size(); ++i) {
     reached = std::max(reached, way[i - 1]);
+    loaded = std::max(loaded, size[i - 1]);
     const bool jumps = way[i - 1] - way[i] > far && way[i] <= 0.05 * reached &&
                        way[i - 1] >= 0.5 * reached && reached > 0.1 * most_way;
-    if (!jumps || size[i] > 0.1 * most_load) continue;
-    const auto from = static_cast<std::ptrdiff_t>(i);
-    const double way_after = *std::max_element(way.begin() + from, way.end());
-    const double load_after = *std::max_element(size.begin() + from, size.end());
-    if (way_after > 0.1 * reached && load_after > 0.5 * most_load) return i;
+    if (!jumps || size[i] > 0.1 * most_load || loaded < 0.3 * most_load) continue;
+    const bool goes_on = way_after[i] > 0.1 * reached && load_after[i] > 0.5 * most_load;
+    if (goes_on && !comes_back(i)) return i;
   }
   return std::nullopt;
 }

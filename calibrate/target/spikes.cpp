@@ -36,7 +36,12 @@ void mark_runs(std::span<const double> v, double threshold, std::size_t shortest
         is_one_side = is_one_side && a * v[k] > 0.0 && b * v[k] > 0.0;
         least = std::min({least, std::abs(a), std::abs(b)});
       }
-      if (!is_one_side || least <= threshold || std::abs(before - behind) >= 0.25 * least) continue;
+      // On level ground, unlike an upper yield point on the elastic rise.
+      const double level = 0.25 * least;
+      const bool is_level =
+          std::abs(before - behind) < level && (i < 2 || std::abs(v[i - 2] - before) < level) &&
+          (i + length + 1 >= v.size() || std::abs(v[i + length + 1] - behind) < level);
+      if (!is_one_side || least <= threshold || !is_level) continue;
       for (std::size_t k = i; k < i + length; ++k) keep[k] = false;
     }
   }
@@ -50,7 +55,9 @@ void mark_end(std::span<const double> v, std::vector<bool>& keep) {
   double largest = 0.0;  // of all but the last
   for (std::size_t i = 0; i + kLongest < n; ++i) largest = std::max(largest, std::abs(v[i]));
   for (std::size_t i = n - kLongest; i < n; ++i) {
-    if (std::abs(v[i] - v[i - 1]) > 0.2 * largest && std::abs(v[i]) > 1.2 * largest) {
+    const double step = std::abs(v[i] - v[i - 1]);
+    const bool is_sudden = step > 5.0 * std::abs(v[i - 1] - v[i - 2]);  // rubber gets steep slowly
+    if (step > 0.2 * largest && is_sudden && std::abs(v[i]) > 1.2 * largest) {
       for (std::size_t k = i; k < n; ++k) {
         if (std::abs(v[k]) > 1.2 * largest) keep[k] = false;
       }
@@ -90,10 +97,14 @@ void drop_spikes(const Samples& samples) {
   if (!(usual > 0.0)) return;
   std::vector<bool> keep(n, true);
   mark_runs(y, std::max(0.2 * usual, 8.0 * noise_of(x, y)), 2, keep);
-  std::vector<double> steps;
-  for (std::size_t i = 1; i < n; ++i) steps.push_back(x[i] - x[i - 1]);
-  const double step = quantile_of_sizes(steps, 0.5);
-  mark_runs(x, std::max(20.0 * step, 0.01 * quantile_of_sizes(x, kMost)), 1, keep);
+  double step = 0.0;
+  std::vector<double> rows(n);
+  for (std::size_t i = 1; i < n; ++i) {
+    rows[i] = static_cast<double>(i);
+    step += std::abs(x[i] - x[i - 1]) / static_cast<double>(n - 1);
+  }
+  mark_runs(x, std::max({20.0 * step, 0.01 * quantile_of_sizes(x, kMost), 8.0 * noise_of(rows, x)}),
+            1, keep);
   mark_end(y, keep);
   const std::size_t dropped = filter(samples, [&](std::size_t i) { return keep[i]; });
   note_repair(samples.repairs, "spikes", dropped, "samples far off their neighbours dropped");

@@ -185,7 +185,7 @@ TEST(Plausible, TheBoundsArePrintedBeforeARun) {
   const Workplace place;
   place.write("a.csv", steel(kSteelHeader));
   const CommandResult result = place.run({"calibrate", "a.csv", "--dry-run"});
-  EXPECT_NE(result.out.find("plausible: Young's modulus 1 MPa to 1300 GPa, "), std::string::npos)
+  EXPECT_NE(result.out.find("plausible: Young's modulus 0.1 MPa to 1300 GPa, "), std::string::npos)
       << result.out;
 }
 

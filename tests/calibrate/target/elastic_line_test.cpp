@@ -143,5 +143,18 @@ TEST(ElasticLine, IsNoFlatterForNoiseInTheStrain) {
   EXPECT_NEAR(slope, 205e9, 2.5e9);
 }
 
+/// A strain that was zeroed under load, below a row of zeros.
+TEST(ElasticLine, IsFoundAboveAPreloadBelowARowOfZeros) {
+  Curve curve{{0.0}, {0.0}};
+  for (int i = 0; i <= 300; ++i) {
+    const double strain = 1e-4 * i;
+    curve.strain.push_back(strain);
+    curve.stress.push_back(std::min(45e6 + 210e9 * strain, 300e6 + 1e9 * strain));
+  }
+  const Target target = make_target("preload", curve);
+  ASSERT_EQ(target.status, TargetStatus::Ready) << target.reason;
+  EXPECT_NEAR(*target.characteristics.youngs_modulus, 210e9, 2e9);
+}
+
 }  // namespace
 }  // namespace plastica::calibrate

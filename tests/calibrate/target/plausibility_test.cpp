@@ -60,6 +60,19 @@ TEST(Plausibility, LetsMaterialsPass) {
   }
 }
 
+/// Fibres break at some percent without a yield, and silicone is soft.
+TEST(Plausibility, LetsFibresAndSiliconePass) {
+  for (const auto& [modulus, end] : {std::pair(70e9, 0.041), {72e9, 0.055}, {0.4e6, 2.0}}) {
+    Curve curve;
+    for (int i = 0; i <= 100; ++i) {
+      curve.strain.push_back(end * i / 100.0);
+      curve.stress.push_back(modulus * curve.strain.back());
+    }
+    EXPECT_EQ(make_target("t", curve).status, TargetStatus::Ready)
+        << make_target("t", curve).reason;
+  }
+}
+
 struct UnitMistake {
   double stress, strain;
   std::string likely_cause;
@@ -211,7 +224,7 @@ TEST(Plausibility, SaysItsBounds) {
   options.expected_modulus = 70e9;
   EXPECT_EQ(
       plausible_text(options),
-      "Young's modulus 1 MPa to 1300 GPa, beyond a strain of 2 % to 450 GPa; yield strain 0.005 "
+      "Young's modulus 0.1 MPa to 1300 GPa, beyond a strain of 2 % to 450 GPa; yield strain 0.005 "
       "% to 3 % (the latter above 120 MPa), and at least 0.5 % below a modulus of 4.5 GPa; "
       "strain up to 1200 %, above 120 MPa up to 150 %; within a factor of 10 of its group's "
       "median; Young's modulus within a factor of 2.5 of 70 GPa");

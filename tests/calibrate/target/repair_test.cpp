@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <limits>
+#include <random>
 
 #include "calibrate/target/make.hpp"
 #include "tests/calibrate/target/curves.hpp"
@@ -325,6 +326,39 @@ TEST(Repair, KeepsWhatFallsForAFewSamples) {
     elastic.stress.push_back(2e6 * i * i);
   }
   EXPECT_EQ(count_of(make_target("rise", elastic), "spikes"), 0U);
+}
+
+TEST(Repair, KeepsPeaksAndUpturnsOfTheMaterial) {
+  Curve luders;  // an upper yield point of two samples, on the elastic rise
+  for (const double stress : {0.0, 75.0, 150.0, 225.0, 300.0, 375.0, 392.0}) {
+    luders.strain.push_back(stress / 205e3);
+    luders.stress.push_back(1e6 * stress);
+  }
+  for (int i = 1; i <= 33; ++i) {
+    luders.strain.push_back(0.002 + 6e-4 * i);
+    luders.stress.push_back(300e6 + 1e6 * (i % 2));
+  }
+  EXPECT_EQ(count_of(make_target("luders", luders), "spikes"), 0U);
+  Curve rubber;  // gets steep towards its end
+  for (int i = 0; i < 40; ++i) {
+    rubber.strain.push_back(0.15 * i);
+    rubber.stress.push_back(1e6 * std::exp(0.27 * i) / 300.0 + 2e5 * i);
+  }
+  EXPECT_EQ(count_of(make_target("rubber", rubber), "spikes"), 0U);
+}
+
+/// Of a hundred fine records with a noisy strain none ends before its end.
+TEST(Repair, TakesNoNoisyEndForAStandingStrain) {
+  int taken = 0;
+  for (unsigned seed = 0; seed < 100; ++seed) {
+    std::mt19937_64 random(seed);
+    std::normal_distribution<double> normal(0.0, 1.0);
+    Curve curve = smooth_curve(5000, 0.1);
+    for (double& strain : curve.strain) strain += 3e-4 * normal(random);
+    for (double& stress : curve.stress) stress += 3e6 * normal(random);
+    taken += count_of(make_target("noisy", curve), "extensometer-removed") > 0 ? 1 : 0;
+  }
+  EXPECT_EQ(taken, 0);
 }
 
 }  // namespace

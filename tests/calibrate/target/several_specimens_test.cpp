@@ -65,5 +65,18 @@ TEST(NextSpecimen, IsNoneInCycles) {
   EXPECT_FALSE(find_next_specimen(cycles.strain, cycles.stress).has_value());
 }
 
+TEST(NextSpecimen, IsNoneWhereASensorDropsOutOrIsZeroed) {
+  Curve dropout = smooth_curve(400);
+  dropout.strain[200] = dropout.stress[200] = 0.0;
+  EXPECT_FALSE(find_next_specimen(dropout.strain, dropout.stress).has_value());
+  Curve zeroed;
+  for (int i = 0; i < 10; ++i) {
+    zeroed.strain.push_back(0.02);
+    zeroed.stress.push_back(1e5);
+  }
+  append(zeroed, smooth_curve(200));
+  EXPECT_FALSE(find_next_specimen(zeroed.strain, zeroed.stress).has_value());
+}
+
 }  // namespace
 }  // namespace plastica::calibrate

@@ -54,6 +54,14 @@ TEST(CsvNumbers, DecimalCommasBetweenBlanksAreNoCellsOfThousands) {
   EXPECT_EQ(table.numbers(1), (Values{100.0, 126.67, 153.33}));
 }
 
+TEST(CsvNumbers, BlanksOfATimeStampSeparateNothing) {
+  const CsvTable table = table_of(
+      "Specimen A 12\nWidth 10 mm\nTime,Strain,Stress (MPa)\n2024-01-05 10:00:00,0.0005,105.0\n"
+      "2024-01-05 10:00:01,0.0010,205.0\n2024-01-05 10:00:02,0.0015,305.0\n");
+  EXPECT_EQ(table.columns(), 3U);
+  EXPECT_EQ(table.numbers(2), (Values{105.0, 205.0, 305.0}));
+}
+
 TEST(CsvNumbers, RowsOfMissingNumbersAreNoHeader) {
   const CsvTable table = table_of("0.0,0\n0.1,20\nn/a,n/a\n0.2,40\n0.3,60\n");
   EXPECT_EQ(table.rows(), 5U);
