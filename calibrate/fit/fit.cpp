@@ -12,6 +12,7 @@
 #include "calibrate/inference/compare_laws.hpp"
 #include "calibrate/inference/fit_intervals.hpp"
 #include "calibrate/inference/identifiable_yield.hpp"
+#include "calibrate/inference/material_interval.hpp"
 #include "calibrate/inference/modulus_warning.hpp"
 #include "calibrate/inference/uncertainty.hpp"
 #include "calibrate/problem/given_weights.hpp"
@@ -65,8 +66,27 @@ void describe_misfit(const Misfit::Details& details, const Target& target,
   if (!lack.empty()) result.warnings.push_back(std::move(lack));
 }
 
+/// Errors and interval of a parameter that the curve determines.
+void set_errors(const Uncertainty& u, std::size_t k, double confidence, const FitResult& result,
+                FittedParameter& p) {
+  const double half = std::abs(u.sampling[k]);
+  p.noise_error = u.noise_error[k];
+  p.sampling_error = half / std::sqrt(3.0);
+  p.misfit_error = 0.0;
+  p.degrees_of_freedom = u.degrees_of_freedom;
+  if (are_in_runs(result.runs_test_p, result.autocorrelation)) {
+    // A stated noise may be smaller than what is left.
+    const double over = u.noise > 0.0 ? std::max(1.0, result.misfit_rms / u.noise) : 1.0;
+    const double lacks =
+        misfit_error(p.noise_error * over, result.autocorrelation, result.effective_samples,
+                     static_cast<int>(u.identified.size()));
+    p.misfit_error = std::hypot(lacks, p.noise_error * std::sqrt(over * over - 1.0));
+  }
+  set_material_interval(confidence, {&half, 1}, {}, p);
+}
+
 void add_parameters(const ParameterSet& set, std::span<const double> active, const Uncertainty& u,
-                    FitResult& result) {
+                    double confidence, FitResult& result) {
   std::vector<double> values(set.size());
   set.expand(active, values);
   std::size_t next = 0;
@@ -96,20 +116,16 @@ void add_parameters(const ParameterSet& set, std::span<const double> active, con
       // A break limit brought back to a bound has no scatter about it.
       const bool held = r.is_break && (p.at_lower || p.at_upper);
       if (p.identified && !held) {
-        p.standard_error = u.standard_error[k];
-        p.noise_error = u.noise_error[k];
-        p.sampling_error = u.sampling[k] / std::sqrt(3.0);
-        p.degrees_of_freedom = u.degrees_of_freedom;
-        p.interval_low = p.value - u.half_interval[k];
-        p.interval_high = p.value + u.half_interval[k];
+        set_errors(u, k, confidence, result, p);
       }
-      p.judgement = judge({.value = p.value,
-                           .lower = p.lower,
-                           .upper = p.upper,
-                           .at_bound = p.identified && p.at_bound(),
-                           .noise_error = u.noise_error[k],
-                           .half = u.sampling[k],
-                           .standard_error = u.standard_error[k]});
+      p.judgement =
+          judge({.value = p.value,
+                 .lower = p.lower,
+                 .upper = p.upper,
+                 .at_bound = p.identified && p.at_bound(),
+                 .noise_error = u.noise_error[k],
+                 .half = u.sampling[k],
+                 .standard_error = p.has_error() ? p.standard_error : u.standard_error[k]});
     }
     result.parameters.push_back(p);
   }
@@ -127,6 +143,7 @@ void add_tied_errors(const ParameterSet& set, FitResult& result) {
     const double half = std::fabs(r.factor) * (base.interval_high - base.value);
     tied.standard_error = std::fabs(r.factor) * base.standard_error;
     tied.noise_error = std::fabs(r.factor) * base.noise_error;
+    tied.misfit_error = std::fabs(r.factor) * base.misfit_error;
     tied.interval_low = tied.value - half;
     tied.interval_high = tied.value + half;
   }
@@ -294,7 +311,7 @@ FitResult fit_target(const Target& target, const FitOptions& options,
   const Uncertainty u =
       uncertainty(details, solution.active, set, target, options, misfit.break_factor());
   describe_misfit(details, target, options, result);
-  add_parameters(set, solution.active, u, result);
+  add_parameters(set, solution.active, u, options.confidence, result);
   add_tied_errors(set, result);
   result.correlation = u.correlation;
   add_warnings(target, result);

@@ -10,7 +10,9 @@
 
 #include "calibrate/fit/check_scene_fit.hpp"
 #include "calibrate/fit/scene_laws.hpp"
+#include "calibrate/inference/compare_laws.hpp"
 #include "calibrate/inference/fitted_scenes.hpp"
+#include "calibrate/inference/material_interval.hpp"
 #include "calibrate/inference/not_a_number.hpp"
 #include "calibrate/inference/scene_errors.hpp"
 #include "calibrate/inference/scene_segments.hpp"
@@ -18,7 +20,6 @@
 #include "calibrate/inference/scene_work.hpp"
 #include "calibrate/problem/scene_problem.hpp"
 #include "calibrate/search/scene_search.hpp"
-#include "plastica/theory/statistics.hpp"
 
 namespace plastica::calibrate {
 namespace {
@@ -86,7 +87,11 @@ class SceneFit {
     }
     if (options_.segments_error) add_segments();
     for (std::size_t i = 0; i < result_.parameters.size(); ++i) {
-      judge(halves_[i], segments_of(i), prior_fractions_[i], result_.parameters[i]);
+      FittedParameter& p = result_.parameters[i];
+      set_material_interval(options_.confidence, halves_[i], segments_of(i), p);
+      // As wide as one interval with the same standard error.
+      const double half = std::sqrt(3.0) * p.sampling_error;
+      judge(half, segments_of(i), prior_fractions_[i], p);
     }
     if (search_.best().outcome == LeastSquaresOutcome::EvaluationsReached) {
       result_.warnings.push_back(fmt::format(
@@ -194,6 +199,7 @@ class SceneFit {
       of_target.fitted.push_back(target.ordinate[i] + residual.back());
     }
     of_target.runs_test_p = runs_test_p(residual);
+    in_runs_ = in_runs_ || are_in_runs(of_target.runs_test_p, autocorrelation(residual));
     of_target.break_strain = kNan;
     result_.targets.push_back(std::move(of_target));
   }
@@ -244,27 +250,18 @@ class SceneFit {
       };
       fitted.noise_error = error(errors.covariance());
       // Where the residuals are independent both estimate the same, and either may be larger.
-      const double in_runs = error(errors.correlated_covariance());
-      fitted.misfit_error =
-          std::isnan(in_runs)
-              ? kNan
-              : std::sqrt(
-                    std::max(0.0, in_runs * in_runs - fitted.noise_error * fitted.noise_error));
-      double sampling = 0.0;
-      for (const double half : halves) sampling += half * half / 3.0;
-      fitted.sampling_error = std::sqrt(sampling);
-      fitted.standard_error = std::hypot(fitted.noise_error, fitted.sampling_error);
-      const double reach = std::isnan(fitted.noise_error)
-                               ? kNan
-                               : theory::half_interval(options_.confidence, fitted.noise_error,
-                                                       fitted.degrees_of_freedom, halves);
-      fitted.interval_low = fitted.value - reach;
-      fitted.interval_high = fitted.value + reach;
+      const double more = error(errors.correlated_covariance());
+      fitted.misfit_error = std::isnan(more) ? kNan : 0.0;
+      if (in_runs_ && more > fitted.noise_error) {
+        fitted.misfit_error = std::sqrt(more * more - fitted.noise_error * fitted.noise_error);
+      }
+      double squares = 0.0;
+      for (const double half : halves) squares += half * half / 3.0;
+      fitted.sampling_error = std::sqrt(squares);
       // Both count by one over the square of their standard deviations.
       const double prior = p.prior ? fitted.noise_error / p.prior->standard_deviation : 0.0;
       prior_fractions_.push_back(prior * prior);
-      // As wide as one interval with the same standard error.
-      halves_.push_back(std::sqrt(3.0) * fitted.sampling_error);
+      halves_.push_back(std::move(halves));
       result_.parameters.push_back(std::move(fitted));
       slopes.push_back(std::move(slope));
     }
@@ -278,7 +275,7 @@ class SceneFit {
     for (std::size_t a = 0; a < n; ++a) {
       for (std::size_t b = 0; b < n; ++b) {
         const double both =
-            result_.parameters[a].standard_error * result_.parameters[b].standard_error;
+            result_.parameters[a].scatter_error() * result_.parameters[b].scatter_error();
         result_.correlation[a * n + b] =
             a == b && both > 0.0 ? 1.0 : joint_moment(covariance, slopes[a], slopes[b]) / both;
       }
@@ -290,7 +287,8 @@ class SceneFit {
   SceneProblem problem_;
   SceneSearch search_;
   SceneWork work_;                              ///< after the search
-  std::vector<double> halves_;                  ///< of the sampling intervals of parameters [SI]
+  bool in_runs_ = false;                        ///< whether a target's residuals are no noise
+  std::vector<std::vector<double>> halves_;     ///< of the sampling intervals of parameters [SI]
   std::vector<double> prior_fractions_;         ///< in what is known of the parameters (n_free)
   std::vector<std::vector<double>> fractions_;  ///< of the targets in a break limit, by parameter
   SceneFitResult result_;

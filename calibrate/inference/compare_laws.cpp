@@ -6,6 +6,8 @@
 #include <cmath>
 #include <limits>
 
+#include "calibrate/inference/material_interval.hpp"
+
 namespace plastica::calibrate {
 namespace {
 
@@ -199,9 +201,8 @@ bool lacks_fit(double fraction, double runs_test_p) {
 }
 
 std::string_view misfit_word(double fraction, double runs_test_p, double autocorrelation) {
-  constexpr double kAlike = 0.5;  // neighbours of noise are not
   if (lacks_fit(fraction, runs_test_p)) return "poor";
-  const bool is_noise = runs_test_p >= kFewRuns && !(autocorrelation > kAlike);
+  const bool is_noise = !std::isnan(runs_test_p) && !are_in_runs(runs_test_p, autocorrelation);
   return is_noise || fraction < kLacking ? "close" : "fair";
 }
 
@@ -212,7 +213,7 @@ std::string lack_of_fit(std::string_view law, double fraction, double runs_test_
   std::string text = fmt::format("{} does not describe this curve (misfit {} of the largest value",
                                  law, fraction_text(fraction));
   if (counted) text += fmt::format(", runs test p {:.1g}", runs_test_p);
-  text += "): standard errors are too small";
+  text += "): errors are widened for it, and rough";
   if (!try_next.empty()) text += fmt::format("; try --laws {}", try_next);
   return text;
 }

@@ -14,7 +14,7 @@ std::string modulus_warning(const Target& target, std::span<const FittedParamete
   if (p == parameters.end() || p->role != ParameterRole::Free || !p->identified) return {};
   if (target.test != Test::Tension || !c.youngs_modulus || !c.youngs_modulus_stderr) return {};
   const double apart = std::abs(p->value - *c.youngs_modulus);
-  const double error = std::hypot(p->standard_error, *c.youngs_modulus_stderr);
+  const double error = std::hypot(p->scatter_error(), *c.youngs_modulus_stderr);
   if (apart <= std::max(kClose * *c.youngs_modulus, kErrors * error)) return {};
   return fmt::format(
       "youngs_modulus = {:.4g} GPa is not the slope of the curve's elastic part, {:.4g} GPa: the "

@@ -132,7 +132,7 @@ std::optional<SceneSegments> divide_anew(const DividedFit& fit, SceneWork& work)
       return one.rows.empty() ? kNan : one.rows.front()[i];
     };
     // What no curve determines may be anything.
-    const bool known = !parameter.at_bound() && std::isfinite(parameter.standard_error);
+    const bool known = !parameter.at_bound() && std::isfinite(parameter.noise_error);
     segments.parameters.push_back(
         known ? segments_error(value(made[0]), parameter.value, value(made[1]), order)
               : SegmentsError{});

@@ -8,7 +8,6 @@
 
 #include "calibrate/inference/not_a_number.hpp"
 #include "calibrate/problem/weighted_squares.hpp"
-#include "plastica/theory/statistics.hpp"
 
 namespace plastica::calibrate {
 namespace {
@@ -171,12 +170,9 @@ Uncertainty uncertainty(const Misfit::Details& details, std::span<const double> 
     sampling(row) = target.characteristics.observed_break->half_interval() / break_factor;
   }
   const MatrixXd covariance = map * of_stress.covariance * map.transpose();
-  const double quantile =
-      theory::student_t_quantile(0.5 * (1.0 + options.confidence), of_stress.degrees_of_freedom);
   u.standard_error.assign(n, kNan);
   u.noise_error.assign(n, kNan);
   u.sampling.assign(n, 0.0);
-  u.half_interval.assign(n, kNan);
   u.correlation.assign(n * n, kNan);
   for (std::size_t i = 0; i < n; ++i) {
     if (!u.identified[i]) continue;
@@ -186,11 +182,6 @@ Uncertainty uncertainty(const Misfit::Details& details, std::span<const double> 
     u.noise_error[i] = std::sqrt(variance);
     u.sampling[i] = half;
     u.standard_error[i] = std::sqrt(variance + half * half / 3.0);
-    u.half_interval[i] = quantile * u.noise_error[i];
-    if (half > 0.0) {
-      u.half_interval[i] = theory::half_interval(options.confidence, u.noise_error[i],
-                                                 of_stress.degrees_of_freedom, {&half, 1});
-    }
   }
   for (std::size_t i = 0; i < n; ++i) {
     for (std::size_t j = 0; j < n; ++j) {

@@ -21,11 +21,9 @@ namespace plastica::calibrate {
 /// So given weights are no inverse variances: they say which part of the curve the parameters have
 /// to follow, and a fit that leans on fewer samples gets larger errors.
 /// Where the model cannot follow the curve the residuals are not independent and the errors are too
-/// small: the report says so beside them.
+/// small: what they lack is added by `misfit_error` (material_interval.hpp).
 /// A break strain adds its sampling interval: its variance is that of the model's permanent strain
-/// at the break (through C) plus h^2/3 of a break that lies anywhere within +-h; its confidence
-/// interval is that of the sum of both errors (theory::half_interval), 0.95 h where there is no
-/// noise.
+/// at the break (through C) plus h^2/3 of a break that lies anywhere within +-h.
 ///
 /// Not identified is a parameter whose column of J vanishes (its fraction of the misfit is below
 /// 1e-12 of the largest stress for a relative change of one), or which takes part in a
@@ -37,11 +35,10 @@ struct Uncertainty {
   std::vector<double> standard_error;  ///< SI (n); NaN if not identified
   /// The part of the standard error that is the residuals', SI (n); NaN if not identified.
   std::vector<double> noise_error;
-  std::vector<double> sampling;       ///< half a break's sampling interval, SI (n); 0 of all others
-  std::vector<double> half_interval;  ///< half width of the confidence interval, SI (n); NaN if not
-  std::vector<double> correlation;    ///< (n x n); NaN in rows and columns not identified
-  double noise = 0.0;                 ///< s [Pa]
-  double degrees_of_freedom = 1.0;    ///< of s; infinite if it is given
+  std::vector<double> sampling;     ///< half a break's sampling interval, SI (n); 0 of all others
+  std::vector<double> correlation;  ///< (n x n); NaN in rows and columns not identified
+  double noise = 0.0;               ///< s [Pa]
+  double degrees_of_freedom = 1.0;  ///< of s; infinite if it is given
 };
 
 /// @param active  solution, SI (n)

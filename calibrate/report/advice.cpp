@@ -9,13 +9,6 @@
 namespace plastica::calibrate::report {
 namespace {
 
-/// Whether a warning already says how much the standard errors are worth.
-bool warns_of_errors(const FitResult& result) {
-  return std::any_of(result.warnings.begin(), result.warnings.end(), [](const std::string& text) {
-    return text.find("standard error") != std::string::npos;
-  });
-}
-
 void advise_on(const FittedParameter& parameter, std::vector<std::string>& advice) {
   const std::string_view bound = word_of_bound(parameter);
   if (parameter.role != ParameterRole::Free) return;
@@ -56,10 +49,9 @@ std::vector<std::string> advice_for(const FitRecord& record) {
   if (!result.stages.empty() && result.stages.back().outcome.find("maxeval") != std::string::npos) {
     advice.emplace_back("The optimizer stopped at its limit of evaluations: allow it more.");
   }
-  if ((result.misfit_word == "poor" || result.misfit_word == "fair") && !warns_of_errors(result)) {
+  if (result.misfit_word == "fair") {
     advice.emplace_back(
-        "Standard errors hold only as far as the model does: they count the scatter about the "
-        "fitted curve, not the shape that the model lacks.");
+        "What is left may be no noise: errors and intervals hold only as far as the model does.");
   }
   if (result.misfit_word == "poor") {
     advice.emplace_back(

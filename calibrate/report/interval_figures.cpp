@@ -130,14 +130,14 @@ FigurePanel histogram_panel(const ShownParameter& p, const BootstrapInterval& in
   Points steps = histogram_of(values, width);
   for (auto& point : steps) point[0] /= unit.scale;
   panel.curves.push_back({std::move(steps), "resamples", kBlue, Stroke::Line});
-  if (std::isfinite(p.standard_error) && p.standard_error > 0.0) {
+  if (std::isfinite(p.scatter_error) && p.scatter_error > 0.0) {
     Points normal;
     const double height = static_cast<double>(values.size()) * width /
-                          (p.standard_error * std::sqrt(2.0 * std::numbers::pi));
+                          (p.scatter_error * std::sqrt(2.0 * std::numbers::pi));
     for (int k = -60; k <= 60; ++k) {
       const double z = 3.2 * k / 60.0;
       normal.push_back(
-          {(p.value + z * p.standard_error) / unit.scale, height * std::exp(-0.5 * z * z)});
+          {(p.value + z * p.scatter_error) / unit.scale, height * std::exp(-0.5 * z * z)});
     }
     panel.curves.push_back(
         {std::move(normal), "normal curve of the standard error", kVermillion, Stroke::Line});

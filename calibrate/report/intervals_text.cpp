@@ -10,6 +10,7 @@
 #include "calibrate/report/shown_intervals.hpp"
 #include "plastica/report/ink.hpp"
 #include "plastica/report/table.hpp"
+#include "plastica/theory/statistics.hpp"
 
 namespace plastica::calibrate::report {
 namespace {
@@ -43,6 +44,13 @@ std::string range_text(const ShownParameter& p, const DisplayUnit& unit, double 
   if (low_end != ProfileEnd::Crossed) width = 2.0 * (high - p.value);
   if (high_end != ProfileEnd::Crossed) width = 2.0 * (p.value - low);
   return end_text(p, unit, low, width, low_end) + " … " + end_text(p, unit, high, width, high_end);
+}
+
+/// Half the interval that the covariance gives, of noise and sampling as the others are.
+double reach_of(const ShownParameter& p, double confidence) {
+  if (!std::isfinite(p.noise_error)) return p.noise_error;
+  const double half = std::sqrt(3.0) * p.sampling_error;
+  return theory::half_interval(confidence, p.noise_error, p.degrees_of_freedom, {&half, 1});
 }
 
 std::string profile_text(const ShownParameter& p, const DisplayUnit& unit,
@@ -84,8 +92,9 @@ std::string intervals_text(const ShownIntervals& shown, const ReportOptions& opt
   for (std::size_t i = 0; i < n; ++i) {
     const ShownParameter& p = shown.parameters[i];
     const DisplayUnit unit = report::display_unit(p);
+    const double reach = reach_of(p, options.confidence);
     std::vector<std::string> cells = {short_name(p.path), std::string(unit.name),
-                                      range_text(p, unit, p.low, p.high)};
+                                      range_text(p, unit, p.value - reach, p.value + reach)};
     if (profiled) cells.push_back(profile_text(p, unit, all.profiles[i]));
     for (const BootstrapResult* bootstrap : bootstraps) {
       const BootstrapInterval& interval = bootstrap->intervals[i];

@@ -94,6 +94,13 @@ std::string break_text(const SceneTarget& target) {
   return quantity(half > 0.0 ? with_error(at, half) : significant(at, 4), unit.name);
 }
 
+bool knows_segments(const SceneFitResult& result) {
+  return result.segments &&
+         std::ranges::any_of(result.segments->parameters, [](const SegmentsError& error) {
+           return error.trend != SegmentsTrend::Unknown;
+         });
+}
+
 std::string targets_text(const SceneFitRecord& record, const Ink& ink) {
   const std::vector<TargetFit>& targets = record.result.targets;
   if (record.result.status != FitStatus::Fitted || targets.size() != record.targets.size())
@@ -149,6 +156,11 @@ std::string scene_fit_report(const SceneFitRecord& record, const ReportOptions& 
                      parameters_text(result, options, ink);
   if (result.is_fitted() && !result.parameters.empty()) {
     text += scene_entry("errors", noise_text(result));
+    if (knows_segments(result)) {
+      text += scene_entry("interval",
+                          "of the material: about the value that more segments lead to "
+                          "(extrapolated), not about that of this beam");
+    }
   }
   return text + intervals_text(shown_intervals(result), options) + errors_text(record, ink) +
          segments_text(record, ink) + targets_text(record, ink) + correlations_text(result, ink) +

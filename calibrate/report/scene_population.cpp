@@ -25,7 +25,7 @@ std::optional<std::size_t> index_of(const SceneFitResult& result, const std::str
 }
 
 bool is_determined(const FittedParameter& p) {
-  return !p.at_bound() && std::isfinite(p.value) && std::isfinite(p.standard_error);
+  return !p.at_bound() && std::isfinite(p.value) && std::isfinite(p.scatter_error());
 }
 
 /// The fits of a population: each parameter's value and error, each pair's correlation.
@@ -64,7 +64,7 @@ class Fits {
         const FittedParameter& q = result.parameters[*j];
         if (!is_determined(p) || !is_determined(q)) continue;
         const double rho = i == j ? 1.0 : correlated ? result.correlation[*i * n + *j] : kNan;
-        noise_.back() = rho * p.standard_error * q.standard_error;
+        noise_.back() = rho * p.scatter_error() * q.scatter_error();
       }
     }
   }

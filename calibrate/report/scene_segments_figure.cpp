@@ -57,10 +57,11 @@ FigurePanel panel_of(const FittedParameter& parameter, const SegmentsError& erro
   const double longest = fits.points.empty() ? 1.0 : fits.points.front()[0];
   if (std::isfinite(error.order)) panel.curves.push_back(power_of(error, longest, unit.scale));
   if (std::isfinite(parameter.interval_low) && std::isfinite(parameter.interval_high)) {
+    const double middle = 0.5 * (parameter.interval_low + parameter.interval_high);
     panel.curves.push_back(
-        {{{1.0, parameter.value / unit.scale, parameter.interval_low / unit.scale,
+        {{{-0.03 * longest, middle / unit.scale, parameter.interval_low / unit.scale,
            parameter.interval_high / unit.scale}},
-         "interval of noise and sampling",
+         "interval of the material",
          kGrey,
          Stroke::Bars});
   }

@@ -57,8 +57,8 @@ constexpr IntervalColumn kColumns[] = {
 ShownIntervals shown_intervals(const FitOutcome& fit, std::string name) {
   ShownIntervals shown{.name = std::move(name), .parameters = {}, .intervals = &fit.intervals};
   for (const FittedParameter* p : fit.free_parameters()) {
-    shown.parameters.push_back({p->path, p->dimension, p->value, p->noise_error, p->standard_error,
-                                p->interval_low, p->interval_high});
+    shown.parameters.push_back({p->path, p->dimension, p->value, p->noise_error, p->scatter_error(),
+                                p->sampling_error, p->degrees_of_freedom});
   }
   return shown;
 }

@@ -18,8 +18,9 @@ struct ShownParameter {
   std::string path;
   Dimension dimension = Dimension::None;
   double value = 0.0;
-  double noise_error = 0.0, standard_error = 0.0;  ///< NaN where there is none
-  double low = 0.0, high = 0.0;                    ///< of the covariance; NaN where there is none
+  /// As `FittedParameter`'s; NaN where there is none. Profiles and bootstraps are of scatter.
+  double noise_error = 0.0, scatter_error = 0.0, sampling_error = 0.0;
+  double degrees_of_freedom = 0.0;  ///< of the noise
 };
 
 struct ShownIntervals {

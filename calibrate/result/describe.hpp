@@ -24,19 +24,21 @@ inline constexpr std::string_view kOwnUnits = "*";
 inline constexpr auto kDescribeParameter = [](auto& d) {
   d("value", kOwnUnits, PLASTICA_MEMBER(value), "fitted, fixed or tied value");
   d("standard_error", kOwnUnits, PLASTICA_MEMBER(standard_error),
-    "from noise and sampling, whose squares add up");
+    "as of the material: noise, sampling, misfit and segments, whose squares add up");
   d("noise_error", kOwnUnits, PLASTICA_MEMBER(noise_error),
     "what of the standard error is the noise's");
   d.since(4, [](auto& later) {
     later("sampling_error", kOwnUnits, PLASTICA_MEMBER(sampling_error),
           "what of the standard error is of a break between two samples");
     later("misfit_error", kOwnUnits, PLASTICA_MEMBER(misfit_error),
-          "what residuals that lie in runs add to the standard error");
+          "what of the standard error is of residuals that are no noise");
     later("degrees_of_freedom", "1", PLASTICA_MEMBER(degrees_of_freedom),
           "of the noise in the standard error; infinite: the targets state theirs");
   });
-  d("interval_low", kOwnUnits, PLASTICA_MEMBER(interval_low), "confidence interval, lower end");
-  d("interval_high", kOwnUnits, PLASTICA_MEMBER(interval_high), "confidence interval, upper end");
+  d("interval_low", kOwnUnits, PLASTICA_MEMBER(interval_low),
+    "confidence interval of the material's, lower end");
+  d("interval_high", kOwnUnits, PLASTICA_MEMBER(interval_high),
+    "confidence interval of the material's, upper end");
   d("start", kOwnUnits, PLASTICA_MEMBER(start), "where the search began");
   d("lower", kOwnUnits, PLASTICA_MEMBER(lower), "lower bound");
   d("upper", kOwnUnits, PLASTICA_MEMBER(upper), "upper bound");

@@ -1,7 +1,11 @@
 #include "calibrate/result/fitted_parameter.hpp"
 
+#include <cmath>
+
 namespace plastica::calibrate {
 
 std::string FittedParameter::name() const { return std::string(last_part(path)); }
+
+double FittedParameter::scatter_error() const { return std::hypot(noise_error, sampling_error); }
 
 }  // namespace plastica::calibrate

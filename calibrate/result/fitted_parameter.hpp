@@ -22,19 +22,21 @@ struct FittedParameter {
   double lower = 0.0;  ///< bounds; equal to the value if fixed or tied
   double upper = 0.0;
   bool logarithmic = false;  ///< whether it was searched by its logarithm
-  /// From noise and sampling, whose squares add up; NaN for fixed parameters, at a bound, and where
-  /// the curves do not determine it.
+  /// As one of the material: from noise, sampling, misfit and segments, whose squares add up; NaN
+  /// for fixed parameters, at a bound, and where the curves do not determine it.
   double standard_error = kNone;
-  double noise_error = kNone;  ///< what of it is the noise's
+  double noise_error = kNone;  ///< what of it is the noise's, as if residuals were independent
   /// What of it is a break's, which lies anywhere between two samples: half its interval over the
   /// root of 3; 0 of all others.
   double sampling_error = 0.0;
-  /// What residuals that lie in runs, as those of a model that cannot follow, add to it: the root
-  /// of what the squared error after Newey and West (score_covariance.hpp) is more. Not part of the
-  /// standard error; 0 where they are no larger than noise, NaN where it is not known.
+  /// What residuals that lie in runs, as those of a model that cannot follow, add to it, as the
+  /// root of a difference of squares: of a coupon by how alike neighbours are, through scenes after
+  /// Newey and West (material_interval.hpp, score_covariance.hpp). 0 where they are noise, NaN
+  /// where it is not known.
   double misfit_error = kNone;
-  /// Confidence interval: Student's; a break's is that of the noise and of its place between two
-  /// samples together (theory::half_interval).
+  /// Confidence interval of the material's, from all of these errors together
+  /// (material_interval.hpp). With segments it lies about the extrapolated value, not about
+  /// `value`.
   double interval_low = kNone;
   double interval_high = kNone;
   /// Of the noise in the standard error, after Welch and Satterthwaite: those of the targets that
@@ -49,6 +51,8 @@ struct FittedParameter {
 
   std::string name() const;  ///< "yield_stress" of "material.yield_stress"
   bool at_bound() const { return at_lower || at_upper; }
+  /// How far the value would move in another test of the same specimen: noise and sampling.
+  double scatter_error() const;
   bool has_error() const { return standard_error == standard_error; }
   /// Not identified, and NaN, where nothing was judged.
   Verdict verdict() const { return judgement ? judgement->verdict : Verdict::NotIdentified; }

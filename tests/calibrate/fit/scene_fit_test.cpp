@@ -68,7 +68,7 @@ TEST(SceneFit, SetsALoneBreakStrainWithoutASearch) {
   options.starts = 1;
   options.parameters = {free_parameter("break_strain", 1e-4, 1.0)};
   const SceneFitResult sharp = fit_scene(setup, target, options);
-  EXPECT_EQ(sharp.parameters[0].standard_error, 0.0);
+  EXPECT_EQ(sharp.parameters[0].scatter_error(), 0.0);
   const auto strain_at = [&](double displacement) {
     SceneTarget moved = target;
     moved.broke->at = displacement;
@@ -79,7 +79,7 @@ TEST(SceneFit, SetsALoneBreakStrainWithoutASearch) {
   target.broke->half_interval = 5e-4;
   const SceneFitResult blurred = fit_scene(setup, target, options);
   EXPECT_NEAR(blurred.parameters[0].value, 0.5 * (low + high), 1e-12);
-  EXPECT_NEAR(blurred.parameters[0].standard_error, 0.5 * (high - low) / std::sqrt(3.0), 1e-12);
+  EXPECT_NEAR(blurred.parameters[0].scatter_error(), 0.5 * (high - low) / std::sqrt(3.0), 1e-12);
   // One to search, one at the solution, whatever the search ran; two with other segments.
   EXPECT_LE(blurred.runs, 4);
 }
@@ -97,9 +97,9 @@ TEST(SceneFit, HasTheErrorsOfALinearFitWhereForcesAreProportional) {
   target.noise = 4.0;
   const SceneFitResult given = fit_scene(setup, target, options);
   EXPECT_TRUE(std::isinf(given.degrees_of_freedom));
-  EXPECT_NEAR(given.parameters[0].standard_error,
+  EXPECT_NEAR(given.parameters[0].scatter_error(),
               4.0 * given.parameters[0].value / std::sqrt(squares),
-              1e-6 * given.parameters[0].standard_error);
+              1e-6 * given.parameters[0].scatter_error());
   // Residuals of +-3 N that the curve does not see: their size is found.
   target.noise.reset();
   for (std::size_t i = 0; i < target.ordinate.size(); ++i) {
@@ -109,9 +109,9 @@ TEST(SceneFit, HasTheErrorsOfALinearFitWhereForcesAreProportional) {
   const auto samples = static_cast<double>(target.ordinate.size());
   EXPECT_NEAR(estimated.degrees_of_freedom, samples - 1.0, 1e-9);
   EXPECT_NEAR(estimated.targets[0].noise, 3.0 * std::sqrt(samples / (samples - 1.0)), 0.01);
-  EXPECT_NEAR(estimated.parameters[0].standard_error,
+  EXPECT_NEAR(estimated.parameters[0].scatter_error(),
               estimated.targets[0].noise * estimated.parameters[0].value / std::sqrt(squares),
-              1e-3 * estimated.parameters[0].standard_error);
+              1e-3 * estimated.parameters[0].scatter_error());
 }
 
 TEST(SceneFit, SaysWhatABoundStopsAndWhatTheCurveDoesNotSee) {

@@ -130,12 +130,12 @@ TEST(LackOfFit, NeedsRunsAndAFraction) {
   EXPECT_EQ(
       lack_of_fit("ideal plasticity", 0.044, 1e-30, "ideal,linear,voce"),
       "ideal plasticity does not describe this curve (misfit 4.4 % of the largest value, runs "
-      "test p 1e-30): standard errors are too small; try --laws ideal,linear,voce");
+      "test p 1e-30): errors are widened for it, and rough; try --laws ideal,linear,voce");
   EXPECT_EQ(lack_of_fit("ideal plasticity", 0.2, 0.3, "voce"), "") << "noise, however large";
   EXPECT_EQ(lack_of_fit("ideal plasticity", 0.005, 1e-30, "voce"), "") << "hardly any misfit";
   EXPECT_EQ(lack_of_fit("Voce hardening", 0.06, kNan, ""),
             "Voce hardening does not describe this curve (misfit 6 % of the largest value): "
-            "standard errors are too small");
+            "errors are widened for it, and rough");
   EXPECT_EQ(lack_of_fit("Voce hardening", 0.04, kNan, ""), "");
 }
 

@@ -21,7 +21,7 @@ std::string said(double fitted, double error, ParameterRole role = ParameterRole
   p.path = "material.youngs_modulus";
   p.role = role;
   p.value = fitted;
-  p.standard_error = error;
+  p.noise_error = error;
   p.identified = true;
   return modulus_warning(target, std::vector<FittedParameter>{p});
 }

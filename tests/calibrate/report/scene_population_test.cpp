@@ -20,8 +20,8 @@ constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 /// A fit whose parameters have these values, errors of 3 and 0.4 and a correlation of -0.5.
 SceneFitRecord specimen(double a, double b) {
   SceneFitRecord record = lone_scene_record("s", a, b);
-  record.result.parameters[0].standard_error = 3.0;
-  record.result.parameters[1].standard_error = 0.4;
+  record.result.parameters[0].noise_error = 3.0;
+  record.result.parameters[1].noise_error = 0.4;
   record.result.correlation = {1.0, -0.5, -0.5, 1.0};
   return record;
 }
@@ -56,7 +56,7 @@ TEST(ScenePopulation, LeavesOutWhatIsAtABoundOrNotIdentifiedOrFailed) {
                                       specimen(110.0, 7.0), specimen(500.0, 9.0),
                                       failed_scene_record("f", "no")};
   records[3].result.parameters[0].at_upper = true;
-  records[2].result.parameters[1].standard_error = kNan;
+  records[2].result.parameters[1].noise_error = kNan;
   const ScenePopulation p = scene_population(records);
   EXPECT_EQ(p.parameters[0].n, 3U);
   EXPECT_EQ(p.parameters[0].left_out, 1U);
@@ -104,7 +104,7 @@ TEST(ScenePopulation, HasIntervalsOfMeanAndScatterFromResamplesOfTheFits) {
   std::vector<SceneFitRecord> records;
   for (int i = 0; i < 40; ++i) {
     records.push_back(specimen(scatter(random), i));
-    for (FittedParameter& p : records.back().result.parameters) p.standard_error = 0.0;
+    for (FittedParameter& p : records.back().result.parameters) p.noise_error = 0.0;
   }
   const ScenePopulation p = scene_population(records);
   const PopulationParameter& a = p.parameters[0];
