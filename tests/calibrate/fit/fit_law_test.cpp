@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -93,6 +94,30 @@ TEST(FitLaw, FindsTheLawThatMadeTheCurve) {
   EXPECT_TRUE(results[2].warnings.empty()) << results[2].warnings.front();
   EXPECT_LT(results[1].runs_test_p, kFewRuns);
   EXPECT_GT(results[0].misfit_rms, results[1].misfit_rms);
+}
+
+TEST(FitLaw, WidensTheIntervalsOfALawThatCannotFollow) {
+  const Target target = voce_target();
+  const auto modulus = [&](Law law, const std::optional<double>& noise = {}) {
+    FitOptions options = modulus_and_yield();
+    options.objective = Objective::LeastSquares;
+    options.noise = noise;
+    return fit_law(target, options, law).parameter("youngs_modulus");
+  };
+  // With the curve's own law noise is all that is left.
+  const FittedParameter voce = modulus(Law::Voce);
+  EXPECT_EQ(voce.misfit_error, 0.0);
+  EXPECT_DOUBLE_EQ(voce.standard_error, voce.noise_error);
+  EXPECT_NEAR(voce.value, 200e9, 1.96 * voce.standard_error);
+  // Ideal plasticity follows the elastic part too flat, by many errors of noise.
+  const FittedParameter ideal = modulus(Law::Ideal);
+  EXPECT_LT(ideal.value + 3.0 * ideal.noise_error, 200e9);
+  EXPECT_LT(ideal.interval_low, 200e9);
+  EXPECT_GT(ideal.interval_high, 200e9);
+  // The same of a stated noise, which the residuals exceed by far.
+  const FittedParameter stated = modulus(Law::Ideal, 1e6);
+  EXPECT_LT(stated.noise_error, 0.1 * ideal.noise_error);
+  EXPECT_NEAR(stated.standard_error / ideal.standard_error, 1.0, 0.02);
 }
 
 TEST(FitLaw, IsNoWorseThanTheSimplerLawThatItContains) {
