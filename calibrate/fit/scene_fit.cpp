@@ -18,6 +18,7 @@
 #include "calibrate/inference/scene_segments.hpp"
 #include "calibrate/inference/scene_verdict.hpp"
 #include "calibrate/inference/scene_work.hpp"
+#include "calibrate/inference/shared_offset.hpp"
 #include "calibrate/problem/scene_problem.hpp"
 #include "calibrate/search/scene_search.hpp"
 
@@ -101,6 +102,7 @@ class SceneFit {
     for (std::size_t t = 0; t < targets_.size(); ++t) {
       warn_of_noise(t);
       warn_of_sign(t);
+      warn_of_offset(t, errors.slopes());
       warn_of_path(t, curves[t][0]);
     }
     for (std::size_t i = 0; i < result_.parameters.size(); ++i) {
@@ -159,6 +161,24 @@ class SceneFit {
         "{}: the scene's curve runs against the measured one; if the machine counts the other way, "
         "ordinate.factor = {:g} turns it",
         target.name, -target.ordinate_factor));
+  }
+
+  /// A sensor that was set to zero under load: parameters make up for it as far as they can.
+  void warn_of_offset(std::size_t t, std::span<const double> slopes) {
+    const SceneTarget& target = targets_[t].target;
+    const std::size_t n = search_.best().x.size(), first = problem_.first_residual(t);
+    const std::size_t samples = target.ordinate.size();
+    const double unit = problem_.scale(t) / std::sqrt(targets_[t].weight);
+    const SharedOffset offset =
+        shared_offset(slopes.subspan(first * n, n == 0 ? 0 : samples * n),
+                      std::span(search_.best().residual).subspan(first, samples));
+    constexpr double kMatters = 1e-3;  // of the largest ordinate
+    const bool matters = unit * std::abs(offset.value) > kMatters * largest_size(target.ordinate);
+    if (!offset.stands_out() || !matters) return;
+    result_.warnings.push_back(fmt::format(
+        "{}: taking {:.3g} (SI) off each measured ordinate would lower its squared residuals by "
+        "{:.0f} %: was it set to zero before the test? Parameters make up for what was not",
+        target.name, unit * offset.value, 100.0 * offset.of_squares));
   }
 
   /// A scene that stops short of what was measured, even with the fitted values.

@@ -42,6 +42,8 @@ class SceneErrors {
   SceneErrors(SceneProblem& problem, std::span<const double> x, std::span<const double> residual);
 
   const IdentifiableSlopes& identifiable() const { return identifiable_; }
+  /// d residual / d coordinate, over the scales, row by row (n_residuals x n).
+  std::span<const double> slopes() const { return slopes_; }
   bool at_bound(std::size_t i) const { return at_bound_[i]; }
   /// Covariance of the coordinates; NaN in rows and columns that are not determined (n x n).
   const Eigen::MatrixXd& covariance() const { return covariance_; }

@@ -5,8 +5,10 @@
 #include <cmath>
 #include <random>
 #include <stdexcept>
+#include <string>
 
 #include "tests/calibrate/fit/bent_bar.hpp"
+#include "tests/support/has.hpp"
 
 namespace plastica::calibrate {
 namespace {
@@ -14,6 +16,7 @@ namespace {
 using testing::all_three;
 using testing::bend_test;
 using testing::free_parameter;
+using testing::has;
 using testing::measured;
 using testing::stiffness_and_yield;
 using testing::Truth;
@@ -112,6 +115,26 @@ TEST(SceneFit, HasTheErrorsOfALinearFitWhereForcesAreProportional) {
   EXPECT_NEAR(estimated.parameters[0].scatter_error(),
               estimated.targets[0].noise * estimated.parameters[0].value / std::sqrt(squares),
               1e-3 * estimated.parameters[0].scatter_error());
+}
+
+TEST(SceneFit, SaysThatAForceWasNotSetToZero) {
+  const plastica::Setup setup = bend_test(10);
+  SceneFitOptions options;
+  options.starts = 1;
+  options.segments_error = false;
+  options.parameters = stiffness_and_yield();
+  SceneTarget target = measured(setup);
+  // Turned, as a machine counts that pushes.
+  target.ordinate_factor *= -1.0;
+  for (double& force : target.ordinate) force = -force;
+  const auto warnings = [&] {
+    std::string all;
+    for (const std::string& one : fit_scene(setup, target, options).warnings) all += one + '\n';
+    return all;
+  };
+  EXPECT_FALSE(has(warnings(), "off each measured ordinate"));
+  for (double& force : target.ordinate) force += 50.0;
+  EXPECT_TRUE(has(warnings(), "taking 50 (SI) off each measured ordinate")) << warnings();
 }
 
 TEST(SceneFit, SaysWhatABoundStopsAndWhatTheCurveDoesNotSee) {
