@@ -66,6 +66,9 @@ void describe_misfit(const Misfit::Details& details, const Target& target,
   if (!lack.empty()) result.warnings.push_back(std::move(lack));
 }
 
+/// A stated noise is doubted where the residuals are so many times larger.
+constexpr double kTooSmall = 2.0;
+
 /// Errors and interval of a parameter that the curve determines.
 void set_errors(const Uncertainty& u, std::size_t k, double confidence, const FitResult& result,
                 FittedParameter& p) {
@@ -74,13 +77,17 @@ void set_errors(const Uncertainty& u, std::size_t k, double confidence, const Fi
   p.sampling_error = half / std::sqrt(3.0);
   p.misfit_error = 0.0;
   p.degrees_of_freedom = u.degrees_of_freedom;
+  // Of noise as large as the residuals: a stated one may be smaller, or larger.
+  const double over = std::isinf(u.degrees_of_freedom) ? result.misfit_rms / u.noise : 1.0;
+  double of_residuals = over > kTooSmall ? over * p.noise_error : 0.0;
   if (are_in_runs(result.runs_test_p, result.autocorrelation)) {
-    // A stated noise may be smaller than what is left.
-    const double over = u.noise > 0.0 ? std::max(1.0, result.misfit_rms / u.noise) : 1.0;
-    const double lacks =
-        misfit_error(p.noise_error * over, result.autocorrelation, result.effective_samples,
-                     static_cast<int>(u.identified.size()));
-    p.misfit_error = std::hypot(lacks, p.noise_error * std::sqrt(over * over - 1.0));
+    of_residuals =
+        std::hypot(over * p.noise_error,
+                   misfit_error(over * p.noise_error, result.autocorrelation,
+                                result.effective_samples, static_cast<int>(u.identified.size())));
+  }
+  if (of_residuals > p.noise_error) {
+    p.misfit_error = std::sqrt(of_residuals * of_residuals - p.noise_error * p.noise_error);
   }
   set_material_interval(confidence, {&half, 1}, {}, p);
 }
@@ -113,9 +120,8 @@ void add_parameters(const ParameterSet& set, std::span<const double> active, con
       p.at_lower = at - bottom < 1e-9 * span;
       p.at_upper = top - at < 1e-9 * span;
       p.identified = u.identified[k];
-      // A break limit brought back to a bound has no scatter about it.
-      const bool held = r.is_break && (p.at_lower || p.at_upper);
-      if (p.identified && !held) {
+      // What is held by a bound has no scatter about it.
+      if (p.identified && !p.at_bound()) {
         set_errors(u, k, confidence, result, p);
       }
       p.judgement =
@@ -123,7 +129,7 @@ void add_parameters(const ParameterSet& set, std::span<const double> active, con
                  .lower = p.lower,
                  .upper = p.upper,
                  .at_bound = p.identified && p.at_bound(),
-                 .noise_error = u.noise_error[k],
+                 .noise_error = p.has_error() ? p.model_error() : u.noise_error[k],
                  .half = u.sampling[k],
                  .standard_error = p.has_error() ? p.standard_error : u.standard_error[k]});
     }
@@ -177,6 +183,12 @@ void add_warnings(const Target& target, FitResult& result) {
       std::string warning = minor ? std::string() : warning_of(p.name(), judgement, p.lower);
       if (!warning.empty()) result.warnings.push_back(std::move(warning));
     }
+  }
+  if (result.noise && result.misfit_rms > kTooSmall * *result.noise) {
+    result.warnings.push_back(
+        fmt::format("a noise of {:.3g} MPa is stated, but the residuals are of {:.3g} MPa: the "
+                    "errors count these",
+                    *result.noise / 1e6, result.misfit_rms / 1e6));
   }
   std::string warning = modulus_warning(target, result.parameters);
   if (!warning.empty()) result.warnings.push_back(std::move(warning));

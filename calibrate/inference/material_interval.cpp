@@ -24,8 +24,7 @@ double misfit_error(double noise_error, double autocorrelation, double samples, 
 void set_material_interval(double confidence, std::span<const double> halves,
                            const SegmentsError& segments, FittedParameter& p) {
   if (std::isnan(p.noise_error)) return;
-  const bool misfit = std::isfinite(p.misfit_error);
-  const double scale = misfit ? std::hypot(p.noise_error, p.misfit_error) : p.noise_error;
+  const double scale = p.model_error();
   std::vector<double> all(halves.begin(), halves.end());
   double centre = p.value;
   double off = 0.0;

@@ -15,7 +15,7 @@ namespace {
 /// How many times as many segments leave as much as the noise does: "; about 1.9 times as many …".
 std::string enough_segments(const FittedParameter& p, const SegmentsError& segments) {
   constexpr double kMax = 1000.0;
-  const double over = segments.error / (std::sqrt(3.0) * p.noise_error);
+  const double over = segments.error / (std::sqrt(3.0) * p.model_error());
   const double times = std::pow(over, 1.0 / segments.order);
   if (!(times < kMax)) return "";
   return fmt::format("; about {:.1f} times as many segments would make both alike",
@@ -30,7 +30,7 @@ void judge(double half, const SegmentsError& segments, double prior, FittedParam
                                   .lower = p.lower,
                                   .upper = p.upper,
                                   .at_bound = p.at_bound(),
-                                  .noise_error = p.noise_error,
+                                  .noise_error = p.model_error(),
                                   .half = half,
                                   .standard_error = p.standard_error,
                                   .segments = trends ? segments.error : 0.0,
@@ -46,7 +46,7 @@ void add_warning(const FittedParameter& p, const SegmentsError& segments,
         100.0 * p.verdict_number(),
         std::isnan(segments.order) ? "does not fall steadily with their number"
                                    : fmt::format("is more than the noise does, {:.2g} %",
-                                                 100.0 * p.noise_error / std::abs(p.value)),
+                                                 100.0 * p.model_error() / std::abs(p.value)),
         enough_segments(p, segments)));
     return;
   }

@@ -49,9 +49,13 @@ std::vector<std::string> advice_for(const FitRecord& record) {
   if (!result.stages.empty() && result.stages.back().outcome.find("maxeval") != std::string::npos) {
     advice.emplace_back("The optimizer stopped at its limit of evaluations: allow it more.");
   }
-  if (result.misfit_word == "fair") {
-    advice.emplace_back(
-        "What is left may be no noise: errors and intervals hold only as far as the model does.");
+  const bool widened = std::ranges::any_of(
+      result.parameters, [](const FittedParameter& p) { return p.misfit_error > 0.0; });
+  if (result.misfit_word == "fair" || (result.misfit_word == "close" && widened)) {
+    advice.emplace_back(widened ? "The residuals are no noise: errors and intervals are widened "
+                                  "for it, and rough."
+                                : "What is left may be no noise: errors and intervals hold only as "
+                                  "far as the model does.");
   }
   if (result.misfit_word == "poor") {
     advice.emplace_back(

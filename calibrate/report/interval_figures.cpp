@@ -140,7 +140,7 @@ FigurePanel histogram_panel(const ShownParameter& p, const BootstrapInterval& in
           {(p.value + z * p.scatter_error) / unit.scale, height * std::exp(-0.5 * z * z)});
     }
     panel.curves.push_back(
-        {std::move(normal), "normal curve of the standard error", kVermillion, Stroke::Line});
+        {std::move(normal), "normal curve of noise and sampling", kVermillion, Stroke::Line});
   }
   panel.marks = {interval.low / unit.scale, interval.high / unit.scale};
   panel.mark_name = "percentiles";

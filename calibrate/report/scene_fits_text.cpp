@@ -208,8 +208,9 @@ std::string population_text(const ScenePopulation& population,
   if (table.rows() == 0) return {};
   std::string text = '\n' + ink.heading("Population\n") + table.text(2, kWidth);
   text += wrapped("  ",
-                  "of specimens: variance of the values less the mean of their squared standard "
-                  "errors, at least 0",
+                  "of the values of these beams: what segments and lack of fit do to all alike is "
+                  "not in it; of specimens: variance of the values less the mean of their squared "
+                  "errors of noise and sampling, at least 0",
                   kWidth);
   if (left_out > 0) {
     text += wrapped("  ", counted(left_out, "value") + " at a bound or not identified left out",

@@ -8,4 +8,8 @@ std::string FittedParameter::name() const { return std::string(last_part(path));
 
 double FittedParameter::scatter_error() const { return std::hypot(noise_error, sampling_error); }
 
+double FittedParameter::model_error() const {
+  return std::isfinite(misfit_error) ? std::hypot(noise_error, misfit_error) : noise_error;
+}
+
 }  // namespace plastica::calibrate

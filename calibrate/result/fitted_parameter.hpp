@@ -53,6 +53,8 @@ struct FittedParameter {
   bool at_bound() const { return at_lower || at_upper; }
   /// How far the value would move in another test of the same specimen: noise and sampling.
   double scatter_error() const;
+  /// What noise and lack of fit make of it; of the noise alone where the other is not known.
+  double model_error() const;
   bool has_error() const { return standard_error == standard_error; }
   /// Not identified, and NaN, where nothing was judged.
   Verdict verdict() const { return judgement ? judgement->verdict : Verdict::NotIdentified; }
