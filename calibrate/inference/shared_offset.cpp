@@ -8,7 +8,7 @@ namespace plastica::calibrate {
 SharedOffset shared_offset(std::span<const double> slopes, std::span<const double> residual) {
   using Eigen::Index;
   using Eigen::VectorXd;
-  using Rows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+  using SlopeRows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
   SharedOffset found;
   const auto n = static_cast<Index>(residual.size());
   if (n == 0) return found;
@@ -16,7 +16,7 @@ SharedOffset shared_offset(std::span<const double> slopes, std::span<const doubl
   VectorXd u = VectorXd::Ones(n);
   VectorXd r = Eigen::Map<const VectorXd>(residual.data(), n);
   if (parameters > 0) {
-    const Eigen::Map<const Rows> j(slopes.data(), n, parameters);
+    const Eigen::Map<const SlopeRows> j(slopes.data(), n, parameters);
     const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(j);
     u -= j * qr.solve(u).eval();
     r -= j * qr.solve(r).eval();
