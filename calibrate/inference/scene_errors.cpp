@@ -114,7 +114,7 @@ void SceneErrors::set_covariance(std::span<const double> residual) {
         j.middleRows(static_cast<Index>(problem_.first_residual(t)),
                      static_cast<Index>(problem_.targets()[t].target.ordinate.size()));
     const MatrixXd scores = problem_.targets()[t].weight * rows.transpose() * rows;
-    by_target_.push_back(MatrixXd::Constant(n, n, kNan));
+    by_target_.emplace_back(MatrixXd::Constant(n, n, kNan));
     by_target_.back()(kept, kept) = inverse * scores(kept, kept) * inverse;
   }
   const MatrixXd correlated = correlated_scores(slopes_, residual)(kept, kept);
