@@ -79,15 +79,13 @@ void set_errors(const Uncertainty& u, std::size_t k, double confidence, const Fi
   p.degrees_of_freedom = u.degrees_of_freedom;
   // Of noise as large as the residuals: a stated one may be smaller, or larger.
   const double over = std::isinf(u.degrees_of_freedom) ? result.misfit_rms / u.noise : 1.0;
-  double of_residuals = over > kTooSmall ? over * p.noise_error : 0.0;
-  if (are_in_runs(result.runs_test_p, result.autocorrelation)) {
-    of_residuals =
-        std::hypot(over * p.noise_error,
-                   misfit_error(over * p.noise_error, result.autocorrelation,
-                                result.effective_samples, static_cast<int>(u.identified.size())));
-  }
-  if (of_residuals > p.noise_error) {
-    p.misfit_error = std::sqrt(of_residuals * of_residuals - p.noise_error * p.noise_error);
+  const bool in_runs = are_in_runs(result.runs_test_p, result.autocorrelation);
+  if (in_runs || over > kTooSmall) {
+    const auto parameters = static_cast<int>(u.identified.size());
+    const double times =
+        in_runs ? variance_inflation(result.autocorrelation, result.effective_samples, parameters)
+                : 1.0;
+    p.misfit_error = p.noise_error * std::sqrt(std::max(0.0, over * over * times - 1.0));
   }
   set_material_interval(confidence, {&half, 1}, {}, p);
 }
@@ -149,7 +147,9 @@ void add_tied_errors(const ParameterSet& set, FitResult& result) {
     const double half = std::fabs(r.factor) * (base.interval_high - base.value);
     tied.standard_error = std::fabs(r.factor) * base.standard_error;
     tied.noise_error = std::fabs(r.factor) * base.noise_error;
+    tied.sampling_error = std::fabs(r.factor) * base.sampling_error;
     tied.misfit_error = std::fabs(r.factor) * base.misfit_error;
+    tied.degrees_of_freedom = base.degrees_of_freedom;
     tied.interval_low = tied.value - half;
     tied.interval_high = tied.value + half;
   }

@@ -15,8 +15,6 @@ namespace {
 constexpr double kBareMention = 2.0;
 /// A misfit below this fraction of the largest value is none.
 constexpr double kNothingLeft = 1e-6;
-/// Residuals of neighbours more alike than this would leave no samples.
-constexpr double kMaxAlike = 0.999;
 /// Misfits, as fractions of the largest value, above which a law may lack something: with residuals
 /// in long runs; without a count of runs.
 constexpr double kLacking = 0.01;
@@ -39,8 +37,7 @@ std::vector<double> worth_of(const std::vector<LawFit>& fits) {
       const CurveResidual& residual = fit.curves[c];
       if (!(residual.mean_square < least[c])) continue;
       least[c] = residual.mean_square;
-      const double alike = std::clamp(residual.autocorrelation, 0.0, kMaxAlike);
-      worth[c] = std::max(1.0, residual.samples * (1.0 - alike) / (1.0 + alike));
+      worth[c] = std::max(1.0, samples_worth(residual.samples, residual.autocorrelation));
     }
   }
   return worth;
@@ -193,6 +190,12 @@ double autocorrelation(std::span<const double> residual) {
     if (i > 0) products += residual[i] * residual[i - 1];
   }
   return squares > 0.0 ? products / squares : 0.0;
+}
+
+double samples_worth(double samples, double autocorrelation) {
+  constexpr double kMaxAlike = 0.999;  // more alike would leave no samples
+  const double alike = std::clamp(autocorrelation, 0.0, kMaxAlike);
+  return samples * (1.0 - alike) / (1.0 + alike);
 }
 
 bool lacks_fit(double fraction, double runs_test_p) {

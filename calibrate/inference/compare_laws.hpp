@@ -88,6 +88,10 @@ double effective_samples(std::span<const double> weight);
 /// sum r_i r_{i-1}/sum r_i^2; 0 for residuals that all vanish.
 double autocorrelation(std::span<const double> residual);
 
+/// What samples are worth whose residuals are alike by rho, as those of an autoregressive process:
+/// n (1 - rho)/(1 + rho), with rho within [0, 0.999]. Source: Bayley & Hammersley, as above.
+double samples_worth(double samples, double autocorrelation);
+
 /// Whether a law does not describe a curve, as far as the residuals tell: where they lie in runs
 /// that noise would not (`kFewRuns`) and are more than 1 % of the largest value. For curves too
 /// short to count runs, where they are more than 5 % of it.

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <vector>
 
+#include "calibrate/inference/compare_laws.hpp"
 #include "calibrate/inference/verdict.hpp"
 #include "plastica/theory/statistics.hpp"
 
@@ -14,11 +15,9 @@ bool are_in_runs(double runs_test_p, double autocorrelation) {
   return runs_test_p < kFewRuns || autocorrelation > kAlike;
 }
 
-double misfit_error(double noise_error, double autocorrelation, double samples, int parameters) {
+double variance_inflation(double autocorrelation, double samples, int parameters) {
   const double most = std::max(1.0, samples / (parameters + 1.0));
-  const double rho = std::clamp(autocorrelation, 0.0, 1.0);
-  const double times = rho < 1.0 ? std::min((1.0 + rho) / (1.0 - rho), most) : most;
-  return noise_error * std::sqrt(times - 1.0);
+  return std::min(samples / samples_worth(samples, autocorrelation), most);
 }
 
 void set_material_interval(double confidence, std::span<const double> halves,
@@ -37,6 +36,11 @@ void set_material_interval(double confidence, std::span<const double> halves,
   const double reach = theory::half_interval(confidence, scale, p.degrees_of_freedom, all);
   p.interval_low = centre - reach;
   p.interval_high = centre + reach;
+}
+
+bool is_of_material(const FittedParameter& p, const SegmentsError& segments) {
+  const double centre = 0.5 * (p.interval_low + p.interval_high);
+  return std::abs(centre - segments.extrapolated) <= std::abs(centre - p.value);
 }
 
 }  // namespace plastica::calibrate

@@ -12,14 +12,12 @@ namespace plastica::calibrate {
 /// @param runs_test_p  NaN: too few to count
 bool are_in_runs(double runs_test_p, double autocorrelation);
 
-/// What residuals in runs add to an error that takes them for noise, as the root of the difference
-/// of squares: neighbours that are alike by rho, as of an autoregressive process, count for
-/// (1 - rho)/(1 + rho) as many samples (Bayley & Hammersley, J. R. Stat. Soc. Suppl. 8 (1946) 184),
-/// and so many samples must be left as there are degrees of freedom to lose.
-/// @param noise_error  of a noise as large as the residuals
-/// @param samples      what they count by their weights
-/// @param parameters   that the curve determines
-double misfit_error(double noise_error, double autocorrelation, double samples, int parameters);
+/// By what residuals in runs raise the variance of a parameter over that of independent ones: what
+/// the samples count over what they are worth (`samples_worth`), where no fewer are left than one
+/// more than there are parameters.
+/// @param samples     what they count by their weights
+/// @param parameters  that the curve determines
+double variance_inflation(double autocorrelation, double samples, int parameters);
 
 /// Sets standard error and confidence interval of a parameter as one of the material, from all that
 /// parts it from the fitted value: noise and lack of fit (Student's t with the parameter's degrees
@@ -33,5 +31,9 @@ double misfit_error(double noise_error, double autocorrelation, double samples, 
 /// @param p         its errors by source and its degrees_of_freedom are set
 void set_material_interval(double confidence, std::span<const double> halves,
                            const SegmentsError& segments, FittedParameter& p);
+
+/// Whether a parameter's interval lies about what its segments lead to. In result files of scene
+/// fits before version 7 it lies about the value, and is of noise and sampling alone.
+bool is_of_material(const FittedParameter& p, const SegmentsError& segments);
 
 }  // namespace plastica::calibrate

@@ -124,7 +124,7 @@ std::string intervals_text(const ShownIntervals& shown, const ReportOptions& opt
     if (ends(ProfileEnd::NoCurves)) note += "; open: beyond there are no curves";
     text += wrapped("  ", note, kWidth);
   }
-  text += wrapped("  ", "all of noise and sampling alone, about the values of the fit", kWidth);
+  text += wrapped("  ", "none of these holds what segments and lack of fit do", kWidth);
   for (const BootstrapResult* bootstrap : bootstraps) {
     text += wrapped(
         "  ", bootstrap_note(bootstrap == &all.residuals ? "residuals" : "specimens", *bootstrap),

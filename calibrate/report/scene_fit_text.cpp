@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "calibrate/inference/material_interval.hpp"
 #include "calibrate/report/outcome_text.hpp"
 #include "calibrate/report/parameter_words.hpp"
 #include "calibrate/report/repairs_text.hpp"
@@ -94,11 +95,14 @@ std::string break_text(const SceneTarget& target) {
   return quantity(half > 0.0 ? with_error(at, half) : significant(at, 4), unit.name);
 }
 
-bool knows_segments(const SceneFitResult& result) {
-  return result.segments &&
-         std::ranges::any_of(result.segments->parameters, [](const SegmentsError& error) {
-           return error.trend != SegmentsTrend::Unknown;
-         });
+bool has_material_intervals(const SceneFitResult& result) {
+  if (!result.segments || result.segments->parameters.size() != result.parameters.size()) {
+    return false;
+  }
+  for (std::size_t i = 0; i < result.parameters.size(); ++i) {
+    if (is_of_material(result.parameters[i], result.segments->parameters[i])) return true;
+  }
+  return false;
 }
 
 std::string targets_text(const SceneFitRecord& record, const Ink& ink) {
@@ -156,7 +160,7 @@ std::string scene_fit_report(const SceneFitRecord& record, const ReportOptions& 
                      parameters_text(result, options, ink);
   if (result.is_fitted() && !result.parameters.empty()) {
     text += scene_entry("errors", noise_text(result));
-    if (knows_segments(result)) {
+    if (has_material_intervals(result)) {
       text += scene_entry("interval",
                           "of the material: about the value that more segments lead to "
                           "(extrapolated), not about that of this beam");

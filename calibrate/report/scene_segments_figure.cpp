@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "calibrate/inference/material_interval.hpp"
 #include "calibrate/report/parameter_words.hpp"
 #include "calibrate/report/plot_parts.hpp"
 #include "calibrate/report/scene_fit_figures.hpp"
@@ -58,10 +59,11 @@ FigurePanel panel_of(const FittedParameter& parameter, const SegmentsError& erro
   if (std::isfinite(error.order)) panel.curves.push_back(power_of(error, longest, unit.scale));
   if (std::isfinite(parameter.interval_low) && std::isfinite(parameter.interval_high)) {
     const double middle = 0.5 * (parameter.interval_low + parameter.interval_high);
+    const bool of_material = is_of_material(parameter, error);
     panel.curves.push_back(
-        {{{-0.03 * longest, middle / unit.scale, parameter.interval_low / unit.scale,
-           parameter.interval_high / unit.scale}},
-         "interval of the material",
+        {{{of_material ? -0.03 * longest : 1.0, middle / unit.scale,
+           parameter.interval_low / unit.scale, parameter.interval_high / unit.scale}},
+         of_material ? "interval of the material" : "interval of noise and sampling",
          kGrey,
          Stroke::Bars});
   }

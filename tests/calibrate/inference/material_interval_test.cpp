@@ -44,6 +44,18 @@ TEST(MaterialInterval, LiesAboutWhatTheSegmentsLeadTo) {
   EXPECT_NEAR(p.standard_error, 1.25 * 4.0 / std::sqrt(3.0), 1e-9);
 }
 
+TEST(MaterialInterval, OfOlderFilesIsKnownByItsPlace) {
+  const SegmentsError segments = segments_error(116.0, 104.0, 101.0, 2.0);
+  FittedParameter p = parameter(1.0);
+  p.value = 104.0;
+  set_material_interval(0.95, {}, segments, p);
+  EXPECT_TRUE(is_of_material(p, segments));
+  p.interval_low = 102.0;
+  p.interval_high = 106.0;
+  EXPECT_FALSE(is_of_material(p, segments));
+  EXPECT_FALSE(is_of_material(p, {}));
+}
+
 TEST(MaterialInterval, OfWhatIsNotDeterminedIsNone) {
   FittedParameter p = parameter(kNan);
   set_material_interval(0.95, {}, segments_error(116.0, 104.0, 101.0, 2.0), p);
@@ -51,18 +63,18 @@ TEST(MaterialInterval, OfWhatIsNotDeterminedIsNone) {
   EXPECT_TRUE(std::isnan(p.interval_low));
 }
 
-TEST(MisfitError, CountsAlikeNeighboursAsFewerSamples) {
-  EXPECT_EQ(misfit_error(2.0, 0.0, 100.0, 2), 0.0);
-  EXPECT_EQ(misfit_error(2.0, -0.5, 100.0, 2), 0.0);
-  // A third as many samples: sqrt(3) times the error.
-  EXPECT_NEAR(std::hypot(2.0, misfit_error(2.0, 0.5, 100.0, 2)), 2.0 * std::sqrt(3.0), 1e-12);
-  // No fewer than the parameters and one.
-  EXPECT_NEAR(std::hypot(2.0, misfit_error(2.0, 1.0, 75.0, 2)), 2.0 * 5.0, 1e-12);
+TEST(VarianceInflation, CountsAlikeNeighboursAsFewerSamples) {
+  EXPECT_EQ(variance_inflation(0.0, 100.0, 2), 1.0);
+  EXPECT_EQ(variance_inflation(-0.5, 100.0, 2), 1.0);
+  EXPECT_NEAR(variance_inflation(0.5, 100.0, 2), 3.0, 1e-12);
+  // No fewer are left than the parameters and one.
+  EXPECT_NEAR(variance_inflation(1.0, 75.0, 2), 25.0, 1e-12);
+  EXPECT_EQ(variance_inflation(0.9, 2.0, 2), 1.0);
 }
 
 /// Of a process of that correlation the mean has the error that `misfit_error` makes of its
 /// noise's.
-TEST(MisfitError, IsThatOfTheMeanOfAnAutoregressiveProcess) {
+TEST(VarianceInflation, IsThatOfTheMeanOfAnAutoregressiveProcess) {
   constexpr double kRho = 0.8;
   constexpr int kSamples = 400, kSeeds = 2000;
   std::mt19937_64 random(7);
@@ -76,10 +88,8 @@ TEST(MisfitError, IsThatOfTheMeanOfAnAutoregressiveProcess) {
     }
     squares += sum * sum / (kSamples * kSamples);
   }
-  const double noise = 1.0 / std::sqrt(kSamples);
-  const double all = std::hypot(noise, misfit_error(noise, kRho, kSamples, 1));
-  // A standard deviation of 2 000 is known to 1.6 %.
-  EXPECT_NEAR(std::sqrt(squares / kSeeds) / all, 1.0, 0.05);
+  // A variance of 2 000 values is known to 3.2 %, and 400 samples bring 1 % less than many.
+  EXPECT_NEAR(squares / kSeeds * kSamples / variance_inflation(kRho, kSamples, 1), 1.0, 0.1);
 }
 
 }  // namespace
