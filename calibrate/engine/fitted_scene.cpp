@@ -9,7 +9,7 @@
 #include <fmt/format.h>
 
 #include "calibrate/fit/scene_laws.hpp"
-#include "calibrate/inference/compare_laws.hpp"
+#include "calibrate/inference/lack_of_fit.hpp"
 #include "calibrate/report/format.hpp"
 #include "calibrate/result/usable.hpp"
 #include "plastica/model/region.hpp"

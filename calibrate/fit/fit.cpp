@@ -9,9 +9,11 @@
 
 #include "calibrate/fit/fit_law.hpp"
 #include "calibrate/fit/require.hpp"
-#include "calibrate/inference/compare_laws.hpp"
+#include "calibrate/fit/unseen.hpp"
 #include "calibrate/inference/fit_intervals.hpp"
+#include "calibrate/inference/held_out.hpp"
 #include "calibrate/inference/identifiable_yield.hpp"
+#include "calibrate/inference/lack_of_fit.hpp"
 #include "calibrate/inference/material_interval.hpp"
 #include "calibrate/inference/modulus_warning.hpp"
 #include "calibrate/inference/uncertainty.hpp"
@@ -355,9 +357,10 @@ std::vector<FitResult> fit_cases(std::span<const Target> targets, std::span<cons
     try {
       if (cases[i].law) {
         results[i] = fit_law(target, options, *cases[i].law);
-        add_intervals(target,
-                      within(results[i], options_of(*cases[i].law, options, target.loading)),
-                      results[i]);
+        const FitOptions own =
+            within(results[i], options_of(*cases[i].law, options, target.loading));
+        add_intervals(target, own, results[i]);
+        if (options.laws.size() > 1) results[i].held_out = held_out(target, own, results[i]);
       } else {
         results[i] = fit_target(target, options);
       }
@@ -380,7 +383,10 @@ std::vector<FitResult> fit_cases(std::span<const Target> targets, std::span<cons
 
 std::vector<FitResult> fit(std::span<const Target> targets, const FitOptions& options,
                            const BatchFitOptions& batch) {
-  return fit_cases(targets, cases_of(targets.size(), options), options, batch);
+  const std::vector<FitCase> cases = cases_of(targets.size(), options);
+  std::vector<FitResult> results = fit_cases(targets, cases, options, batch);
+  if (!is_raised(batch.stop)) add_unseen(targets, cases, options, batch.threads, results);
+  return results;
 }
 
 }  // namespace plastica::calibrate

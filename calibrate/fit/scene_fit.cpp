@@ -10,8 +10,9 @@
 
 #include "calibrate/fit/check_scene_fit.hpp"
 #include "calibrate/fit/scene_laws.hpp"
-#include "calibrate/inference/compare_laws.hpp"
 #include "calibrate/inference/fitted_scenes.hpp"
+#include "calibrate/inference/held_out.hpp"
+#include "calibrate/inference/lack_of_fit.hpp"
 #include "calibrate/inference/material_interval.hpp"
 #include "calibrate/inference/not_a_number.hpp"
 #include "calibrate/inference/scene_errors.hpp"
@@ -115,6 +116,7 @@ class SceneFit {
     warn_of_specimens(targets_, result_.targets, result_.warnings);
     const FittedScenes fitted(problem_, options_, search_.best(), errors);
     result_.intervals = find_intervals(fitted, work_, result_.warnings);
+    if (options_.laws.size() > 1) result_.held_out = held_out(fitted, work_);
   }
 
   void add_segments() {

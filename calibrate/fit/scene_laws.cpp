@@ -9,6 +9,7 @@
 #include <utility>
 #include <variant>
 
+#include "calibrate/inference/lack_of_fit.hpp"
 #include "calibrate/problem/scene_parameters.hpp"
 #include "calibrate/search/ladder.hpp"
 #include "plastica/model/region.hpp"
@@ -203,6 +204,7 @@ LawFit law_fit_of(const SceneFitRecord& record) {
   }
   fit.runs = static_cast<std::size_t>(result.search_runs);
   fit.seconds = record.seconds;
+  fit.parts = result.held_out;
   return fit;
 }
 

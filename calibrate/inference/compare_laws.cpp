@@ -5,8 +5,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
-#include "calibrate/inference/material_interval.hpp"
+#include "calibrate/inference/lack_of_fit.hpp"
 
 namespace plastica::calibrate {
 namespace {
@@ -15,10 +16,15 @@ namespace {
 constexpr double kBareMention = 2.0;
 /// A misfit below this fraction of the largest value is none.
 constexpr double kNothingLeft = 1e-6;
-/// Misfits, as fractions of the largest value, above which a law may lack something: with residuals
-/// in long runs; without a count of runs.
-constexpr double kLacking = 0.01;
-constexpr double kLackingForSure = 0.05;
+
+/// Samples of a curve, by what they are worth, below which information does not compare laws.
+constexpr double kLeastWorth = 10.0;
+/// Specimens that must have been predicted by others.
+constexpr std::size_t kFewSpecimens = 3;
+/// How much more of what it has not seen a law may leave than the best one, as a factor: within one
+/// standard error of the difference; whatever that is.
+constexpr double kAlikeByError = 1.1;
+constexpr double kAlike = 1.02;
 
 double square_of(const CurveResidual& residual) {
   const double least = kNothingLeft * residual.largest;
@@ -77,19 +83,65 @@ std::string doubts_on(const LawFit& fit) {
 
 std::string fraction_text(double fraction) { return fmt::format("{:.2g} %", 100.0 * fraction); }
 
-std::string advice_of(const std::vector<ComparedLaw>& laws, std::size_t advised) {
+double mean_of(const std::vector<double>& values) {
+  return values.empty() ? std::numeric_limits<double>::quiet_NaN()
+                        : std::accumulate(values.begin(), values.end(), 0.0) /
+                              static_cast<double>(values.size());
+}
+
+const std::vector<double>& unseen_of(const LawFit& fit, RankedBy by) {
+  return by == RankedBy::Parts ? fit.parts : fit.specimens;
+}
+
+double unseen_of(const ComparedLaw& law, RankedBy by) {
+  return by == RankedBy::Parts ? law.held_out : law.unseen;
+}
+
+/// Whether a law leaves no more of what it has not seen than the best one.
+bool are_alike(const LawFit& law, const LawFit& best, RankedBy by) {
+  const std::vector<double>& a = unseen_of(law, by);
+  const std::vector<double>& b = unseen_of(best, by);
+  if (a.empty() || a.size() != b.size()) return false;
+  const double left = std::sqrt(mean_of(a));
+  const double least = std::sqrt(mean_of(b));
+  if (left <= std::max(kAlike * least, kNothingLeft)) return true;
+  const double more = mean_of(a) - mean_of(b);
+  double squares = 0.0;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    squares += (a[i] - b[i] - more) * (a[i] - b[i] - more);
+  }
+  const auto n = static_cast<double>(a.size());
+  const double error = std::sqrt(squares / (n * std::max(1.0, n - 1.0)));
+  return left <= kAlikeByError * least && more <= error;
+}
+
+/// "BIC lower by 12 than ideal", "specimens not seen are 1.2 % off, by ideal 3 %".
+std::string gain_of(const ComparedLaw& best, const ComparedLaw& next, RankedBy by) {
+  if (by != RankedBy::Information) {
+    const double more = unseen_of(next, by);
+    return fmt::format(
+        "{}{} are {} off, by {} {}",
+        next.fit.parameters.size() > best.fit.parameters.size() && are_alike(best.fit, next.fit, by)
+            ? "simpler, and "
+            : "",
+        name_of(by), fraction_text(unseen_of(best, by)), name_of(next.fit.law),
+        std::isnan(more) ? "not known" : fraction_text(more));
+  }
+  const double gain = next.bic - best.bic;
+  return gain >= kBareMention
+             ? fmt::format("BIC lower by {:.3g} than {}", gain, name_of(next.fit.law))
+             : fmt::format("simpler than {}, whose BIC is {} by {:.2g} only", name_of(next.fit.law),
+                           gain < 0.0 ? "lower" : "higher", std::fabs(gain));
+}
+
+std::string advice_of(const LawComparison& comparison, std::size_t advised) {
+  const std::vector<ComparedLaw>& laws = comparison.laws;
   const ComparedLaw& best = laws[advised];
+  const RankedBy by = comparison.ranked_by;
   std::string text(name_of(best.fit.law));
   const std::size_t other = advised == 0 ? 1 : 0;
   if (other < laws.size() && laws[other].fit.fitted) {
-    const ComparedLaw& next = laws[other];
-    const double gain = next.bic - best.bic;
-    if (gain >= kBareMention) {
-      text += fmt::format(": BIC lower by {:.3g} than {}", gain, name_of(next.fit.law));
-    } else {
-      text += fmt::format(": simpler than {}, whose BIC is {} by {:.2g} only",
-                          name_of(next.fit.law), gain < 0.0 ? "lower" : "higher", std::fabs(gain));
-    }
+    text += ": " + gain_of(best, laws[other], by);
     for (const ComparedLaw& law : laws) {
       if (law.fit.parameters.size() <= best.fit.parameters.size() || !law.fit.fitted) continue;
       const std::string doubts = doubts_on(law.fit);
@@ -100,6 +152,12 @@ std::string advice_of(const std::vector<ComparedLaw>& laws, std::size_t advised)
                                                         name_of(best.fit.law),
                                                         fraction_text(best.fit.misfit_fraction)));
     }
+  }
+  if (by == RankedBy::Information && !comparison.is_informed) {
+    text += fmt::format(
+        "; yet BIC rests on samples worth {:.2g}, and nothing was cross-validated: "
+        "not comparable, calibrate again",
+        comparison.samples);
   }
   if (best.fit.lacks_fit) {
     text += fmt::format("; even so it does not describe the curve (misfit {} of the largest value)",
@@ -114,12 +172,32 @@ void add(LawFit&& fit, LawFit& sum) {
   append(fit.curves, sum.curves);
   append(fit.parameters, sum.parameters);
   append(fit.verdicts, sum.verdicts);
+  append(fit.parts, sum.parts);
+  append(fit.specimens, sum.specimens);
   sum.evaluations += fit.evaluations;
   sum.runs += fit.runs;
   sum.seconds = sum.fitted ? sum.seconds + fit.seconds : fit.seconds;
   sum.misfit_fraction = std::max(sum.misfit_fraction, fit.misfit_fraction);
   sum.lacks_fit = sum.lacks_fit || fit.lacks_fit;
   sum.fitted = true;
+}
+
+/// By what the laws are to be ranked.
+RankedBy ranked_by(const LawComparison& comparison) {
+  const auto all_have = [&](auto member, std::size_t least) {
+    return std::ranges::all_of(comparison.laws, [&](const ComparedLaw& law) {
+      return !law.fit.fitted || (law.fit.*member).size() >= least;
+    });
+  };
+  if (all_have(&LawFit::specimens, kFewSpecimens)) return RankedBy::Specimens;
+  return !comparison.is_informed && all_have(&LawFit::parts, 1) ? RankedBy::Parts
+                                                                : RankedBy::Information;
+}
+
+/// Whether a law is worth no less than the best one.
+bool are_alike(const ComparedLaw& law, const ComparedLaw& best, RankedBy by) {
+  return by == RankedBy::Information ? law.bic - best.bic < kBareMention
+                                     : are_alike(law.fit, best.fit, by);
 }
 
 }  // namespace
@@ -153,72 +231,38 @@ LawComparison compare_laws(std::vector<LawFit> fits) {
   LawComparison comparison;
   const std::vector<double> worth = worth_of(fits);
   for (const double n : worth) comparison.samples += n;
+  comparison.is_informed = comparison.samples >= kLeastWorth * static_cast<double>(worth.size());
   for (LawFit& fit : fits) {
     ComparedLaw law{std::move(fit)};
+    law.held_out = std::sqrt(mean_of(law.fit.parts));
+    law.unseen = std::sqrt(mean_of(law.fit.specimens));
     law.aic = law.aicc = law.bic = std::numeric_limits<double>::infinity();
     if (law.fit.fitted) set_criteria(worth, comparison.samples, law);
     comparison.laws.push_back(std::move(law));
   }
+  const RankedBy by = comparison.ranked_by = ranked_by(comparison);
   std::vector<ComparedLaw>& laws = comparison.laws;
-  std::ranges::stable_sort(laws, {}, &ComparedLaw::bic);
+  std::ranges::stable_sort(laws, {}, [by](const ComparedLaw& law) {
+    return by == RankedBy::Information || !law.fit.fitted ? law.bic : unseen_of(law, by);
+  });
   if (laws.empty() || !laws.front().fit.fitted) return comparison;
   std::size_t advised = 0;
   for (std::size_t i = 1; i < laws.size(); ++i) {
-    const bool alike = laws[i].bic - laws.front().bic < kBareMention;
+    const bool alike = laws[i].fit.fitted && are_alike(laws[i], laws.front(), by);
     if (alike && laws[i].fit.parameters.size() < laws[advised].fit.parameters.size()) advised = i;
   }
   comparison.advised = advised;
-  comparison.advice = advice_of(laws, advised);
+  comparison.advice = advice_of(comparison, advised);
   return comparison;
 }
 
-double effective_samples(std::span<const double> weight) {
-  double sum = 0.0;
-  double squares = 0.0;
-  for (const double w : weight) {
-    sum += w;
-    squares += w * w;
+std::string_view name_of(RankedBy by) {
+  switch (by) {
+    case RankedBy::Information: return "BIC";
+    case RankedBy::Parts: return "parts of the curve held out";
+    case RankedBy::Specimens: return "specimens not seen";
   }
-  return squares > 0.0 ? sum * sum / squares : 0.0;
-}
-
-double autocorrelation(std::span<const double> residual) {
-  double products = 0.0;
-  double squares = 0.0;
-  for (std::size_t i = 0; i < residual.size(); ++i) {
-    squares += residual[i] * residual[i];
-    if (i > 0) products += residual[i] * residual[i - 1];
-  }
-  return squares > 0.0 ? products / squares : 0.0;
-}
-
-double samples_worth(double samples, double autocorrelation) {
-  constexpr double kMaxAlike = 0.999;  // more alike would leave no samples
-  const double alike = std::clamp(autocorrelation, 0.0, kMaxAlike);
-  return samples * (1.0 - alike) / (1.0 + alike);
-}
-
-bool lacks_fit(double fraction, double runs_test_p) {
-  return std::isnan(runs_test_p) ? fraction > kLackingForSure
-                                 : runs_test_p < kFewRuns && fraction > kLacking;
-}
-
-std::string_view misfit_word(double fraction, double runs_test_p, double autocorrelation) {
-  if (lacks_fit(fraction, runs_test_p)) return "poor";
-  const bool is_noise = !std::isnan(runs_test_p) && !are_in_runs(runs_test_p, autocorrelation);
-  return is_noise || fraction < kLacking ? "close" : "fair";
-}
-
-std::string lack_of_fit(std::string_view law, double fraction, double runs_test_p,
-                        std::string_view try_next) {
-  if (!lacks_fit(fraction, runs_test_p)) return {};
-  const bool counted = !std::isnan(runs_test_p);
-  std::string text = fmt::format("{} does not describe this curve (misfit {} of the largest value",
-                                 law, fraction_text(fraction));
-  if (counted) text += fmt::format(", runs test p {:.1g}", runs_test_p);
-  text += "): errors are widened for it, and rough";
-  if (!try_next.empty()) text += fmt::format("; try --laws {}", try_next);
-  return text;
+  return {};
 }
 
 }  // namespace plastica::calibrate

@@ -1,10 +1,8 @@
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <limits>
 #include <optional>
-#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -37,7 +35,21 @@ struct LawFit {
   double seconds = std::numeric_limits<double>::quiet_NaN();
   double misfit_fraction = 0.0;  ///< rms over the largest measured value [1]
   bool lacks_fit = false;        ///< whether it does not describe a curve: `lacks_fit` below
+  /// What is left of samples that the fit has not seen, as fractions of the largest value squared
+  /// [1]: of each part of a curve (held_out.hpp), and of each specimen whose curve was predicted
+  /// from others (unseen.hpp). Each mean is a square of a misfit.
+  std::vector<double> parts, specimens;
 };
+
+/// What laws are ranked by, and how a report says it.
+enum class RankedBy {
+  Information,  ///< BIC
+  Parts,        ///< parts of the curves that the fits have not seen
+  Specimens,    ///< specimens that the fits have not seen
+};
+
+/// "BIC", "parts of the curve held out", "specimens not seen".
+std::string_view name_of(RankedBy by);
 
 /// A law among others, all fitted to the same curves.
 ///
@@ -59,58 +71,44 @@ struct LawFit {
 /// Kish, Survey Sampling (1965), 11.7; Bayley & Hammersley, J. R. Stat. Soc. Suppl. 8 (1946) 184.
 struct ComparedLaw {
   LawFit fit;
+  double held_out = 0.0;  ///< rms misfit of parts held out, as a fraction; NaN: not known
+  double unseen = 0.0;    ///< of specimens that were not seen; NaN: not known
   double aic = 0.0;
   double aicc = 0.0;  ///< infinite where N <= K + 1
   double bic = 0.0;
 };
 
 struct LawComparison {
-  std::vector<ComparedLaw> laws;       ///< by rising BIC; those that have no fit last
-  double samples = 0.0;                ///< N
+  std::vector<ComparedLaw> laws;  ///< the best first; those that have no fit last
+  RankedBy ranked_by = RankedBy::Information;
+  double samples = 0.0;  ///< N
+  /// Whether information compares them: N is at least ten for each curve. Below, the residuals are
+  /// hardly more than one shape that no law has, and the price of a parameter, ln N, is nothing.
+  bool is_informed = true;
   std::optional<std::size_t> advised;  ///< index into `laws`; empty if none was fitted
   std::string advice;                  ///< one sentence: which law and why
 };
 
-/// Compares fits of several laws to the same curves. The law with the least BIC is advised, but of
-/// those within 2 of it the one with the fewest parameters (a smaller difference is "not worth more
-/// than a bare mention", Kass & Raftery, J. Am. Stat. Assoc. 90 (1995) 773).
+/// Compares fits of several laws to the same curves.
+///
+/// Where information compares them, the law with the least BIC is advised, but of those within 2 of
+/// it the one with the fewest parameters (a smaller difference is "not worth more than a bare
+/// mention", Kass & Raftery, J. Am. Stat. Assoc. 90 (1995) 773).
+///
+/// Where it does not, the law is advised that leaves the least misfit of what it has not seen; but
+/// of those that are as good, the one with the fewest parameters. As good is a misfit up to 2 %
+/// larger; or up to 10 %, if the squares differ by no more than the standard error of the
+/// difference, that of the mean of the differences part by part or specimen by specimen. Source:
+/// Breiman, Friedman, Olshen & Stone, Classification and Regression Trees (1984), 3.4.3; both
+/// limits are ours: parts that all differ by next to nothing have next to no error, and the
+/// difference of few parts may be one part's alone.
 LawComparison compare_laws(std::vector<LawFit> fits);
 
 /// The laws over several targets, as if each target had the law's parameters of its own: sums of
 /// the targets that every law was fitted to; where there is none, of the laws that were fitted to
-/// every target.
+/// every target. Where three specimens or more were predicted by others, that ranks the laws: it is
+/// what a law is fitted for.
 /// @param targets  the fits of each, a law each, the same laws
 LawComparison compare_laws_over(std::vector<std::vector<LawFit>> targets);
-
-/// (sum w)^2/sum w^2.
-double effective_samples(std::span<const double> weight);
-
-/// sum r_i r_{i-1}/sum r_i^2; 0 for residuals that all vanish.
-double autocorrelation(std::span<const double> residual);
-
-/// What samples are worth whose residuals are alike by rho, as those of an autoregressive process:
-/// n (1 - rho)/(1 + rho), with rho within [0, 0.999]. Source: Bayley & Hammersley, as above.
-double samples_worth(double samples, double autocorrelation);
-
-/// Whether a law does not describe a curve, as far as the residuals tell: where they lie in runs
-/// that noise would not (`kFewRuns`) and are more than 1 % of the largest value. For curves too
-/// short to count runs, where they are more than 5 % of it.
-/// @param fraction  rms of the residuals over the largest measured value
-bool lacks_fit(double fraction, double runs_test_p);
-
-/// How well a law describes a curve, in one word for all that speaks of it:
-/// - "poor": `lacks_fit`;
-/// - "close": the residuals are noise (no fewer runs than noise has, neighbours not alike), or
-/// below
-///   1 % of the largest value;
-/// - "fair": what is left, such as 1 to 5 % of a curve too short to count runs.
-/// @param autocorrelation  of neighbouring residuals: many elastic samples may hide the runs of few
-///                         others from the count
-std::string_view misfit_word(double fraction, double runs_test_p, double autocorrelation);
-
-/// Says that it does not, and what to try; empty where it does.
-/// @param try_next  `laws_to_try`
-std::string lack_of_fit(std::string_view law, double fraction, double runs_test_p,
-                        std::string_view try_next);
 
 }  // namespace plastica::calibrate

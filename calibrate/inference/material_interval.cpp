@@ -4,7 +4,7 @@
 #include <cmath>
 #include <vector>
 
-#include "calibrate/inference/compare_laws.hpp"
+#include "calibrate/inference/lack_of_fit.hpp"
 #include "calibrate/inference/verdict.hpp"
 #include "plastica/theory/statistics.hpp"
 

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "calibrate/fit/check_scene_fit.hpp"
-#include "calibrate/inference/compare_laws.hpp"
+#include "calibrate/inference/lack_of_fit.hpp"
 
 namespace plastica::calibrate {
 

@@ -8,6 +8,7 @@
 #include <fmt/ranges.h>
 
 #include "calibrate/fit/scene_laws.hpp"
+#include "calibrate/inference/lack_of_fit.hpp"
 
 namespace plastica::calibrate {
 namespace {
@@ -34,6 +35,8 @@ LawFit law_fit_of(const FitRecord& record) {
   fit.evaluations = result.evaluations() + result.simpler_evaluations;
   fit.misfit_fraction = result.misfit_fraction;
   fit.lacks_fit = lacks_fit(result.misfit_fraction, result.runs_test_p);
+  fit.parts = result.held_out;
+  if (result.unseen) fit.specimens.push_back(*result.unseen);
   return fit;
 }
 

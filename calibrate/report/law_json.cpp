@@ -27,12 +27,16 @@ Json comparison_of(const LawComparison& comparison) {
                     {"aic", number(law.aic)},
                     {"aicc", number(law.aicc)},
                     {"bic", number(law.bic)},
+                    {"held_out", number(law.held_out)},
+                    {"unseen", number(law.unseen)},
                     {"verdicts", std::move(counts)},
                     {"evaluations", law.fit.evaluations},
                     {"runs", law.fit.runs > 0 ? Json(law.fit.runs) : Json(nullptr)},
                     {"lacks_fit", law.fit.lacks_fit}});
   }
   return {{"samples", number(comparison.samples)},
+          {"comparable_by_information", comparison.is_informed},
+          {"ranked_by", calibrate::name_of(comparison.ranked_by)},
           {"laws", std::move(laws)},
           {"advised", comparison.advised
                           ? Json(calibrate::name_of(comparison.laws[*comparison.advised].fit.law))

@@ -186,6 +186,16 @@ void add_misfit(const Records<SceneFitRecord>& records, const LawComparison& com
   }
 }
 
+/// The misfit of what the laws have not seen, if it is known.
+void add_unseen(Table& table, std::string_view label, const LawComparison& comparison,
+                double ComparedLaw::*misfit) {
+  const auto is_known = [&](const ComparedLaw& law) { return std::isfinite(law.*misfit); };
+  if (std::ranges::none_of(comparison.laws, is_known)) return;
+  add_row(table, label, "%", comparison, [&](const ComparedLaw& law) {
+    return is_known(law) ? significant(100.0 * law.*misfit, 2) : std::string("-");
+  });
+}
+
 template <typename Record>
 void add_comparison(const Records<Record>& records, const LawComparison& comparison, Table& table) {
   table.add_line("");
@@ -204,10 +214,14 @@ void add_comparison(const Records<Record>& records, const LawComparison& compari
             [&](const ComparedLaw& law) { return std::to_string(count(law)); });
   }
   add_misfit(records, comparison, table);
-  add_criterion(table, "AIC above the least", comparison,
-                [](const ComparedLaw& law) { return law.aic; });
-  add_criterion(table, "AICc", comparison, [](const ComparedLaw& law) { return law.aicc; });
-  add_criterion(table, "BIC", comparison, [](const ComparedLaw& law) { return law.bic; });
+  add_unseen(table, "  of parts held out", comparison, &ComparedLaw::held_out);
+  add_unseen(table, "  of specimens not seen", comparison, &ComparedLaw::unseen);
+  if (comparison.is_informed) {
+    add_criterion(table, "AIC above the least", comparison,
+                  [](const ComparedLaw& law) { return law.aic; });
+    add_criterion(table, "AICc", comparison, [](const ComparedLaw& law) { return law.aicc; });
+    add_criterion(table, "BIC", comparison, [](const ComparedLaw& law) { return law.bic; });
+  }
   add_row(table, "evaluations", "", comparison,
           [](const ComparedLaw& law) { return std::to_string(law.fit.evaluations); });
   const auto any = [&](const auto& has) { return std::ranges::any_of(comparison.laws, has); };
@@ -234,12 +248,16 @@ std::string target_text(const Records<Record>& records, const Ink& ink) {
   add_parameters(sorted, table);
   add_comparison(sorted, comparison, table);
   std::string text =
-      ink.heading(fmt::format("Laws for {}, by BIC\n", printable(target_name(*records.front())))) +
+      ink.heading(fmt::format("Laws for {}, by {}\n", printable(target_name(*records.front())),
+                              calibrate::name_of(comparison.ranked_by))) +
       table.text(2, kWidth);
   if (!comparison.advised) return text;
-  text += law_entry("samples",
-                    fmt::format("{}, worth {} to AIC and BIC: weights and neighbours alike",
-                                samples_of(*sorted.front()), significant(comparison.samples, 3)));
+  text += law_entry(
+      "samples",
+      fmt::format("{}, worth {}, by weights and neighbours alike{}", samples_of(*sorted.front()),
+                  significant(comparison.samples, 3),
+                  comparison.is_informed ? ": what AIC and BIC count"
+                                         : ": too few to compare by information (AIC, BIC)"));
   return text + law_entry("advised", comparison.advice);
 }
 

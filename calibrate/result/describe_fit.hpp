@@ -91,6 +91,10 @@ inline constexpr auto kDescribeFit = [](auto& d) {
   });
   d("break_strain_total", "1", PLASTICA_MEMBER(result.break_strain_total),
     "total strain at which the fitted model breaks");
+  d.since(7, [](auto& later) {
+    later("unseen", "1", PLASTICA_MEMBER(result.unseen),
+          "square of the misfit by fits of other specimens, over the largest stress");
+  });
 };
 
 /// Of a SceneFitRecord, but for its lists.

@@ -29,6 +29,9 @@ struct FitOutcome {
   /// row; NaN where one is not identified, empty without a fit.
   std::vector<double> correlation;
   FitIntervals intervals;  ///< of the free parameters, in their order: those that were asked for
+  /// Where laws are compared: what fits without one part of the curves leave of that part, as
+  /// fractions squared (held_out.hpp) [1]; empty: not known.
+  std::vector<double> held_out;
   std::vector<std::string> warnings;
 
   bool is_fitted() const { return status == FitStatus::Fitted; }

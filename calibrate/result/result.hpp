@@ -37,17 +37,20 @@ struct FitResult : FitOutcome {
   double cost = 0.0;             ///< f at the solution, break term included [Pa^2]
   double misfit_rms = 0.0;       ///< sqrt of f without the break term [Pa]
   double misfit_fraction = 0.0;  ///< misfit_rms / largest measured stress [1]
-  std::string misfit_word;       ///< "close", "fair", "poor": compare_laws.hpp
+  std::string misfit_word;       ///< "close", "fair", "poor": lack_of_fit.hpp
   /// Probability of so few runs of one sign, if the residuals were noise (verdict.hpp); NaN for
   /// fewer than 20.
   double runs_test_p = std::numeric_limits<double>::quiet_NaN();
-  double autocorrelation = 0.0;    ///< of neighbouring residuals (compare_laws.hpp) [1]
-  double effective_samples = 0.0;  ///< by their weights (compare_laws.hpp) [1]
+  double autocorrelation = 0.0;    ///< of neighbouring residuals (lack_of_fit.hpp) [1]
+  double effective_samples = 0.0;  ///< by their weights (lack_of_fit.hpp) [1]
   std::size_t samples = 0;         ///< that entered the fit
   std::optional<double> noise;     ///< that was stated, of the stress [Pa]; empty: none was
   /// Of fits of the simpler laws that this one contains, whose values were tried as starts.
   std::size_t simpler_evaluations = 0;
   std::optional<double> break_strain_total;  ///< total strain at which the fitted model breaks [1]
+  /// Where laws are compared: what the fits of other specimens leave of this curve, as a fraction
+  /// squared (unseen.hpp) [1].
+  std::optional<double> unseen;
   std::uint64_t seed = 0;
   std::vector<OptimizerStage> stages;
   Trace trace;   ///< `correlation` is of its active parameters

@@ -39,6 +39,15 @@ class StoreReader {
   }
 
   template <typename Member>
+  void numbers_since(int version, const std::string& path, const Member& member) {
+    if (tables_.version() < version) return;
+    const auto rows = tables_.lists(path, records_.size());
+    for (std::size_t i = 0; i < records_.size(); ++i) {
+      member(records_[i]).assign(rows.row(i).begin(), rows.row(i).end());
+    }
+  }
+
+  template <typename Member>
   void curve(const std::string& path, const Member& member) {
     const auto offsets = root_.read<std::uint64_t>(path + "/offsets");
     const auto strain = numbers(path + "/strain");

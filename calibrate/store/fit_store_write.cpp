@@ -40,6 +40,14 @@ class StoreWriter {
     store::write_items(root_, path, store::items_of(records_, member), columns);
   }
 
+  /// Numbers of each record.
+  template <typename Member>
+  void numbers_since(int /*version*/, const std::string& path, const Member& member) {
+    io::Ragged<double> rows;
+    for (const FitRecord* record : records_) rows.push_back(member(*record));
+    root_.write_ragged(path, rows, {"1", store::kDeflate});
+  }
+
   template <typename Member>
   void curve(const std::string& path, const Member& member) {
     Curve all;

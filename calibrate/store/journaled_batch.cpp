@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "calibrate/fit/fit.hpp"
+#include "calibrate/fit/unseen.hpp"
 #include "calibrate/store/case_id.hpp"
 #include "calibrate/store/record_bytes.hpp"
 #include "plastica/base/parallel_for.hpp"
@@ -136,6 +137,8 @@ std::vector<FitResult> JournaledBatch::run() {
   for (std::size_t i = 0; i < cases_.size(); ++i) {
     if (results_[i]) results[i] = std::move(*results_[i]);
   }
+  // Of all fits together, and quick: no part of the journal.
+  if (complete_) add_unseen(targets_, cases_, options_, how_.threads, results);
   return results;
 }
 

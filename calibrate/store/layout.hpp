@@ -19,6 +19,7 @@ void traverse_records(Store& store) {
   store.parameters();
   store.free_parameters();
   store.correlation();
+  store.numbers_since(7, "held_out", PLASTICA_MEMBER(result.held_out));
   store.intervals();
 
   store.curve("curves/raw", PLASTICA_MEMBER(target.raw));

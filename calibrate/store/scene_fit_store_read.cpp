@@ -41,6 +41,11 @@ class Reader {
         refuse("correlation", "must have a row and a column for each parameter of a fit");
       }
     }
+    if (tables_.version() < 8) return;
+    const auto held_out = tables_.lists("held_out", records_.size());
+    for (std::size_t i = 0; i < records_.size(); ++i) {
+      records_[i]->result.held_out = numbers(held_out.row(i));
+    }
   }
 
   void segments() {

@@ -175,9 +175,13 @@ void write_scene_fit_store(const std::string& path, const SceneFitContents& cont
   io::write_run_id(root, contents.run);
   io::Hdf5Group fits = root.group("fits");
   store::write_columns(fits, records, kDescribeSceneFit);
-  io::Ragged<double> correlation;
-  for (const SceneFitRecord* record : records) correlation.push_back(record->result.correlation);
+  io::Ragged<double> correlation, held_out;
+  for (const SceneFitRecord* record : records) {
+    correlation.push_back(record->result.correlation);
+    held_out.push_back(record->result.held_out);
+  }
   root.write_ragged("correlation", correlation, {"1", store::kDeflate});
+  root.write_ragged("held_out", held_out, {"1", store::kDeflate});
   write_targets(root, records);
   write_lists(root, records);
   store::write_intervals(root, intervals_of(records));

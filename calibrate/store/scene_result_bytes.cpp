@@ -41,7 +41,7 @@ void code(auto& coder, A<SceneFitResult> auto& r) {
   coder.maybe(r.segments, item);
   coder(r.outcome, r.runs, r.failed_runs, r.segment_iterations, r.warnings);
   store::code_intervals(coder, r.intervals);
-  coder(r.law, r.search_runs);
+  coder(r.law, r.search_runs, r.held_out);
 }
 
 /// Not inlined, for the same reason as in record_bytes.cpp.

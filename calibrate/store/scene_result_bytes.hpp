@@ -11,7 +11,7 @@ namespace plastica::calibrate {
 
 /// Version of the records below: to be raised whenever a field of a result is added, removed or
 /// moved. Records of another version are refused.
-inline constexpr std::uint32_t kSceneResultVersion = 6;
+inline constexpr std::uint32_t kSceneResultVersion = 7;
 
 /// A result of a fit through scenes as bytes, with every field: what the journal keeps of it.
 std::vector<std::byte> bytes_of(const SceneFitResult& result);
