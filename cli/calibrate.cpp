@@ -117,6 +117,7 @@ int calibrate_files(const CalibrateArguments& arguments) {
   calibrate::FitFile file = read_inputs(arguments);
   set_intervals(arguments, file.options.intervals);
   if (!arguments.laws.empty()) file.options.laws = calibrate::laws_of(arguments.laws, "--laws");
+  if (arguments.no_modulus_prior) file.options.modulus_prior = false;
   const bool found = finds_output(arguments.resume, arguments.force, output);
   if (!arguments.dry_run) check_outputs(file, output, arguments.json, arguments.force, found);
   for (calibrate::TargetBlock& block : file.targets) {
@@ -246,6 +247,9 @@ void add_calibrate(CLI::App& app, const std::string& command_line, Action& actio
   add_quiet_option(*sub, arguments->quiet, "no report, no progress");
   sub->add_flag("--accept", arguments->accept,
                 "Fit curves that are those of no material, too; --dry-run prints the bounds");
+  sub->add_flag(
+      "--no-modulus-prior", arguments->no_modulus_prior,
+      "Fit E by the curve's law alone, not with the slope of its elastic part as a prior");
   add_interval_options(*sub, *arguments);
   add_bare_options(*sub, arguments->bare);
   sub->footer(

@@ -24,6 +24,7 @@ struct CalibrateArguments {
   bool resume = false;
   bool force = false;
   bool quiet = false;
+  bool no_modulus_prior = false;
   bool accept = false;  ///< implausible curves, too
   calibrate::BareFiles bare;
   std::string bare_option;  ///< first of the options for curves without a fit file that was given

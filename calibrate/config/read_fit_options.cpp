@@ -70,6 +70,7 @@ void read_objective(const TomlTable& fit, FitOptions& options) {
     }
   }
   if (const auto value = fit.find("weights")) options.weights = read_weights(*value, options);
+  if (fit.contains("modulus_prior")) options.modulus_prior = fit.is_set("modulus_prior");
   if (const auto value = fit.find("break_weight")) {
     options.break_weight = value->number_within(0.0, std::numeric_limits<double>::infinity(), true);
   }

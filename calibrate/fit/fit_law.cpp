@@ -4,9 +4,10 @@
 
 #include <algorithm>
 #include <optional>
+#include <string>
 #include <utility>
 
-#include "calibrate/fit/fit.hpp"
+#include "calibrate/fit/search_target.hpp"
 #include "calibrate/problem/parameter_set.hpp"
 #include "calibrate/search/ladder.hpp"
 
@@ -75,15 +76,20 @@ FitOptions options_of(Law law, const FitOptions& options, Loading loading) {
   return own;
 }
 
-FitResult fit_law(const Target& target, const FitOptions& options, Law law) {
+namespace {
+
+/// As `fit_law`, without the prior of E.
+/// @param warning  is set where a simpler law that it contains ends with a smaller misfit
+FitResult search_law(const Target& target, const FitOptions& options, Law law,
+                     std::string& warning) {
   FitOptions own = options_of(law, options, target.loading);
-  own.intervals = {};  // of the fit that is kept alone: `fit_cases` adds them
   Law simpler = law;
-  if (!has_simpler(law, simpler)) return fit_target(target, own);
-  const FitResult below = fit_law(target, options, simpler);
+  if (!has_simpler(law, simpler)) return search_target(target, own);
+  const FitResult below = search_law(target, options, simpler, warning);
+  warning.clear();
   const bool fitted = below.status == FitStatus::Fitted;
-  FitResult result =
-      fit_target(target, own, fitted ? starts_of(target, own, below) : std::vector<StartPoint>());
+  FitResult result = search_target(
+      target, own, fitted ? starts_of(target, own, below) : std::vector<StartPoint>());
   if (result.status != FitStatus::Fitted) return result;
   result.simpler_evaluations = below.evaluations() + below.simpler_evaluations;
   if (!fitted) return result;
@@ -91,7 +97,7 @@ FitResult fit_law(const Target& target, const FitOptions& options, Law law) {
   for (const bool no_effect : {false, true}) {
     if (!worse()) return result;
     start_from(below, result, no_effect, own);
-    FitResult again = fit_target(target, own);
+    FitResult again = search_target(target, own);
     again.simpler_evaluations = result.simpler_evaluations;
     if (again.status == FitStatus::Fitted && again.cost < result.cost) {
       put_before(std::move(result), again);
@@ -101,11 +107,21 @@ FitResult fit_law(const Target& target, const FitOptions& options, Law law) {
     }
   }
   if (worse()) {
-    result.warnings.push_back(
-        fmt::format("{} ends with a larger misfit than {}, which it contains: its search has not "
-                    "found its best",
-                    name_of(law), name_of(simpler)));
+    warning = fmt::format(
+        "{} ends with a larger misfit than {}, which it contains: its search has not found its "
+        "best",
+        name_of(law), name_of(simpler));
   }
+  return result;
+}
+
+}  // namespace
+
+FitResult fit_law(const Target& target, const FitOptions& options, Law law) {
+  std::string warning;
+  FitResult result = search_law(target, options, law, warning);
+  weigh_modulus(target, options_of(law, options, target.loading), result);
+  if (!warning.empty()) result.warnings.push_back(std::move(warning));
   return result;
 }
 

@@ -57,6 +57,8 @@ struct FitOptions {
   std::vector<WeightStep> weights;
   /// Weight of the break term (see misfit.hpp), >= 0; 0 leaves break_strain unidentified.
   double break_weight = 1.0;
+  /// Whether the slope of the elastic part is a prior of Young's modulus (modulus_prior.hpp).
+  bool modulus_prior = true;
   std::string algorithm = "auto";  ///< see `algorithm_names()`
   StoppingRules stopping;
   /// Laws to be compared, see fit_law.hpp; empty: the material's own alone.

@@ -13,6 +13,10 @@ std::vector<double> drawn_shift(const CouponProblem& problem, const std::vector<
                                 double inflation, std::size_t block, Draws& draws) {
   const std::vector<double> drawn = drawn_residuals(residual, inflation, block, draws);
   std::vector<double> shift(problem.squares().residuals, 0.0);
+  // The prior's mean is drawn about the fitted value that it stands for.
+  if (problem.prior_size() > 0.0) {
+    shift.back() = problem.prior_size() * draws.normal() - problem.prior_residual();
+  }
   for (std::size_t i = 0; i < drawn.size(); ++i) {
     const std::size_t s = problem.entered()[i];
     shift[s] = problem.scale(s) * (drawn[i] - residual[i]);

@@ -40,6 +40,7 @@ CouponProblem::CouponProblem(const Target& target, const FitOptions& options,
     }
     free_.push_back(free);
   }
+  if (result.modulus_prior) misfit_.set_prior(*result.modulus_prior);
   details_ = misfit_.details(active_);
   drop_unidentifiable_yield(misfit_, set_, active_, options, details_);
   uncertainty_ = uncertainty(details_, active_, set_, target, options, misfit_.break_factor());
@@ -61,7 +62,7 @@ CouponProblem::CouponProblem(const Target& target, const FitOptions& options,
     scale_.push_back(std::sqrt(unit * weights[s]));
     if (weights[s] > 0.0) entered_.push_back(s);
   }
-  squares_.residuals = weights.size() + 1;
+  squares_.residuals = weights.size() + 2;
   squares_.evaluate = one_by_one([this](std::span<const double> x, std::span<double> residual) {
     return residuals(x, residual);
   });
@@ -70,6 +71,7 @@ CouponProblem::CouponProblem(const Target& target, const FitOptions& options,
     cost_ = std::numeric_limits<double>::quiet_NaN();
     return;
   }
+  prior_residual_ = residual.back();
   cost_ = std::inner_product(residual.begin(), residual.end(), residual.begin(), 0.0);
 }
 
@@ -83,6 +85,7 @@ bool CouponProblem::residuals(std::span<const double> x, std::span<double> resid
   if (!misfit_.residuals(active_of(x), residual.first(samples))) return false;
   for (std::size_t s = 0; s < samples; ++s) residual[s] *= scale_[s];
   residual[samples] = break_scale_ * misfit_.break_residual();
+  residual[samples + 1] = break_scale_ * misfit_.prior_residual();
   return true;
 }
 
@@ -116,6 +119,7 @@ std::optional<CouponProblem::Moments> CouponProblem::moments(
            (slope[i] * slope[j] * weight_unit_);
   };
   Moments all;
+  double of_residuals = 0.0, of_prior = 0.0;
   all.along.assign(n, 0.0);
   for (std::size_t i = 0; i < n; ++i) {
     if (!uncertainty_.identified[searched_[i]]) {
@@ -125,13 +129,17 @@ std::optional<CouponProblem::Moments> CouponProblem::moments(
     }
     for (std::size_t j = 0; j < n; ++j) {
       if (!uncertainty_.identified[searched_[j]]) continue;
-      const double spread = spread_.spread[searched_[i] * n_active + searched_[j]];
-      all.squared_error +=
-          gradient[i] * gradient[j] * noise_ * noise_ * spread / (slope[i] * slope[j]);
+      const std::size_t entry = searched_[i] * n_active + searched_[j];
+      const double both = gradient[i] * gradient[j] / (slope[i] * slope[j]);
+      of_residuals += both * noise_ * noise_ * spread_.spread[entry];
+      of_prior += both * spread_.prior[entry];
       all.inverse += gradient[i] * gradient[j] * inverse(i, j);
       all.along[i] += inverse(i, j) * gradient[j];
     }
   }
+  // The errors add up, see uncertainty.hpp.
+  all.squared_error =
+      std::pow(std::sqrt(std::max(0.0, of_residuals)) + std::sqrt(std::max(0.0, of_prior)), 2);
   if (!(all.squared_error > 0.0) || !(all.inverse > 0.0)) return std::nullopt;
   for (double& a : all.along) a /= all.inverse;
   return all;

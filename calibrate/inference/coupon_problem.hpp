@@ -20,7 +20,7 @@ namespace plastica::calibrate {
 /// where the search may end below (`ResolvedParameter::search_upper`).
 ///
 /// Residuals are r_i sqrt(w_i W/sum w^2)/s with W = sum w, so that equal weights give r_i/s; the
-/// last is what the break term adds.
+/// last two are what the break term and the prior of E add.
 class CouponProblem {
  public:
   /// @param result  Fitted, with these options; all must outlive this
@@ -28,7 +28,7 @@ class CouponProblem {
   CouponProblem(const CouponProblem&) = delete;
   CouponProblem& operator=(const CouponProblem&) = delete;
 
-  /// From the solution on (n searched parameters, m = n_samples + 1).
+  /// From the solution on (n searched parameters, m = n_samples + 2).
   const LeastSquaresProblem& squares() const { return squares_; }
   /// The same and last the break limit that the model has at the middle of the break's interval.
   LeastSquaresProblem with_limit();
@@ -44,6 +44,9 @@ class CouponProblem {
   std::size_t determined() const { return determined_; }
   /// Of a residual in Pa, to have it as the squares do.
   double scale(std::size_t sample) const { return scale_[sample]; }
+  /// The last residual where E is off its prior's mean by one standard deviation.
+  double prior_size() const { return break_scale_ * misfit_.prior_size(); }
+  double prior_residual() const { return prior_residual_; }  ///< at the solution
 
   /// g^T C g and g^T A^-1 g, A of the squares, over what the curve determines; and C, A^-1 times g.
   struct Moments {
@@ -87,6 +90,7 @@ class CouponProblem {
   Spread spread_;
   double noise_ = 0.0;
   double limit_half_ = 0.0;
+  double prior_residual_ = 0.0;
   double weight_unit_ = 1.0;   ///< squares over the weighted ones of the details [1/Pa^2]
   std::vector<double> scale_;  ///< (n_samples) [1/Pa]
   double break_scale_ = 0.0;

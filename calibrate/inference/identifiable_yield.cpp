@@ -34,7 +34,7 @@ class WithoutYield {
       problem_.start.push_back(std::clamp(parameters.coordinate(i, active[i]),
                                           problem_.lower.back(), problem_.upper.back()));
     }
-    problem_.residuals = misfit.weights().size() + 1;
+    problem_.residuals = misfit.weights().size() + 2;
     problem_.evaluate = one_by_one([this](std::span<const double> x, std::span<double> residual) {
       return residuals(x, residual);
     });
@@ -58,6 +58,7 @@ class WithoutYield {
     if (!misfit_.residuals(active_, residual.first(weights.size()))) return false;
     for (std::size_t s = 0; s < weights.size(); ++s) residual[s] *= std::sqrt(weights[s]);
     residual[weights.size()] = misfit_.break_residual();
+    residual[weights.size() + 1] = misfit_.prior_residual();
     return true;
   }
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <span>
 
 #include "calibrate/inference/not_a_number.hpp"
@@ -20,25 +21,28 @@ constexpr double kRankTolerance = 1e-12;
 /// Parameters that shape the stress (not the break strain), and what the curve says of them.
 struct StressErrors {
   std::vector<std::size_t> columns;  ///< active indices that are identified
-  MatrixXd covariance;               ///< of those, SI
-  MatrixXd inverse, weighted;        ///< A^-1 and J^T W^2 J of those, over the sizes of both
-  std::vector<double> size;          ///< of the active parameters, SI (n)
-  double variance = 0.0;             ///< of the noise [Pa^2]
+  MatrixXd covariance, of_prior;     ///< of those, from residuals and from the prior, SI
+  /// A^-1, J^T W^2 J and P of those, over the sizes of both.
+  MatrixXd inverse, weighted, prior;
+  std::vector<double> size;  ///< of the active parameters, SI (n)
+  double variance = 0.0;     ///< of the noise [Pa^2]
   double degrees_of_freedom = 1.0;
 };
 
-/// A = J^T W J and B = J^T W^2 J of some columns, scaled by `size`.
+/// A, with the prior's, B = J^T W^2 J and the prior's B_p of some columns, scaled by `size`.
 struct Normal {
-  MatrixXd a, b;
+  MatrixXd a, b, prior;
 
   /// The rows and columns of those that are kept.
-  Normal of(const std::vector<Eigen::Index>& kept) const { return {a(kept, kept), b(kept, kept)}; }
+  Normal of(const std::vector<Eigen::Index>& kept) const {
+    return {a(kept, kept), b(kept, kept), prior(kept, kept)};
+  }
 };
 
 Normal normal_matrices(const Misfit::Details& d, const std::vector<std::size_t>& columns,
                        const std::vector<double>& size) {
   const auto m = static_cast<Eigen::Index>(columns.size());
-  Normal normal{MatrixXd::Zero(m, m), MatrixXd::Zero(m, m)};
+  Normal normal{MatrixXd::Zero(m, m), MatrixXd::Zero(m, m), MatrixXd::Zero(m, m)};
   std::vector<double> squared_weight(d.weight);
   for (double& w : squared_weight) w *= w;
   const std::size_t samples = d.residual.size();
@@ -53,6 +57,13 @@ Normal normal_matrices(const Misfit::Details& d, const std::vector<std::size_t>&
       normal.a(i, j) = unit * weighted_product(d.weight, column(i), column(j));
       normal.b(i, j) = unit * weighted_product(squared_weight, column(i), column(j));
     }
+  }
+  const double total = std::accumulate(d.weight.begin(), d.weight.end(), 0.0);
+  for (Eigen::Index k = 0; d.prior && k < m; ++k) {
+    if (columns[static_cast<std::size_t>(k)] != d.prior_column) continue;
+    const double per_deviation = size_of(k) / d.prior->standard_deviation;
+    normal.a(k, k) += total * d.prior->variance * per_deviation * per_deviation;
+    normal.prior(k, k) = std::pow(total * d.prior->variance * per_deviation, 2);
   }
   normal.a.triangularView<Eigen::StrictlyUpper>() = normal.a.transpose();
   normal.b.triangularView<Eigen::StrictlyUpper>() = normal.b.transpose();
@@ -112,7 +123,7 @@ StressErrors stress_errors(const Misfit::Details& d, std::span<const double> act
   const Normal normal = keep_identified(d, size, stress, of_stress.columns);
 
   const auto m = static_cast<Eigen::Index>(of_stress.columns.size());
-  of_stress.covariance = MatrixXd::Zero(m, m);
+  of_stress.covariance = of_stress.of_prior = MatrixXd::Zero(m, m);
   double squares = 0.0;
   double counted = 0.0;
   for (std::size_t s = 0; s < d.residual.size(); ++s) {
@@ -128,14 +139,15 @@ StressErrors stress_errors(const Misfit::Details& d, std::span<const double> act
   }
   if (m == 0) return of_stress;
   of_stress.inverse = normal.a.ldlt().solve(MatrixXd::Identity(m, m));
-  const MatrixXd c = of_stress.variance * of_stress.inverse * normal.b * of_stress.inverse;
-  for (Eigen::Index i = 0; i < m; ++i) {
-    for (Eigen::Index j = 0; j < m; ++j) {
-      of_stress.covariance(i, j) = c(i, j) * size[of_stress.columns[static_cast<std::size_t>(i)]] *
-                                   size[of_stress.columns[static_cast<std::size_t>(j)]];
-    }
-  }
   of_stress.weighted = normal.b;
+  of_stress.prior = of_stress.inverse * normal.prior * of_stress.inverse;
+  VectorXd sizes(m);
+  for (Eigen::Index i = 0; i < m; ++i) {
+    sizes(i) = size[of_stress.columns[static_cast<std::size_t>(i)]];
+  }
+  const MatrixXd c = of_stress.variance * of_stress.inverse * normal.b * of_stress.inverse;
+  of_stress.covariance = sizes.asDiagonal() * c * sizes.asDiagonal();
+  of_stress.of_prior = sizes.asDiagonal() * of_stress.prior * sizes.asDiagonal();
   return of_stress;
 }
 
@@ -169,19 +181,22 @@ Uncertainty uncertainty(const Misfit::Details& details, std::span<const double> 
     }
     sampling(row) = target.characteristics.observed_break->half_interval() / break_factor;
   }
-  const MatrixXd covariance = map * of_stress.covariance * map.transpose();
+  const MatrixXd of_residuals = map * of_stress.covariance * map.transpose();
+  const MatrixXd of_prior = map * of_stress.of_prior * map.transpose();
+  const MatrixXd covariance = of_residuals + of_prior;
   u.standard_error.assign(n, kNan);
   u.noise_error.assign(n, kNan);
+  u.residual_error.assign(n, kNan);
   u.sampling.assign(n, 0.0);
   u.correlation.assign(n * n, kNan);
   for (std::size_t i = 0; i < n; ++i) {
     if (!u.identified[i]) continue;
     const auto row = static_cast<Eigen::Index>(i);
-    const double variance = std::max(0.0, covariance(row, row));
     const double half = std::fabs(sampling(row));
-    u.noise_error[i] = std::sqrt(variance);
+    u.residual_error[i] = std::sqrt(std::max(0.0, of_residuals(row, row)));
+    u.noise_error[i] = u.residual_error[i] + std::sqrt(std::max(0.0, of_prior(row, row)));
     u.sampling[i] = half;
-    u.standard_error[i] = std::sqrt(variance + half * half / 3.0);
+    u.standard_error[i] = std::hypot(u.noise_error[i], half / std::sqrt(3.0));
   }
   for (std::size_t i = 0; i < n; ++i) {
     for (std::size_t j = 0; j < n; ++j) {
@@ -203,6 +218,7 @@ Spread spread_of(const Misfit::Details& details, std::span<const double> active,
   Spread all;
   all.inverse.assign(n * n, kNan);
   all.spread.assign(n * n, kNan);
+  all.prior.assign(n * n, kNan);
   if (of_stress.columns.empty()) return all;
   const MatrixXd spread = of_stress.inverse * of_stress.weighted * of_stress.inverse;
   for (std::size_t i = 0; i < of_stress.columns.size(); ++i) {
@@ -212,6 +228,7 @@ Spread spread_of(const Misfit::Details& details, std::span<const double> active,
       const double unit = of_stress.size[a] * of_stress.size[b];
       all.inverse[a * n + b] = unit * of_stress.inverse(row, column);
       all.spread[a * n + b] = unit * spread(row, column);
+      all.prior[a * n + b] = unit * of_stress.prior(row, column);
     }
   }
   return all;

@@ -22,6 +22,11 @@ namespace plastica::calibrate {
 /// to follow, and a fit that leans on fewer samples gets larger errors.
 /// Where the model cannot follow the curve the residuals are not independent and the errors are too
 /// small: what they lack is added by `misfit_error` (material_interval.hpp).
+/// A prior of E (modulus_prior.hpp) adds its curvature to A, variance/sd^2 times sum w_i; its own
+/// scatter makes the covariance P = A^-1 B_p A^-1, with the square of that curvature times sd^2
+/// for B_p. It stems from samples of the same curve, so that it may err as these do: an error from
+/// both is the sum of the two errors, not the root of the sum of squares, and no less than that of
+/// errors that are alike.
 /// A break strain adds its sampling interval: its variance is that of the model's permanent strain
 /// at the break (through C) plus h^2/3 of a break that lies anywhere within +-h.
 ///
@@ -33,8 +38,10 @@ namespace plastica::calibrate {
 struct Uncertainty {
   std::vector<bool> identified;        ///< (n)
   std::vector<double> standard_error;  ///< SI (n); NaN if not identified
-  /// The part of the standard error that is the residuals', SI (n); NaN if not identified.
+  /// The part of the standard error that is the residuals' and the prior's, SI (n); NaN if not
+  /// identified.
   std::vector<double> noise_error;
+  std::vector<double> residual_error;  ///< the residuals' alone, SI (n); NaN if not identified
   std::vector<double> sampling;     ///< half a break's sampling interval, SI (n); 0 of all others
   std::vector<double> correlation;  ///< (n x n); NaN in rows and columns not identified
   double noise = 0.0;               ///< s [Pa]
@@ -51,6 +58,7 @@ Uncertainty uncertainty(const Misfit::Details& details, std::span<const double> 
 struct Spread {
   std::vector<double> inverse;  ///< A^-1, with the weights of the details
   std::vector<double> spread;   ///< A^-1 (J^T W^2 J) A^-1
+  std::vector<double> prior;    ///< P, with the noise that it has
 };
 Spread spread_of(const Misfit::Details& details, std::span<const double> active,
                  const ParameterSet& parameters, const Target& target, const FitOptions& options);

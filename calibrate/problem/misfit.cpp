@@ -110,6 +110,22 @@ Misfit::Misfit(const Target& target, const FitOptions& options, const ParameterS
   stress_slope_.resize(paths.size());
 }
 
+void Misfit::set_prior(const ModulusPrior& prior) {
+  const auto all = parameters_.all();
+  const auto is_modulus = [](const ResolvedParameter& p) {
+    return p.role == ParameterRole::Free && p.field->material == MaterialField::YoungsModulus;
+  };
+  const auto found = std::ranges::find_if(all, is_modulus);
+  if (found == all.end()) return;
+  prior_index_ = static_cast<std::size_t>(found - all.begin());
+  prior_ = prior;
+}
+
+double Misfit::prior_residual() const {
+  if (!prior_) return 0.0;
+  return prior_size() * (all_values_[prior_index_] - prior_->mean) / prior_->standard_deviation;
+}
+
 std::size_t Misfit::samples() const {
   const auto counts = [](double weight) { return weight > 0.0; };
   return static_cast<std::size_t>(std::count_if(weight_.begin(), weight_.end(), counts));
@@ -153,7 +169,8 @@ double Misfit::cost(std::span<const double> active, std::span<double> gradient) 
 
 double Misfit::search_cost(std::span<const double> active, std::span<double> gradient) {
   const double stress = evaluate(active, gradient, false);
-  return std::isfinite(stress) ? stress + break_cost(likely_limit(), {}, false) : stress;
+  return std::isfinite(stress) ? stress + break_cost(likely_limit(), {}, false) + prior_cost()
+                               : stress;
 }
 
 double Misfit::search_squares(std::span<const double> active, std::span<double> gradient,
@@ -172,6 +189,10 @@ double Misfit::search_squares(std::span<const double> active, std::span<double> 
             break_scale_ * sensitivity_.permanent_strain[i] * sensitivity_.permanent_strain[j];
       }
     }
+  }
+  for (std::size_t i = 0; prior_ && i < width; ++i) {
+    const double slope = prior_size() / prior_->standard_deviation;
+    if (model_index_[i] == prior_index_) model_normal_[i * width + i] += slope * slope;
   }
   // J by the active parameters is J by the model's times the map of ties.
   const std::vector<double> map = model_by_active(n);
@@ -214,6 +235,9 @@ double Misfit::evaluate(std::span<const double> active, std::span<double> gradie
     by_all_[model_index_[i]] += stress_slope_[i];
   }
   break_cost(with_break ? limit() : likely_limit(), by_all_, with_break);
+  if (prior_ && !with_break) {
+    by_all_[prior_index_] += 2.0 * prior_residual() * prior_size() / prior_->standard_deviation;
+  }
   parameters_.contract(by_all_, gradient);
   return stress_cost_;
 }
@@ -314,6 +338,11 @@ Misfit::Details Misfit::details(std::span<const double> active) {
   }
   for (std::size_t k = 0; k < n; ++k) {
     stress_slopes(map, k, std::span(d.jacobian).subspan(k * samples_, samples_));
+  }
+  const auto prior = std::ranges::find(parameters_.active(), prior_index_);
+  if (prior_ && prior != parameters_.active().end()) {
+    d.prior = prior_;
+    d.prior_column = static_cast<std::size_t>(prior - parameters_.active().begin());
   }
   d.permanent = response_.permanent_strain;
   d.permanent_gradient.resize(n);

@@ -1,11 +1,13 @@
 #pragma once
 
+#include <cmath>
 #include <cstddef>
 #include <optional>
 #include <span>
 #include <vector>
 
 #include "calibrate/fit/options.hpp"
+#include "calibrate/problem/modulus_prior.hpp"
 #include "calibrate/problem/parameter_set.hpp"
 #include "calibrate/target/target.hpp"
 #include "plastica/run/simulate.hpp"
@@ -44,6 +46,10 @@ class Misfit {
   /// @throws InputError if the scene or a parameter does not suit the test
   Misfit(const Target& target, const FitOptions& options, const ParameterSet& parameters);
 
+  /// Adds variance ((E - mean)/standard_deviation)^2 to the search's cost, where E is free; in
+  /// place of an earlier one.
+  void set_prior(const ModulusPrior& prior);
+
   /// How many samples enter the cost: those of weight above 0.
   std::size_t samples() const;
 
@@ -53,12 +59,12 @@ class Misfit {
   /// `gradient` (n_active) if it is not empty. Infinite where the model cannot be run.
   double cost(std::span<const double> active, std::span<double> gradient);
 
-  /// The cost with the likely limit in place of the break parameter's, whose value does not count;
-  /// else as `cost`.
+  /// The cost with the likely limit in place of the break parameter's, whose value does not count,
+  /// and with the prior; else as `cost`.
   double search_cost(std::span<const double> active, std::span<double> gradient);
 
-  /// The cost of `search_cost` as a sum of squares |r|^2 of sqrt(w_i/sum w) (model - measured) and
-  /// the break's residual, J their slopes by the active parameters [SI].
+  /// The cost of `search_cost` as a sum of squares |r|^2 of sqrt(w_i/sum w) (model - measured), the
+  /// break's residual and the prior's, J their slopes by the active parameters [SI].
   /// @param gradient  J^T r, half the gradient of the cost (n_active) [Pa^2/SI]
   /// @param normal  J^T J (n_active x n_active) [Pa^2/SI^2]
   double search_squares(std::span<const double> active, std::span<double> gradient,
@@ -68,12 +74,17 @@ class Misfit {
   /// value does not count. @return false if the model cannot be run
   bool residuals(std::span<const double> active, std::span<double> residual);
 
-  /// w_i over their sum (n_samples): the search's cost is sum w_i r_i^2 + `break_residual`^2.
+  /// w_i over their sum (n_samples): the search's cost is sum w_i r_i^2 + `break_residual`^2 +
+  /// `prior_residual`^2.
   std::span<const double> weights() const { return weight_; }
 
   /// What the break term adds to the search's cost at the last evaluation, as a residual [Pa]: 0
   /// within the likely limits.
   double break_residual() const;
+  /// What the prior adds, as a residual [Pa]; 0 without one.
+  double prior_residual() const;
+  /// The same for a Young's modulus off by one standard deviation.
+  double prior_size() const { return prior_ ? std::sqrt(prior_->variance) : 0.0; }
 
   /// Whether the last evaluation ran the model: one at the point before it does not.
   bool was_run() const { return was_run_; }
@@ -98,6 +109,8 @@ class Misfit {
     std::vector<double> jacobian;
     double permanent = 0.0;                  ///< p above [1]
     std::vector<double> permanent_gradient;  ///< dp / d active (n_active)
+    std::optional<ModulusPrior> prior;       ///< of E
+    std::size_t prior_column = 0;            ///< active index of E, if there is a prior
   };
   Details details(std::span<const double> active);
 
@@ -116,6 +129,7 @@ class Misfit {
   /// @param map  `model_by_active`
   void stress_slopes(std::span<const double> map, std::size_t parameter,
                      std::span<double> slopes) const;
+  double prior_cost() const { return prior_residual() * prior_residual(); }
   /// f_stress; the gradient is that of `cost` if `with_break`, else of `search_cost`.
   double evaluate(std::span<const double> active, std::span<double> gradient, bool with_break);
   double limit() const;
@@ -133,7 +147,9 @@ class Misfit {
   double break_scale_ = 0.0;  ///< break_weight S^2 / P^2; 0 without a break term
   double break_size_ = 1.0;   ///< P
   double break_factor_ = 1.0;
-  std::size_t break_index_ = 0;           ///< of the break parameter in the set
+  std::size_t break_index_ = 0;  ///< of the break parameter in the set
+  std::optional<ModulusPrior> prior_;
+  std::size_t prior_index_ = 0;           ///< of E in the set
   std::vector<std::size_t> model_index_;  ///< set index of each model parameter
   Model model_;
   Workspace workspace_;

@@ -14,6 +14,14 @@ inline constexpr auto kDescribeStage = [](auto& d) {
   d("cost", "Pa^2", PLASTICA_MEMBER(cost), "best of the stage");
 };
 
+/// Of a ModulusPrior.
+inline constexpr auto kDescribeModulusPrior = [](auto& d) {
+  d("prior_modulus", "Pa", PLASTICA_MEMBER(mean), "slope of the elastic part");
+  d("prior_modulus_error", "Pa", PLASTICA_MEMBER(standard_deviation), "of the slope");
+  d("prior_variance", "Pa^2", PLASTICA_MEMBER(variance),
+    "what the slope's squared distance over its error counts in the cost");
+};
+
 /// Of a SceneStart, but for its points.
 inline constexpr auto kDescribeStart = [](auto& d) {
   d("cost", "1", PLASTICA_MEMBER(cost), "sum of the weighted squares where the search ended");
@@ -92,6 +100,7 @@ inline constexpr auto kDescribeFit = [](auto& d) {
   d("break_strain_total", "1", PLASTICA_MEMBER(result.break_strain_total),
     "total strain at which the fitted model breaks");
   d.since(7, [](auto& later) {
+    later.optional("weighed_modulus", PLASTICA_MEMBER(result.modulus_prior), kDescribeModulusPrior);
     later("unseen", "1", PLASTICA_MEMBER(result.unseen),
           "square of the misfit by fits of other specimens, over the largest stress");
   });

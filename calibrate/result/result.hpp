@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "calibrate/problem/modulus_prior.hpp"
 #include "calibrate/result/fit_outcome.hpp"
 #include "calibrate/target/target.hpp"
 #include "plastica/base/status.hpp"
@@ -48,6 +49,8 @@ struct FitResult : FitOutcome {
   /// Of fits of the simpler laws that this one contains, whose values were tried as starts.
   std::size_t simpler_evaluations = 0;
   std::optional<double> break_strain_total;  ///< total strain at which the fitted model breaks [1]
+  /// Of Young's modulus by the elastic slope, with which it was weighed.
+  std::optional<ModulusPrior> modulus_prior;
   /// Where laws are compared: what the fits of other specimens leave of this curve, as a fraction
   /// squared (unseen.hpp) [1].
   std::optional<double> unseen;

@@ -300,4 +300,16 @@ Solution minimize_misfit(Misfit& misfit, const ParameterSet& parameters, const F
   return solution;
 }
 
+Solution descend_misfit(Misfit& misfit, const ParameterSet& parameters, const FitOptions& options) {
+  Solution solution;
+  Search search(misfit, parameters, options, options.seed, solution);
+  if (search.size() == 0) {
+    search.evaluate_start();
+  } else {
+    search.descend();
+  }
+  search.finish();
+  return solution;
+}
+
 }  // namespace plastica::calibrate

@@ -47,4 +47,7 @@ struct Solution {
 Solution minimize_misfit(Misfit& misfit, const ParameterSet& parameters, const FitOptions& options,
                          std::uint64_t seed, std::span<const StartPoint> further = {});
 
+/// From the start of the parameters down to the end of its basin, and past kinks: step 1 of `auto`.
+Solution descend_misfit(Misfit& misfit, const ParameterSet& parameters, const FitOptions& options);
+
 }  // namespace plastica::calibrate

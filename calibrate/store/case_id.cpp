@@ -37,6 +37,7 @@ std::uint64_t digest_of(const FitOptions& options) {
   writer.put(std::uint64_t{options.parameters.size()});
   for (const Parameter& parameter : options.parameters) put_parameter(writer, parameter);
   writer.put(options.objective).put(options.noise).put(options.break_weight);
+  writer.put(options.modulus_prior);
   writer.put(std::uint64_t{options.weights.size()});
   for (const WeightStep& step : options.weights) writer.put(step.from).put(step.weight);
   writer.put(options.algorithm);

@@ -187,7 +187,7 @@ FitStoreContents read_fit_store(const std::string& path) {
   const int version = io::check_schema(root, kFitStoreSchema, kOldestFitStore, kFitStoreVersion);
   FitStoreContents contents;
   contents.run = io::read_run_id(root);
-  contents.options = store::read_options(root.open_group("options"));
+  contents.options = store::read_options(root.open_group("options"), version);
   contents.records.resize(root.read_texts("fits/name").size());
   StoreReader reader(root, version, contents.records, contents.options);
   store::traverse_records(reader);

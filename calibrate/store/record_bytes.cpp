@@ -45,6 +45,9 @@ void code(auto& coder, A<FitResult> auto& r) {
   coder(r.correlation, r.cost, r.misfit_rms, r.misfit_fraction, r.misfit_word, r.samples,
         r.break_strain_total, r.seed, r.runs_test_p, r.autocorrelation, r.effective_samples,
         r.noise, r.simpler_evaluations, r.held_out, r.unseen);
+  coder.maybe(r.modulus_prior, [](auto& to, auto& prior) {
+    store::code_described(to, prior, kDescribeModulusPrior);
+  });
   coder.each(r.stages, [](auto& to, auto& s) { store::code_described(to, s, kDescribeStage); });
   coder(r.trace.active, r.trace.values, r.trace.costs);
   store::code_intervals(coder, r.intervals);

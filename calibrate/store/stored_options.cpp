@@ -126,6 +126,7 @@ void write_options(io::Hdf5Group& group, const FitOptions& options) {
   group.write("noise", options.noise.value_or(kUnset), {"Pa"});
   write_weights(group.group("weights"), options.weights);
   group.write("break_weight", options.break_weight, {"1"});
+  group.write("modulus_prior", std::int64_t{options.modulus_prior});
   group.write_text("algorithm", options.algorithm);
   const StoppingRules& stopping = options.stopping;
   group.write("global_evaluations", std::int64_t{stopping.global_evaluations});
@@ -147,7 +148,7 @@ void write_options(io::Hdf5Group& group, const FitOptions& options) {
   io::write_setup(group, options.setup);
 }
 
-FitOptions read_options(const io::Hdf5Group& group) {
+FitOptions read_options(const io::Hdf5Group& group, int version) {
   FitOptions options;
   options.objective = enumerator_of<Objective>(group, "objective", group.read_text("objective"));
   const auto real = [&](std::string_view name) {
@@ -159,6 +160,7 @@ FitOptions read_options(const io::Hdf5Group& group) {
   if (const double noise = real("noise"); !std::isnan(noise)) options.noise = noise;
   options.weights = read_weights(group.open_group("weights"));
   options.break_weight = real("break_weight");
+  options.modulus_prior = version >= 7 && count("modulus_prior") != 0;
   options.algorithm = group.read_text("algorithm");
   options.stopping = {count("global_evaluations"), count("local_evaluations"),
                       real("parameter_tolerance"), real("cost_tolerance")};

@@ -16,7 +16,8 @@ void write_options(io::Hdf5Group& group, const FitOptions& options);
 /// The parameters that a record's fit was told: of its law, where laws are compared.
 std::vector<Parameter> parameters_of(const FitRecord& record, const FitOptions& options);
 
+/// @param version  of the file
 /// @throws InputError if something is missing or out of a field's range
-FitOptions read_options(const io::Hdf5Group& group);
+FitOptions read_options(const io::Hdf5Group& group, int version);
 
 }  // namespace plastica::calibrate::store

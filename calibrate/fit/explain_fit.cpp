@@ -1,0 +1,244 @@
+#include "calibrate/fit/explain_fit.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "calibrate/inference/identifiable_yield.hpp"
+#include "calibrate/inference/lack_of_fit.hpp"
+#include "calibrate/inference/material_interval.hpp"
+#include "calibrate/inference/modulus_warning.hpp"
+#include "calibrate/inference/uncertainty.hpp"
+
+namespace plastica::calibrate {
+namespace {
+
+double largest_stress(const Curve& curve) { return largest_magnitude(curve.stress); }
+
+void describe_misfit(const Misfit::Details& details, const Target& target,
+                     const FitOptions& options, FitResult& result) {
+  const double stress = largest_stress(target.corrected);
+  result.misfit_rms = std::sqrt(std::max(0.0, details.stress_cost));
+  result.misfit_fraction = stress > 0.0 ? result.misfit_rms / stress : 0.0;
+  std::vector<double> residual;
+  for (std::size_t i = 0; i < details.residual.size(); ++i) {
+    if (details.weight[i] > 0.0) residual.push_back(details.residual[i]);
+  }
+  result.runs_test_p = runs_test_p(residual);
+  result.autocorrelation = autocorrelation(residual);
+  result.misfit_word =
+      misfit_word(result.misfit_fraction, result.runs_test_p, result.autocorrelation);
+  result.effective_samples = effective_samples(details.weight);
+  result.noise = options.noise;
+  std::string lack = lack_of_fit(phrase_of(result.law), result.misfit_fraction, result.runs_test_p,
+                                 laws_to_try(result.law, target.loading, options.laws));
+  if (!lack.empty()) result.warnings.push_back(std::move(lack));
+}
+
+/// A stated noise is doubted where the residuals are so many times larger.
+constexpr double kTooSmall = 2.0;
+
+/// Errors and interval of a parameter that the curve determines.
+void set_errors(const Uncertainty& u, std::size_t k, double confidence, const FitResult& result,
+                FittedParameter& p) {
+  const double half = std::abs(u.sampling[k]);
+  p.noise_error = u.noise_error[k];
+  p.sampling_error = half / std::sqrt(3.0);
+  p.misfit_error = 0.0;
+  p.degrees_of_freedom = u.degrees_of_freedom;
+  // Of noise as large as the residuals: a stated one may be smaller, or larger.
+  const double over = std::isinf(u.degrees_of_freedom) ? result.misfit_rms / u.noise : 1.0;
+  const bool in_runs = are_in_runs(result.runs_test_p, result.autocorrelation);
+  if (in_runs || over > kTooSmall) {
+    const auto parameters = static_cast<int>(u.identified.size());
+    const double times =
+        in_runs ? variance_inflation(result.autocorrelation, result.effective_samples, parameters)
+                : 1.0;
+    // A prior's part does not grow with the residuals.
+    p.misfit_error = u.residual_error[k] * std::sqrt(std::max(0.0, over * over * times - 1.0));
+  }
+  set_material_interval(confidence, {&half, 1}, {}, p);
+}
+
+void add_parameters(const ParameterSet& set, std::span<const double> active, const Uncertainty& u,
+                    double confidence, FitResult& result) {
+  std::vector<double> values(set.size());
+  set.expand(active, values);
+  std::size_t next = 0;
+  for (std::size_t i = 0; i < set.size(); ++i) {
+    const ResolvedParameter& r = set.all()[i];
+    FittedParameter p;
+    p.path = r.field->path;
+    p.dimension = r.field->dimension;
+    p.role = r.role;
+    p.value = values[i];
+    p.start = r.start;
+    p.lower = r.role == ParameterRole::Free ? r.lower : p.value;
+    p.upper = r.role == ParameterRole::Free ? r.upper : p.value;
+    p.logarithmic = r.logarithmic;
+    if (r.idle) {
+      p.identified = false;
+      p.judgement = {Verdict::NotIdentified, std::numeric_limits<double>::infinity()};
+    } else if (r.role == ParameterRole::Free) {
+      const std::size_t k = next++;
+      const double bottom = set.coordinate(k, r.lower);
+      const double top = set.coordinate(k, r.upper);
+      const double span = top - bottom;
+      const double at = set.coordinate(k, p.value);
+      p.at_lower = at - bottom < 1e-9 * span;
+      p.at_upper = top - at < 1e-9 * span;
+      p.identified = u.identified[k];
+      // What is held by a bound has no scatter about it.
+      if (p.identified && !p.at_bound()) {
+        set_errors(u, k, confidence, result, p);
+      }
+      p.judgement =
+          judge({.value = p.value,
+                 .lower = p.lower,
+                 .upper = p.upper,
+                 .at_bound = p.identified && p.at_bound(),
+                 .noise_error = p.has_error() ? p.model_error() : u.noise_error[k],
+                 .half = u.sampling[k],
+                 .standard_error = p.has_error() ? p.standard_error : u.standard_error[k]});
+    }
+    result.parameters.push_back(p);
+  }
+}
+
+/// A tied parameter has its base's error, scaled.
+void add_tied_errors(const ParameterSet& set, FitResult& result) {
+  for (std::size_t i = 0; i < set.size(); ++i) {
+    const ResolvedParameter& r = set.all()[i];
+    if (r.role != ParameterRole::Tied) continue;
+    FittedParameter& tied = result.parameters[i];
+    const FittedParameter& base = result.parameters[r.base];
+    tied.identified = base.identified;
+    if (!base.has_error()) continue;
+    const double half = std::fabs(r.factor) * (base.interval_high - base.value);
+    tied.standard_error = std::fabs(r.factor) * base.standard_error;
+    tied.noise_error = std::fabs(r.factor) * base.noise_error;
+    tied.sampling_error = std::fabs(r.factor) * base.sampling_error;
+    tied.misfit_error = std::fabs(r.factor) * base.misfit_error;
+    tied.degrees_of_freedom = base.degrees_of_freedom;
+    tied.interval_low = tied.value - half;
+    tied.interval_high = tied.value + half;
+  }
+}
+
+/// The sampling of most curves leaves a break uncertain; up to this fraction there is no warning.
+constexpr double kMinor = 0.01;
+
+/// A record that ends near its largest load may have ended with the break, or before it.
+std::string why_no_break(const Curve& curve) {
+  const double rm = *std::ranges::max_element(curve.stress);
+  const double end = curve.stress.back() / rm;
+  const std::string where = fmt::format("at {:.3g} % strain", 100.0 * curve.strain.back());
+  if (end < 0.5) return "the specimen did not break; the record ends " + where;
+  return fmt::format(
+      "the record ends under load {}, at {:.0f} % of the largest stress; if the specimen broke "
+      "there, say so by corrections.end_fraction = \"{:.0f} %\"",
+      where, 100.0 * end, std::ceil(100.0 * end));
+}
+
+void add_warnings(const Target& target, FitResult& result) {
+  for (const FittedParameter& p : result.parameters) {
+    const bool no_break = p.role == ParameterRole::Free && !target.characteristics.observed_break &&
+                          (p.name() == "break_strain" || p.name() == "break_shear_strain");
+    if (no_break) {
+      result.warnings.push_back(p.name() + " is not identified: " + why_no_break(target.corrected));
+    } else if (p.judgement) {
+      const Judgement& judgement = *p.judgement;
+      const bool minor =
+          judgement.verdict == Verdict::LimitedBySampling && judgement.number < kMinor;
+      std::string warning = minor ? std::string() : warning_of(p.name(), judgement, p.lower);
+      if (!warning.empty()) result.warnings.push_back(std::move(warning));
+    }
+  }
+  if (result.noise && result.misfit_rms > kTooSmall * *result.noise) {
+    result.warnings.push_back(
+        fmt::format("a noise of {:.3g} MPa is stated, but the residuals are of {:.3g} MPa: the "
+                    "errors count these",
+                    *result.noise / 1e6, result.misfit_rms / 1e6));
+  }
+  std::string warning = modulus_warning(target, result.parameters);
+  if (!warning.empty()) result.warnings.push_back(std::move(warning));
+}
+
+/// Says so where a break limit that is fixed, tied or at a bound is not the specimen's.
+void warn_of_held_break(const Target& target, const ParameterSet& set, double factor,
+                        double permanent, FitResult& result) {
+  const auto& observed = target.characteristics.observed_break;
+  const auto& decides = set.break_parameter();
+  if (!observed || !decides) return;
+  const FittedParameter& p = result.parameters[decides->index];
+  if (p.role == ParameterRole::Free && !p.at_lower && !p.at_upper) return;
+  const double own = permanent / factor;
+  if (std::fabs(p.value - own) <= std::fabs(observed->half_interval()) / factor) return;
+  result.warnings.push_back(
+      fmt::format("{} is held at {:.4g} %, but the specimen broke at {:.4g} % permanent strain",
+                  p.name(), 100.0 * p.value, 100.0 * own));
+}
+
+/// The fitted beam on the specimen's strain path, with its break; and the strain where it breaks.
+void add_fitted_curve(const Target& target, const FitOptions& options, FitResult& result) {
+  Setup setup = options.setup;
+  for (const FittedParameter& p : result.parameters) {
+    // A break limit that the curve does not show would break the fitted beam at a guess. All else
+    // is what the optimizer compared with the curve, determined by it or not.
+    const bool limit = p.name() == "break_strain" || p.name() == "break_shear_strain";
+    if (p.identified || !limit) set_field(setup, find_field(p.path), p.value);
+  }
+  Scene& scene = setup.scene;
+  take_test(target, scene);
+  scene.probes = {{"stress", ProbeQuantity::Stress}};
+  scene.on_break = BreakPolicy::CutAll;
+  const auto& observed = target.characteristics.observed_break;
+  if (observed) scene.drive.strain.push_back(observed->first_broken_strain);
+  const std::size_t shown = scene.drive.strain.size();
+
+  // Go on in the last direction until the beam must have broken, to learn at which strain.
+  if (scene.material.break_strain || scene.material.break_shear_strain) {
+    const double last = scene.drive.strain.back();
+    const double limit = std::max(scene.material.break_strain.value_or(0.0),
+                                  scene.material.break_shear_strain.value_or(0.0));
+    const Material& material = scene.material;
+    const double stiffness =
+        target.test == Test::Torsion ? resolved_shear_modulus(material) : material.youngs_modulus;
+    const double elastic =
+        4.0 * std::max(largest_stress(target.corrected), material.yield_stress) / stiffness;
+    const double before = shown > 1 ? scene.drive.strain[shown - 2] : 0.0;
+    const double direction = last == before ? last : last - before;
+    scene.drive.strain.push_back(last + std::copysign(4.0 * limit + elastic, direction));
+  }
+  const Response response = simulate(scene, setup.solver);
+  result.fitted.strain.assign(scene.drive.strain.begin(),
+                              scene.drive.strain.begin() + static_cast<std::ptrdiff_t>(shown));
+  result.fitted.stress.assign(response.probes[0].begin(),
+                              response.probes[0].begin() + static_cast<std::ptrdiff_t>(shown));
+  if (response.event) result.break_strain_total = response.event->strain;
+}
+
+}  // namespace
+
+void explain_fit(const Target& target, const FitOptions& options, const ParameterSet& set,
+                 Misfit& misfit, std::span<const double> active, FitResult& result) {
+  result.status = FitStatus::Fitted;
+  result.parameters.clear();
+  result.warnings.clear();
+  result.break_strain_total.reset();
+  Misfit::Details details = misfit.details(active);
+  drop_unidentifiable_yield(misfit, set, active, options, details);
+  result.cost = details.stress_cost + details.break_cost;
+  const Uncertainty u = uncertainty(details, active, set, target, options, misfit.break_factor());
+  describe_misfit(details, target, options, result);
+  add_parameters(set, active, u, options.confidence, result);
+  add_tied_errors(set, result);
+  result.correlation = u.correlation;
+  add_warnings(target, result);
+  warn_of_held_break(target, set, misfit.break_factor(), details.permanent, result);
+  add_fitted_curve(target, options, result);
+}
+
+}  // namespace plastica::calibrate

@@ -1,0 +1,139 @@
+#include "calibrate/fit/search_target.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <utility>
+
+#include "calibrate/fit/explain_fit.hpp"
+#include "calibrate/inference/lack_of_fit.hpp"
+#include "calibrate/problem/given_weights.hpp"
+#include "calibrate/problem/misfit.hpp"
+#include "calibrate/problem/modulus_prior.hpp"
+#include "calibrate/problem/parameter_set.hpp"
+#include "calibrate/search/minimize_misfit.hpp"
+
+namespace plastica::calibrate {
+namespace {
+
+/// A seed of the target's own, so that its fit does not depend on its place in a batch (FNV-1a).
+std::uint64_t seed_of(const std::string& name, std::uint64_t seed) {
+  std::uint64_t hash = 14695981039346656037ULL ^ seed;
+  for (const char c : name) hash = (hash ^ static_cast<unsigned char>(c)) * 1099511628211ULL;
+  return hash;
+}
+
+/// Why the samples cannot be fitted, whatever the model; empty if they can.
+std::string defect_of(const Curve& curve) {
+  if (curve.size() < 2) return "the corrected curve has fewer than two samples";
+  if (curve.stress.size() != curve.size()) return "strain and stress differ in length";
+  const auto finite = [](double value) { return std::isfinite(value); };
+  if (!std::all_of(curve.strain.begin(), curve.strain.end(), finite) ||
+      !std::all_of(curve.stress.begin(), curve.stress.end(), finite)) {
+    return "the corrected curve holds numbers that are not finite";
+  }
+  const auto [low, high] = std::minmax_element(curve.strain.begin(), curve.strain.end());
+  if (*low == *high) return "the strain of the corrected curve never changes";
+  if (largest_magnitude(curve.stress) == 0.0) return "the corrected curve never carries a stress";
+  return "";
+}
+
+/// The options with a search's start at the values of a fit.
+FitOptions from_values_of(const FitResult& result, FitOptions options) {
+  for (Parameter& p : options.parameters) {
+    const FittedParameter* fitted = result.find_parameter(p.field->path);
+    if (p.role == ParameterRole::Free && fitted != nullptr) {
+      p.value = fitted->value;
+      p.lower = fitted->lower;
+      p.upper = fitted->upper;
+    }
+  }
+  return options;
+}
+
+void take_values(const ParameterSet& set, std::span<const double> active, FitOptions& options) {
+  for (std::size_t k = 0; k < active.size(); ++k) {
+    options.parameters[set.active()[k]].value = active[k];
+  }
+}
+
+void append(Solution&& further, FitResult& result) {
+  const auto add = [](auto&& from, auto& to) { to.insert(to.end(), from.begin(), from.end()); };
+  add(further.stages, result.stages);
+  add(further.trace.values, result.trace.values);
+  add(further.trace.costs, result.trace.costs);
+}
+
+}  // namespace
+
+FitResult search_target(const Target& target, const FitOptions& options,
+                        std::span<const StartPoint> further) {
+  FitResult result;
+  result.seed = seed_of(target.name, options.seed);
+  result.law = law_of(options.setup.scene.material.hardening, options.parameters);
+  if (target.status != TargetStatus::Ready) {
+    result.reason = target.reason;
+    return result;
+  }
+  result.reason = defect_of(target.corrected);
+  if (result.reason.empty() && !any_weight(options.weights, target.corrected)) {
+    result.reason = "the given weight is 0 at every sample";
+  }
+  if (!result.reason.empty()) return result;
+  const ParameterSet set(target, options);
+  Misfit misfit(target, options, set);
+  result.samples = misfit.samples();
+  if (set.active().empty()) {
+    result.reason = "the curve determines none of the free parameters";
+    return result;
+  }
+  Solution solution = minimize_misfit(misfit, set, options, result.seed, further);
+  result.stages = std::move(solution.stages);
+  result.trace = std::move(solution.trace);
+  if (!solution.usable) {
+    result.status = FitStatus::Failed;
+    result.reason = solution.reason;
+    return result;
+  }
+  explain_fit(target, options, set, misfit, solution.active, result);
+  return result;
+}
+
+void weigh_modulus(const Target& target, const FitOptions& options, FitResult& result) {
+  constexpr int kRepetitions = 8;
+  constexpr double kSettled = 1e-3;
+  if (result.status != FitStatus::Fitted) return;
+  std::optional<ModulusPrior> prior = modulus_prior(target, options);
+  if (!prior) return;
+  const double worth =
+      std::max(1.0, samples_worth(result.effective_samples, result.autocorrelation));
+  const bool is_stated = options.objective == Objective::LeastSquares && options.noise;
+  const double least = is_stated ? *options.noise * *options.noise : 0.0;
+  double squares = result.misfit_rms * result.misfit_rms;
+  FitOptions from = from_values_of(result, options);
+  for (int i = 0; i < kRepetitions; ++i) {
+    const double before = prior->variance;
+    prior->variance = std::max(squares, least) / worth;
+    if (std::abs(prior->variance - before) <= kSettled * before) break;
+    const ParameterSet set(target, from);
+    Misfit misfit(target, from, set);
+    misfit.set_prior(*prior);
+    Solution solution = descend_misfit(misfit, set, from);
+    if (!solution.usable) return;
+    squares = misfit.details(solution.active).stress_cost;
+    take_values(set, solution.active, from);
+    append(std::move(solution), result);
+  }
+  result.modulus_prior = prior;
+  const ParameterSet set(target, from);
+  Misfit misfit(target, from, set);
+  misfit.set_prior(*prior);
+  std::vector<double> active;
+  for (const std::size_t i : set.active()) active.push_back(set.all()[i].start);
+  const std::vector<FittedParameter> searched = result.parameters;
+  explain_fit(target, from, set, misfit, active, result);
+  // The search began where it did.
+  for (std::size_t i = 0; i < searched.size(); ++i) result.parameters[i].start = searched[i].start;
+}
+
+}  // namespace plastica::calibrate
