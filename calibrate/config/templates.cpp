@@ -24,6 +24,7 @@ constexpr std::string_view kFit =
 [fit]
 objective = "strain-path"         # or "least-squares", with noise = "1 MPa"
 # break_weight = 1.0              # how much the break counts beside the curve
+# modulus_prior = false           # E by the law alone, without the slope of the elastic part
 # algorithm    = "auto"           # or "gauss-newton", or one of NLopt's by name
 # seed         = 1                # of the global stage
 # confidence   = "95 %"           # of the intervals

@@ -15,7 +15,7 @@ namespace plastica::calibrate {
 /// How far a fit has come.
 struct SceneFitProgress {
   /// "screen", "search" or "polish", or what follows the search: "weights 0", "segments",
-  /// "profile", "bootstrap", "bootstrap of specimens".
+  /// "profile", "bootstrap", "bootstrap of specimens", "parts held out".
   std::string_view stage;
   int done = 0;  ///< tasks of the stage that have ended, such as searches
   int total = 0;

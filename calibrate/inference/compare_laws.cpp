@@ -116,16 +116,12 @@ bool are_alike(const LawFit& law, const LawFit& best, RankedBy by) {
 }
 
 /// "BIC lower by 12 than ideal", "specimens not seen are 1.2 % off, by ideal 3 %".
-std::string gain_of(const ComparedLaw& best, const ComparedLaw& next, RankedBy by) {
+std::string gain_of(const ComparedLaw& best, const ComparedLaw& next, RankedBy by,
+                    bool is_simpler) {
   if (by != RankedBy::Information) {
-    const double more = unseen_of(next, by);
-    return fmt::format(
-        "{}{} are {} off, by {} {}",
-        next.fit.parameters.size() > best.fit.parameters.size() && are_alike(best.fit, next.fit, by)
-            ? "simpler, and "
-            : "",
-        name_of(by), fraction_text(unseen_of(best, by)), name_of(next.fit.law),
-        std::isnan(more) ? "not known" : fraction_text(more));
+    return fmt::format("{}{} are {} off, by {} {}", is_simpler ? "simpler, and " : "", name_of(by),
+                       fraction_text(unseen_of(best, by)), name_of(next.fit.law),
+                       fraction_text(unseen_of(next, by)));
   }
   const double gain = next.bic - best.bic;
   return gain >= kBareMention
@@ -141,7 +137,7 @@ std::string advice_of(const LawComparison& comparison, std::size_t advised) {
   std::string text(name_of(best.fit.law));
   const std::size_t other = advised == 0 ? 1 : 0;
   if (other < laws.size() && laws[other].fit.fitted) {
-    text += ": " + gain_of(best, laws[other], by);
+    text += ": " + gain_of(best, laws[other], by, advised > 0);
     for (const ComparedLaw& law : laws) {
       if (law.fit.parameters.size() <= best.fit.parameters.size() || !law.fit.fitted) continue;
       const std::string doubts = doubts_on(law.fit);
@@ -184,10 +180,12 @@ void add(LawFit&& fit, LawFit& sum) {
 
 /// By what the laws are to be ranked.
 RankedBy ranked_by(const LawComparison& comparison) {
+  const auto is_fitted = [](const ComparedLaw& law) { return law.fit.fitted; };
+  const bool any = std::ranges::any_of(comparison.laws, is_fitted);
   const auto all_have = [&](auto member, std::size_t least) {
-    return std::ranges::all_of(comparison.laws, [&](const ComparedLaw& law) {
-      return !law.fit.fitted || (law.fit.*member).size() >= least;
-    });
+    return any && std::ranges::all_of(comparison.laws, [&](const ComparedLaw& law) {
+             return !law.fit.fitted || (law.fit.*member).size() >= least;
+           });
   };
   if (all_have(&LawFit::specimens, kFewSpecimens)) return RankedBy::Specimens;
   return !comparison.is_informed && all_have(&LawFit::parts, 1) ? RankedBy::Parts

@@ -6,6 +6,8 @@
 
 #include "calibrate/inference/bootstrap.hpp"
 #include "calibrate/inference/coupon_problem.hpp"
+#include "calibrate/inference/fitted_scenes.hpp"
+#include "calibrate/inference/scene_work.hpp"
 #include "calibrate/target/curve.hpp"
 
 namespace plastica::calibrate {
@@ -40,8 +42,7 @@ LeastSquaresOptions search_of(int evaluations, double x_tolerance) {
   LeastSquaresOptions how;
   how.max_evaluations = evaluations;
   how.x_tolerance = x_tolerance;
-  // What is left matters to a percent or so.
-  how.cost_tolerance = 1e-6;
+  how.cost_tolerance = 1e-10;  // what is left of the part goes with its root
   return how;
 }
 
@@ -59,7 +60,8 @@ std::vector<std::size_t> parts_along(std::span<const double> x, std::span<const 
   std::vector<std::size_t> parts;
   parts.reserve(x.size());
   for (const double at : length) {
-    const double block = static_cast<double>(kBlocks) * at / std::max(length.back(), 1e-300);
+    // Rounding must not decide about a sample between two blocks.
+    const double block = static_cast<double>(kBlocks) * at / std::max(length.back(), 1e-300) + 1e-9;
     parts.push_back(std::min(static_cast<std::size_t>(block), kBlocks - 1) % kParts);
   }
   return parts;

@@ -5,13 +5,14 @@
 #include <vector>
 
 #include "calibrate/fit/options.hpp"
-#include "calibrate/inference/fitted_scenes.hpp"
-#include "calibrate/inference/scene_work.hpp"
 #include "calibrate/result/result.hpp"
 #include "calibrate/target/target.hpp"
 
 /// Cross-validation of a fit by parts of its curves; not installed.
 namespace plastica::calibrate {
+
+class FittedScenes;
+class SceneWork;
 
 /// How many times a fit is repeated, each time without one part of its curves.
 inline constexpr std::size_t kParts = 5;

@@ -157,6 +157,13 @@ std::vector<std::string> notes_on(const FittedParameter& parameter, const FitRec
   if (is_stress_at_yield(parameter)) {
     notes.push_back(fmt::format("{} stress", word_of(record.target.measure)));
   }
+  const std::optional<ModulusPrior>& prior = record.result.modulus_prior;
+  if (prior && parameter.name() == "youngs_modulus") {
+    const DisplayUnit unit = display_unit(Dimension::Stress, prior->mean, true);
+    notes.push_back(fmt::format(
+        "weighed with the elastic slope, {} {}",
+        with_error(prior->mean / unit.scale, prior->standard_deviation / unit.scale), unit.name));
+  }
   if (parameter.name() == "break_strain" || parameter.name() == "break_shear_strain") {
     std::string note = "permanent strain";
     if (record.result.break_strain_total) {

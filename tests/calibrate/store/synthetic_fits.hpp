@@ -119,6 +119,9 @@ inline FitRecord filled_record(const std::string& name) {
   r.simpler_evaluations = 44;
   r.samples = 7;
   r.break_strain_total = 0.0201;
+  r.modulus_prior = {{193e9, 3e9, 2e12}};
+  r.held_out = {1e-6, 0.0, 3e-5, 1e-310, 2e-6};
+  r.unseen = 4e-5;
   r.seed = 0xfedcba9876543210U;
   r.stages = {{"GN_CRS2_LM", "maxeval-reached", 60, 2e10}, {"LD_SLSQP", "xtol-reached", 9, 1e10}};
   r.trace = {{0, 2}, {1.0, 2.0, 3.0, 4.0, kNan, -0.0}, {5.0, INFINITY, 7.0}};

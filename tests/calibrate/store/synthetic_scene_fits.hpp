@@ -89,6 +89,7 @@ inline SceneFitRecord filled_scene_record(const std::string& name) {
       {"material.break_strain", Dimension::Strain, kFree, 0.021, 0.05, 1e-4, 1.0, false, 4e-4, 1e-4,
        3.87e-4, 2e-5, 0.0202, 0.0218, 5.0, true, false, true,
        Judgement{Verdict::LimitedBySampling, 0.018}}};
+  r.held_out = {1e-6, 0.0, 3e-5, 1e-310, 2e-6};
   r.correlation = {1.0, kNan, -0.97, kNan, 1.0, kNan, -0.97, kNan, 1.0};
   r.targets = {{bent.name,
                 Law::Ideal,

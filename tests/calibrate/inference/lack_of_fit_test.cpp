@@ -1,0 +1,55 @@
+#include "calibrate/inference/lack_of_fit.hpp"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <string_view>
+#include <vector>
+
+namespace plastica::calibrate {
+namespace {
+
+TEST(LackOfFit, CountsSamplesByTheirWeights) {
+  EXPECT_NEAR(effective_samples(std::vector<double>{2.0, 2.0, 2.0}), 3.0, 1e-12);
+  EXPECT_NEAR(effective_samples(std::vector<double>{3.0, 1.0}), 1.6, 1e-12);
+  EXPECT_EQ(effective_samples({}), 0.0);
+  EXPECT_NEAR(autocorrelation(std::vector<double>{1.0, -1.0, 1.0, -1.0}), -0.75, 1e-12);
+  EXPECT_EQ(autocorrelation(std::vector<double>{0.0, 0.0}), 0.0);
+}
+
+TEST(LackOfFit, NeedsRunsAndAFraction) {
+  constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_EQ(
+      lack_of_fit("ideal plasticity", 0.044, 1e-30, "ideal,linear,voce"),
+      "ideal plasticity does not describe this curve (misfit 4.4 % of the largest value, runs "
+      "test p 1e-30): errors are widened for it, and rough; try --laws ideal,linear,voce");
+  EXPECT_EQ(lack_of_fit("ideal plasticity", 0.2, 0.3, "voce"), "") << "noise, however large";
+  EXPECT_EQ(lack_of_fit("ideal plasticity", 0.005, 1e-30, "voce"), "") << "hardly any misfit";
+  EXPECT_EQ(lack_of_fit("Voce hardening", 0.06, kNan, ""),
+            "Voce hardening does not describe this curve (misfit 6 % of the largest value): "
+            "errors are widened for it, and rough");
+  EXPECT_EQ(lack_of_fit("Voce hardening", 0.04, kNan, ""), "");
+}
+
+/// One scale: what lacks a fit is poor, what is left of noise is close, and nothing is both.
+TEST(MisfitWord, DoesNotContradictTheLackOfFit) {
+  constexpr double kUncounted = std::numeric_limits<double>::quiet_NaN();
+  for (const double fraction : {1e-4, 0.005, 0.0101, 0.015, 0.03, 0.08, 0.4}) {
+    for (const double p : {kUncounted, 1e-30, 1e-4, 2e-3, 0.5}) {
+      for (const double alike : {0.0, 0.4, 0.9}) {
+        const std::string_view word = misfit_word(fraction, p, alike);
+        EXPECT_EQ(word == "poor", lacks_fit(fraction, p)) << fraction << ' ' << p;
+        if (fraction < 0.01) {
+          EXPECT_EQ(word, "close") << fraction << ' ' << p;
+        }
+      }
+    }
+  }
+  EXPECT_EQ(misfit_word(0.08, 0.5, 0.1), "close") << "noise";
+  EXPECT_EQ(misfit_word(0.03, 0.5, 0.8), "fair") << "neighbours are alike";
+  EXPECT_EQ(misfit_word(0.03, kUncounted, 0.0), "fair") << "too short to tell";
+  EXPECT_EQ(misfit_word(0.02, 1e-5, 0.0), "poor");
+}
+
+}  // namespace
+}  // namespace plastica::calibrate
