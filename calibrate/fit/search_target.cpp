@@ -119,7 +119,11 @@ void weigh_modulus(const Target& target, const FitOptions& options, FitResult& r
     Misfit misfit(target, from, set);
     misfit.set_prior(*prior);
     Solution solution = descend_misfit(misfit, set, from);
-    if (!solution.usable) return;
+    if (!solution.usable) {
+      result.warnings.emplace_back(
+          "Young's modulus is not weighed with the elastic slope: no search with it has ended");
+      return;
+    }
     squares = misfit.details(solution.active).stress_cost;
     take_values(set, solution.active, from);
     append(std::move(solution), result);

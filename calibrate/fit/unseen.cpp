@@ -49,14 +49,19 @@ class Foretold {
   std::vector<double> residual_;
 };
 
-/// The fits of one law of specimens that can foretell each other, by name.
+/// The fits of one law of specimens that can foretell each other, by name; of those alone that
+/// every law was fitted to, so that all laws are asked the same.
 std::vector<std::vector<std::size_t>> groups_of(std::span<const Target> targets,
                                                 std::span<const FitCase> cases,
                                                 std::span<const FitResult> results) {
   using Key = std::tuple<Law, std::vector<std::pair<std::string, std::string>>, Test, Loading>;
   std::map<Key, std::vector<std::size_t>> groups;
+  std::vector<bool> fitted(targets.size(), true);
   for (std::size_t c = 0; c < cases.size(); ++c) {
-    if (!cases[c].law || results[c].status != FitStatus::Fitted) continue;
+    if (results[c].status != FitStatus::Fitted) fitted[cases[c].target] = false;
+  }
+  for (std::size_t c = 0; c < cases.size(); ++c) {
+    if (!cases[c].law || !fitted[cases[c].target]) continue;
     const Target& target = targets[cases[c].target];
     groups[{*cases[c].law, target.group, target.test, target.loading}].push_back(c);
   }

@@ -21,7 +21,7 @@ constexpr double kNothingLeft = 1e-6;
 constexpr double kLeastWorth = 10.0;
 /// Specimens that must have been predicted by others.
 constexpr std::size_t kFewSpecimens = 3;
-/// How much more of what it has not seen a law may leave than the best one, as a factor: within one
+/// How much larger the misfit of parts may be than that of the best law, as a factor: within one
 /// standard error of the difference; whatever that is.
 constexpr double kAlikeByError = 1.1;
 constexpr double kAlike = 1.02;
@@ -54,6 +54,7 @@ void set_criteria(const std::vector<double>& worth, double samples, ComparedLaw&
   auto parameters = static_cast<double>(law.fit.parameters.size());
   for (std::size_t c = 0; c < law.fit.curves.size(); ++c) {
     const CurveResidual& residual = law.fit.curves[c];
+    deviance += residual.prior;
     if (residual.noise) {
       deviance += worth[c] * residual.mean_square / (*residual.noise * *residual.noise);
     } else {
@@ -97,37 +98,71 @@ double unseen_of(const ComparedLaw& law, RankedBy by) {
   return by == RankedBy::Parts ? law.held_out : law.unseen;
 }
 
+/// What a law leaves more of what it has not seen than another one, and the standard error.
+struct Difference {
+  double more = 0.0;
+  double error = 0.0;
+};
+Difference difference(const LawFit& law, const LawFit& other, RankedBy by) {
+  const std::vector<double>& a = unseen_of(law, by);
+  const std::vector<double>& b = unseen_of(other, by);
+  Difference d{mean_of(a) - mean_of(b), 0.0};
+  double squares = 0.0;
+  for (std::size_t i = 0; i < a.size(); ++i) squares += std::pow(a[i] - b[i] - d.more, 2);
+  const auto n = static_cast<double>(a.size());
+  d.error = std::sqrt(squares / (n * std::max(1.0, n - 1.0)));
+  return d;
+}
+
 /// Whether a law leaves no more of what it has not seen than the best one.
 bool are_alike(const LawFit& law, const LawFit& best, RankedBy by) {
-  const std::vector<double>& a = unseen_of(law, by);
-  const std::vector<double>& b = unseen_of(best, by);
-  if (a.empty() || a.size() != b.size()) return false;
-  const double left = std::sqrt(mean_of(a));
-  const double least = std::sqrt(mean_of(b));
-  if (left <= std::max(kAlike * least, kNothingLeft)) return true;
-  const double more = mean_of(a) - mean_of(b);
-  double squares = 0.0;
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    squares += (a[i] - b[i] - more) * (a[i] - b[i] - more);
-  }
-  const auto n = static_cast<double>(a.size());
-  const double error = std::sqrt(squares / (n * std::max(1.0, n - 1.0)));
-  return left <= kAlikeByError * least && more <= error;
+  const double own = best.parts.empty() ? mean_of(unseen_of(best, by)) : mean_of(best.parts);
+  const auto [more, error] = difference(law, best, by);
+  const auto within = [&](double factor) {
+    return more <= std::max((factor * factor - 1.0) * own, kNothingLeft * kNothingLeft);
+  };
+  return within(kAlike) || (within(kAlikeByError) && more <= error);
 }
 
 /// "BIC lower by 12 than ideal", "specimens not seen are 1.2 % off, by ideal 3 %".
 std::string gain_of(const ComparedLaw& best, const ComparedLaw& next, RankedBy by,
                     bool is_simpler) {
   if (by != RankedBy::Information) {
-    return fmt::format("{}{} are {} off, by {} {}", is_simpler ? "simpler, and " : "", name_of(by),
-                       fraction_text(unseen_of(best, by)), name_of(next.fit.law),
-                       fraction_text(unseen_of(next, by)));
+    return fmt::format("{}{} are {:.3g} % off, by {} {:.3g} %", is_simpler ? "simpler, and " : "",
+                       name_of(by), 100.0 * unseen_of(best, by), name_of(next.fit.law),
+                       100.0 * unseen_of(next, by));
   }
   const double gain = next.bic - best.bic;
   return gain >= kBareMention
              ? fmt::format("BIC lower by {:.3g} than {}", gain, name_of(next.fit.law))
              : fmt::format("simpler than {}, whose BIC is {} by {:.2g} only", name_of(next.fit.law),
                            gain < 0.0 ? "lower" : "higher", std::fabs(gain));
+}
+
+/// Of a law with more parameters than the advised one.
+std::string why_it_gains_nothing(const ComparedLaw& law, const ComparedLaw& best, RankedBy by) {
+  std::string doubts = doubts_on(law.fit);
+  if (!doubts.empty()) return doubts;
+  if (by == RankedBy::Information) {
+    return fmt::format("its misfit is {}, that of {} {}", fraction_text(law.fit.misfit_fraction),
+                       name_of(best.fit.law), fraction_text(best.fit.misfit_fraction));
+  }
+  return fmt::format("{} are {:.3g} % off", name_of(by), 100.0 * unseen_of(law, by));
+}
+
+/// A law that foretells specimens clearly better than the one that information advises; null if
+/// there is none.
+const ComparedLaw* better_on_specimens(const LawComparison& comparison, const ComparedLaw& best) {
+  if (comparison.ranked_by != RankedBy::Information) return nullptr;
+  if (best.fit.specimens.size() < kFewSpecimens) return nullptr;
+  const ComparedLaw* better = nullptr;
+  for (const ComparedLaw& law : comparison.laws) {
+    if (law.fit.specimens.size() != best.fit.specimens.size()) continue;
+    const auto [more, error] = difference(best.fit, law.fit, RankedBy::Specimens);
+    const bool clear = more > 2.0 * error && best.unseen > kAlike * law.unseen;
+    if (clear && (better == nullptr || law.unseen < better->unseen)) better = &law;
+  }
+  return better;
 }
 
 std::string advice_of(const LawComparison& comparison, std::size_t advised) {
@@ -140,14 +175,13 @@ std::string advice_of(const LawComparison& comparison, std::size_t advised) {
     text += ": " + gain_of(best, laws[other], by, advised > 0);
     for (const ComparedLaw& law : laws) {
       if (law.fit.parameters.size() <= best.fit.parameters.size() || !law.fit.fitted) continue;
-      const std::string doubts = doubts_on(law.fit);
       text += fmt::format("; {} gains nothing: {}", name_of(law.fit.law),
-                          !doubts.empty() ? doubts
-                                          : fmt::format("its misfit is {}, that of {} {}",
-                                                        fraction_text(law.fit.misfit_fraction),
-                                                        name_of(best.fit.law),
-                                                        fraction_text(best.fit.misfit_fraction)));
+                          why_it_gains_nothing(law, best, by));
     }
+  }
+  if (const ComparedLaw* better = better_on_specimens(comparison, best)) {
+    text += fmt::format("; yet specimens not seen are {:.3g} % off, by {} {:.3g} %",
+                        100.0 * best.unseen, name_of(better->fit.law), 100.0 * better->unseen);
   }
   if (by == RankedBy::Information && !comparison.is_informed) {
     text += fmt::format(
@@ -160,6 +194,16 @@ std::string advice_of(const LawComparison& comparison, std::size_t advised) {
                         fraction_text(best.fit.misfit_fraction));
   }
   return text;
+}
+
+/// Takes from a target's fits what not all of them have: laws are compared by the same parts and
+/// the same specimens.
+void keep_common(std::vector<LawFit>& fits) {
+  for (const auto member : {&LawFit::parts, &LawFit::specimens}) {
+    const auto lacks = [&](const LawFit& fit) { return fit.fitted && (fit.*member).empty(); };
+    if (std::ranges::none_of(fits, lacks)) continue;
+    for (LawFit& fit : fits) (fit.*member).clear();
+  }
 }
 
 /// Adds one target's fit of a law to that of others.
@@ -187,9 +231,9 @@ RankedBy ranked_by(const LawComparison& comparison) {
              return !law.fit.fitted || (law.fit.*member).size() >= least;
            });
   };
+  if (comparison.is_informed) return RankedBy::Information;
   if (all_have(&LawFit::specimens, kFewSpecimens)) return RankedBy::Specimens;
-  return !comparison.is_informed && all_have(&LawFit::parts, 1) ? RankedBy::Parts
-                                                                : RankedBy::Information;
+  return all_have(&LawFit::parts, 1) ? RankedBy::Parts : RankedBy::Information;
 }
 
 /// Whether a law is worth no less than the best one.
@@ -201,6 +245,7 @@ bool are_alike(const ComparedLaw& law, const ComparedLaw& best, RankedBy by) {
 }  // namespace
 
 LawComparison compare_laws_over(std::vector<std::vector<LawFit>> targets) {
+  for (std::vector<LawFit>& fits : targets) keep_common(fits);
   std::vector<LawFit> sums;
   const bool any_complete = std::ranges::any_of(targets, [](const std::vector<LawFit>& fits) {
     return std::ranges::all_of(fits, &LawFit::fitted);

@@ -19,6 +19,8 @@ struct CurveResidual {
   double samples = 0.0;          ///< effective number by the weights, see `effective_samples`
   double autocorrelation = 0.0;  ///< of neighbouring residuals, see `autocorrelation`
   std::optional<double> noise;   ///< standard deviation, if it is known [SI]
+  /// z^2 of a prior that the fit was weighed with (modulus_prior.hpp); 0 without one.
+  double prior = 0.0;
 };
 
 /// One law's fit of some curves.
@@ -59,7 +61,8 @@ std::string_view name_of(RankedBy by);
 /// residuals, s^2 = sum r^2/n, and n ln s^2 is left, but for what all laws have alike. Where s is
 /// stated it is the same for all laws, and sum r^2/s^2 = n (mean square)/s^2 is left: chi^2. Then
 ///   AIC = -2 ln L + 2 K,  AICc = AIC + 2 K (K + 1)/(N - K - 1),  BIC = -2 ln L + K ln N
-/// with K the law's parameters and one for each unknown noise, N the sum of n.
+/// with K the law's parameters and one for each unknown noise, N the sum of n. A prior adds its z^2
+/// to -2 ln L: a law must not buy a smaller misfit by a modulus that the curve contradicts.
 ///
 /// n is no count of samples but of what they are worth. Weighted ones count (sum w)^2/sum w^2
 /// (Kish); the objective over the strain path is such a weighted sum. Neighbours alike, as in an
@@ -95,19 +98,22 @@ struct LawComparison {
 /// it the one with the fewest parameters (a smaller difference is "not worth more than a bare
 /// mention", Kass & Raftery, J. Am. Stat. Assoc. 90 (1995) 773).
 ///
-/// Where it does not, the law is advised that leaves the least misfit of what it has not seen; but
-/// of those that are as good, the one with the fewest parameters. As good is a misfit up to 2 %
-/// larger; or up to 10 %, if the squares differ by no more than the standard error of the
-/// difference, that of the mean of the differences part by part or specimen by specimen. Source:
-/// Breiman, Friedman, Olshen & Stone, Classification and Regression Trees (1984), 3.4.3; both
-/// limits are ours: parts that all differ by next to nothing have next to no error, and the
-/// difference of few parts may be one part's alone.
+/// Where it does not, the law is advised that leaves the least squares of what it has not seen: of
+/// three specimens and more, else of parts; but of laws that are as good, the one with the fewest
+/// parameters. As good is what a misfit of parts 2 % larger than the best law's would leave; or 10
+/// % larger, if the squares differ by no more than the standard error of the difference, that of
+/// the mean of the differences part by part or specimen by specimen. It is the misfit of parts that
+/// counts, of specimens, too: what specimens differ by is in all laws alike, and would hide that a
+/// law cannot follow. Source: Breiman, Friedman, Olshen & Stone, Classification and Regression
+/// Trees (1984), 3.4.3; both limits are ours: parts that all differ by next to nothing have next to
+/// no error, and the difference of few parts may be one part's alone.
+///
+/// Where information decides against what specimens say that were not seen, the advice says so.
 LawComparison compare_laws(std::vector<LawFit> fits);
 
 /// The laws over several targets, as if each target had the law's parameters of its own: sums of
 /// the targets that every law was fitted to; where there is none, of the laws that were fitted to
-/// every target. Where three specimens or more were predicted by others, that ranks the laws: it is
-/// what a law is fitted for.
+/// every target.
 /// @param targets  the fits of each, a law each, the same laws
 LawComparison compare_laws_over(std::vector<std::vector<LawFit>> targets);
 

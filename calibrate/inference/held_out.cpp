@@ -14,6 +14,8 @@ namespace plastica::calibrate {
 namespace {
 
 constexpr std::size_t kBlocks = 2 * kParts;
+/// Of the ranges of both axes.
+constexpr double kChord = 0.02;
 
 double range_of(std::span<const double> values) {
   const auto [low, high] = std::ranges::minmax_element(values);
@@ -53,9 +55,11 @@ std::vector<std::size_t> parts_along(std::span<const double> x, std::span<const 
   if (x.empty()) return {};
   const double x_range = range_of(x);
   const double y_range = range_of(y);
+  std::size_t from = 0;  // of the chord
   for (std::size_t i = 1; i < x.size(); ++i) {
-    length[i] =
-        length[i - 1] + std::hypot((x[i] - x[i - 1]) / x_range, (y[i] - y[i - 1]) / y_range);
+    const double chord = std::hypot((x[i] - x[from]) / x_range, (y[i] - y[from]) / y_range);
+    length[i] = std::max(length[i - 1], length[from] + chord);
+    if (chord >= kChord) from = i;
   }
   std::vector<std::size_t> parts;
   parts.reserve(x.size());

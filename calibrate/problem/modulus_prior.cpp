@@ -2,12 +2,61 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <numeric>
+#include <vector>
 
 namespace plastica::calibrate {
 namespace {
 
 /// Errors of a slope that its scatter does not show, as a fraction of it.
 constexpr double kHidden = 0.02;
+
+/// A straight line through the samples of the first loading between two stresses.
+struct Slope {
+  double value = 0.0;
+  double variance = 0.0;
+};
+std::optional<Slope> slope_between(const Curve& curve, double low, double high, double end) {
+  constexpr std::size_t kFew = 4;
+  std::vector<double> x, y;
+  for (std::size_t i = 0; i < curve.size() && curve.stress[i] <= end; ++i) {
+    if (curve.stress[i] < low || curve.stress[i] > high) continue;
+    x.push_back(curve.strain[i]);
+    y.push_back(curve.stress[i]);
+  }
+  if (x.size() < kFew) return std::nullopt;
+  const auto n = static_cast<double>(x.size());
+  const double x_mean = std::accumulate(x.begin(), x.end(), 0.0) / n;
+  const double y_mean = std::accumulate(y.begin(), y.end(), 0.0) / n;
+  double sxx = 0.0, sxy = 0.0, syy = 0.0;
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    sxx += (x[i] - x_mean) * (x[i] - x_mean);
+    sxy += (x[i] - x_mean) * (y[i] - y_mean);
+    syy += (y[i] - y_mean) * (y[i] - y_mean);
+  }
+  if (!(sxx > 0.0)) return std::nullopt;
+  const double slope = sxy / sxx;
+  return Slope{slope, std::max(0.0, syy - slope * sxy) / (n - 2.0) / sxx};
+}
+
+/// What a slope owes to the window in which it was measured [Pa].
+double error_of_window(const Target& target) {
+  const Characteristics& c = target.characteristics;
+  const double low = c.modulus_window_low, high = c.modulus_window_high;
+  const double middle = 0.5 * (low + high);
+  const auto lower = slope_between(target.corrected, low, middle, high);
+  const auto upper = slope_between(target.corrected, middle, high, high);
+  if (!lower || !upper) return 0.0;
+  const double variance = lower->variance + upper->variance;
+  // Scatter of the whole slope is little beside that of its halves.
+  const auto beyond = [](double off, double expected) {
+    return std::sqrt(std::max(0.0, off * off - expected));
+  };
+  return std::hypot(
+      beyond(0.5 * (lower->value - upper->value), 0.25 * variance),
+      beyond(0.5 * (lower->value + upper->value) - *c.youngs_modulus, 0.25 * variance));
+}
 
 }  // namespace
 
@@ -20,7 +69,9 @@ std::optional<ModulusPrior> modulus_prior(const Target& target, const FitOptions
   });
   if (!options.modulus_prior || !is_measured || !is_free) return std::nullopt;
   return ModulusPrior{*c.youngs_modulus,
-                      std::hypot(*c.youngs_modulus_stderr, kHidden * *c.youngs_modulus), 0.0};
+                      std::hypot(std::hypot(*c.youngs_modulus_stderr, error_of_window(target)),
+                                 kHidden * *c.youngs_modulus),
+                      0.0};
 }
 
 }  // namespace plastica::calibrate

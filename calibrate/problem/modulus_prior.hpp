@@ -26,9 +26,11 @@ struct ModulusPrior {
 /// The prior of a target's fit, its variance 0; empty where there is none: the options take it out,
 /// E is not free, or the slope is not one of the curve's own (bending, torsion, a chord, given).
 ///
-/// The standard deviation is that of the regression and 2 % together: a slope has errors that its
-/// scatter does not show, such as a class 1 extensometer's (ISO 9513: 1 %), a bent specimen's or
-/// the choice of the window's.
+/// The standard deviation is that of the regression, 2 % and what the window decides, together. A
+/// slope has errors that its scatter does not show, such as a class 1 extensometer's (ISO 9513: 1
+/// %) or a bent specimen's. And the part that is taken for elastic may not be straight, as metals
+/// that yield early or a grip that slips: half the difference of the slopes of the window's halves,
+/// and how far their mean is from the whole one's, each beyond its own scatter.
 std::optional<ModulusPrior> modulus_prior(const Target& target, const FitOptions& options);
 
 }  // namespace plastica::calibrate

@@ -97,7 +97,7 @@ GroupSummary summarize(std::span<const FitRecord> records, const std::vector<std
       if (target.status == TargetStatus::Rejected || target.status == TargetStatus::Implausible) {
         continue;
       }
-      const std::optional<double> value = target.characteristics.*entry.value;
+      const std::optional<double> value = shown(entry, target.characteristics);
       if (value) characteristics.add(entry.name, entry.dimension, *value);
     }
   }
@@ -136,6 +136,10 @@ Statistic statistic_of(std::vector<double> values) {
   }
   statistic.standard_deviation = std::sqrt(squares / (n - 1.0));
   return statistic;
+}
+
+std::optional<double> shown(const CharacteristicEntry& entry, const Characteristics& all) {
+  return entry.value == &Characteristics::youngs_modulus ? all.sound_modulus() : all.*entry.value;
 }
 
 std::span<const CharacteristicEntry> characteristic_entries() { return kEntries; }

@@ -35,6 +35,9 @@ struct CharacteristicEntry {
   std::optional<double> Characteristics::*value;
 };
 
+/// What there is to be shown of it.
+std::optional<double> shown(const CharacteristicEntry& entry, const Characteristics& all);
+
 /// All of them, in the order in which they are shown.
 std::span<const CharacteristicEntry> characteristic_entries();
 

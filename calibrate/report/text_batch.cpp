@@ -153,7 +153,9 @@ std::string specimens_text(std::span<const FitRecord> records, const ReportOptio
   const auto characteristic = [](std::optional<double> Characteristics::*value) {
     return [value](const FitRecord& record) { return record.target.characteristics.*value; };
   };
-  const auto modulus = characteristic(&Characteristics::youngs_modulus);
+  const auto modulus = [](const FitRecord& record) {
+    return record.target.characteristics.sound_modulus();
+  };
   const auto proof = characteristic(&Characteristics::rp02);
   const auto strength = characteristic(&Characteristics::rm);
   const DisplayUnit gpa = display_unit(Dimension::Stress, largest(records, modulus), true);

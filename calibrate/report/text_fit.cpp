@@ -106,7 +106,9 @@ std::string characteristics_text(const Target& target, const Ink& ink) {
     table.add({std::move(label), significant(*value / unit.scale), std::string(unit.name),
                std::move(note)});
   };
-  if (all.youngs_modulus) {
+  if (all.youngs_modulus && !all.sound_modulus()) {
+    table.add({"E", "-", "", "not known: its error is above 5 %"});
+  } else if (all.youngs_modulus) {
     const DisplayUnit unit = display_unit(Dimension::Stress, *all.youngs_modulus, true);
     const double value = *all.youngs_modulus / unit.scale;
     const DisplayUnit window = display_unit(Dimension::Stress, all.modulus_window_high);

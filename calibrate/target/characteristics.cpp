@@ -36,6 +36,13 @@ double noise_of(std::span<const double> strain, std::span<const double> stress) 
   return *middle / 0.6745;
 }
 
+std::optional<double> Characteristics::sound_modulus() const {
+  constexpr double kLargestError = 0.05;
+  const bool vague = youngs_modulus && youngs_modulus_stderr &&
+                     !(*youngs_modulus_stderr <= kLargestError * std::abs(*youngs_modulus));
+  return vague ? std::nullopt : youngs_modulus;
+}
+
 std::optional<double> proof_stress(std::span<const double> strain, std::span<const double> stress,
                                    double modulus, double zero_strain, double offset) {
   const auto above = [&](std::size_t i) {

@@ -71,12 +71,13 @@ void drop_impossible(Target& target, const ElasticLine& line) {
     target.warnings.emplace_back(
         "no permanent strain at the break: it would be negative, as Young's modulus is too small");
   }
-  constexpr double kLargestError = 0.05;
-  if (c.youngs_modulus_stderr && *c.youngs_modulus_stderr > kLargestError * *c.youngs_modulus) {
-    target.warnings.push_back(
-        fmt::format("Young's modulus has a standard error of {:.2g} %: too few samples, or too "
-                    "much noise, on the elastic part",
-                    100.0 * *c.youngs_modulus_stderr / *c.youngs_modulus));
+  if (c.youngs_modulus && !c.sound_modulus()) {
+    target.warnings.push_back(fmt::format(
+        "Young's modulus is not known: its standard error is {:.2g} %, above 5 %, of "
+        "too few samples, or too much noise, on the elastic part{}",
+        100.0 * *c.youngs_modulus_stderr / *c.youngs_modulus,
+        c.rp02 ? fmt::format("; the proof stress leans on {:.4g} GPa", *c.youngs_modulus / 1e9)
+               : std::string()));
   }
   if (!line.is_straight()) {
     target.warnings.push_back(fmt::format(

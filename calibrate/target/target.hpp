@@ -57,6 +57,10 @@ struct Characteristics {
   std::optional<double> break_strain_plastic;  ///< break_strain - stress/E
   std::optional<BreakObservation> observed_break;
   double largest_strain = 0.0;  ///< of the whole specimen
+
+  /// Young's modulus, if its standard error is at most 5 %. One that is known worse stays in the
+  /// file with its error, but is neither shown as a number nor averaged.
+  std::optional<double> sound_modulus() const;
 };
 
 /// What became of a specimen on its way from the file to the fit.

@@ -87,6 +87,18 @@ TEST(Groups, CountEachStatusAndAverageWhatThereIs) {
   EXPECT_EQ(find(groups[0].characteristics, "reh"), nullptr);
 }
 
+TEST(Groups, DoNotAverageAModulusThatIsHardlyKnown) {
+  std::vector<FitRecord> records = {fitted_record("a"), fitted_record("b"), fitted_record("c")};
+  Characteristics& doubtful = records[1].target.characteristics;
+  doubtful.youngs_modulus = 300e9;
+  doubtful.youngs_modulus_stderr = 40e9;
+  const GroupSummary group = summarize_groups(records).front();
+  const GroupStatistic* modulus = find(group.characteristics, "youngs_modulus");
+  ASSERT_NE(modulus, nullptr);
+  EXPECT_EQ(modulus->statistic.n, 2U);
+  EXPECT_DOUBLE_EQ(modulus->statistic.mean, *records[0].target.characteristics.youngs_modulus);
+}
+
 TEST(Groups, LeaveOutFixedAndUnidentifiedParameters) {
   std::vector<FitRecord> records = {fitted_record("a"), fitted_record("b")};
   for (FitRecord& record : records) {

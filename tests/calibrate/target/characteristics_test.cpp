@@ -47,6 +47,19 @@ TEST(Characteristics, TheRegressionStatesItsWindowAndStandardError) {
   EXPECT_GT(c.youngs_modulus_stderr.value(), 0.0);
 }
 
+TEST(Characteristics, AModulusThatIsHardlyKnownIsNoNumber) {
+  Characteristics c;
+  EXPECT_FALSE(c.sound_modulus());
+  c.youngs_modulus = 200e9;
+  EXPECT_EQ(c.sound_modulus(), 200e9) << "given, or a chord";
+  c.youngs_modulus_stderr = 10e9;
+  EXPECT_EQ(c.sound_modulus(), 200e9);
+  c.youngs_modulus_stderr = 10.1e9;
+  EXPECT_FALSE(c.sound_modulus());
+  c.youngs_modulus_stderr = NAN;
+  EXPECT_FALSE(c.sound_modulus());
+}
+
 TEST(Characteristics, TheChordGoesThroughTheEndsOfItsWindow) {
   TargetOptions options;
   options.modulus_method = ModulusMethod::Chord;
