@@ -1,5 +1,7 @@
 #include "calibrate/fit/search_target.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <string>
@@ -136,6 +138,13 @@ void weigh_modulus(const Target& target, const FitOptions& options, FitResult& r
   for (const std::size_t i : set.active()) active.push_back(set.all()[i].start);
   const std::vector<FittedParameter> searched = result.parameters;
   explain_fit(target, from, set, misfit, active, result);
+  constexpr double kHardlyKnown = 0.04;
+  if (prior->standard_deviation > kHardlyKnown * prior->mean) {
+    result.warnings.push_back(fmt::format(
+        "youngs_modulus leans on an elastic slope that is known to {:.2g} % only: its quarters "
+        "differ (a slip, or yielding), or the part is short or noisy",
+        100.0 * prior->standard_deviation / prior->mean));
+  }
   // The search began where it did.
   for (std::size_t i = 0; i < searched.size(); ++i) result.parameters[i].start = searched[i].start;
 }

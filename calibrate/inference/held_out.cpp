@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::size_t kBlocks = 2 * kParts;
 /// Of the ranges of both axes.
-constexpr double kChord = 0.02;
+constexpr double kChord = 0.05;
 
 double range_of(std::span<const double> values) {
   const auto [low, high] = std::ranges::minmax_element(values);

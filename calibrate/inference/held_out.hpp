@@ -21,7 +21,7 @@ inline constexpr std::size_t kParts = 5;
 ///
 /// The curve is cut into twice as many blocks of neighbours, equally long on the curve as it is
 /// drawn, with both axes over their ranges: so the steep elastic part has blocks of its own. Its
-/// length is that of chords of a fiftieth, so that noise makes it no longer. Blocks
+/// length is that of chords of a twentieth, so that noise makes it no longer. Blocks
 /// are dealt round, so that a part is two blocks, with samples before, between or behind them:
 /// mostly a law must interpolate, as where it is used. Neighbours stay together because their
 /// residuals are alike: single samples would be foretold by those beside them.

@@ -1,6 +1,7 @@
 #include "calibrate/problem/modulus_prior.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <numeric>
@@ -40,22 +41,28 @@ std::optional<Slope> slope_between(const Curve& curve, double low, double high, 
   return Slope{slope, std::max(0.0, syy - slope * sxy) / (n - 2.0) / sxx};
 }
 
-/// What a slope owes to the window in which it was measured [Pa].
+/// What a slope owes to the window in which it was measured [Pa]: the standard error of the mean of
+/// the slopes of its quarters, if these differ by more than their scatter explains.
 double error_of_window(const Target& target) {
+  constexpr std::size_t kQuarters = 4;
+  constexpr double kDiffer = 16.27;  // chi^2 of 3 degrees of freedom, exceeded in one of a thousand
   const Characteristics& c = target.characteristics;
   const double low = c.modulus_window_low, high = c.modulus_window_high;
-  const double middle = 0.5 * (low + high);
-  const auto lower = slope_between(target.corrected, low, middle, high);
-  const auto upper = slope_between(target.corrected, middle, high, high);
-  if (!lower || !upper) return 0.0;
-  const double variance = lower->variance + upper->variance;
-  // Scatter of the whole slope is little beside that of its halves.
-  const auto beyond = [](double off, double expected) {
-    return std::sqrt(std::max(0.0, off * off - expected));
-  };
-  return std::hypot(
-      beyond(0.5 * (lower->value - upper->value), 0.25 * variance),
-      beyond(0.5 * (lower->value + upper->value) - *c.youngs_modulus, 0.25 * variance));
+  std::array<Slope, kQuarters> slopes;
+  double mean = 0.0, variance = 0.0;
+  for (std::size_t q = 0; q < kQuarters; ++q) {
+    const double step = (high - low) / static_cast<double>(kQuarters);
+    const double from = low + step * static_cast<double>(q);
+    const auto slope = slope_between(target.corrected, from, from + step, high);
+    if (!slope) return 0.0;
+    slopes[q] = *slope;
+    mean += slope->value / static_cast<double>(kQuarters);
+    variance += slope->variance / static_cast<double>(kQuarters);
+  }
+  double squares = 0.0;
+  for (const Slope& slope : slopes) squares += std::pow(slope.value - mean, 2);
+  if (squares <= kDiffer * variance) return 0.0;
+  return std::sqrt(squares / static_cast<double>(kQuarters * (kQuarters - 1)));
 }
 
 }  // namespace

@@ -27,10 +27,11 @@ struct ModulusPrior {
 /// E is not free, or the slope is not one of the curve's own (bending, torsion, a chord, given).
 ///
 /// The standard deviation is that of the regression, 2 % and what the window decides, together. A
-/// slope has errors that its scatter does not show, such as a class 1 extensometer's (ISO 9513: 1
-/// %) or a bent specimen's. And the part that is taken for elastic may not be straight, as metals
-/// that yield early or a grip that slips: half the difference of the slopes of the window's halves,
-/// and how far their mean is from the whole one's, each beyond its own scatter.
+/// slope has errors that its scatter does not show, such as a class 1 extensometer's (ISO 9513:
+/// 1 %) or a bent specimen's. And the part that is taken for elastic may not be straight, of metals
+/// that yield early or a grip that slips: the slopes of the window's quarters are measurements of
+/// their own, and where they differ by more than noise the standard error of their mean counts
+/// (batch means: Schmeiser, Oper. Res. 30 (1982) 556).
 std::optional<ModulusPrior> modulus_prior(const Target& target, const FitOptions& options);
 
 }  // namespace plastica::calibrate

@@ -95,7 +95,8 @@ class OlderFiles(unittest.TestCase):
         self.place.cleanup()
 
     def test_of_coupons(self):
-        run(self.folder, "calibrate", str(DATA / "fits/demo.toml"), "-o", "fit.h5", "--quiet")
+        run(self.folder, "calibrate", str(DATA / "fits/demo.toml"), "-o", "fit.h5", "--quiet",
+            "--no-modulus-prior")
         now = run(self.folder, "show", "fit.h5", "--all")
         errors = {}
         with copy_of(self.folder) as file:
@@ -153,7 +154,8 @@ class OlderFiles(unittest.TestCase):
     def test_with_old_names(self):
         cyclic = str(DATA / "scenes/hardening_table.toml")
         for version, command, change, found in (
-                (4, ("calibrate", str(DATA / "fits/demo.toml"), "--quiet"), give_old_tables,
+                (4, ("calibrate", str(DATA / "fits/demo.toml"), "--quiet", "--no-modulus-prior"),
+                 give_old_tables,
                  {"kinematic_fraction", "misfit_fraction", "runs_test_p", "last_intact_strain",
                   "last_intact_stress", "free"}),
                 (4, ("calibrate", str(DATA / "fits/bend_test.toml"), "--quiet"), give_old_rows,
@@ -176,7 +178,7 @@ class OlderFiles(unittest.TestCase):
         done = subprocess.run([COMMAND, "show", "older.h5"], cwd=self.folder, capture_output=True,
                               text=True)
         self.assertEqual(done.returncode, 2)
-        self.assertIn("older.h5: version = 2: must be 3 to 6, which this Plastica reads", done.stderr)
+        self.assertIn("older.h5: version = 2: must be 3 to 7, which this Plastica reads", done.stderr)
 
 
 if __name__ == "__main__":

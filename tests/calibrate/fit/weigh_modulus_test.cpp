@@ -1,7 +1,9 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <string>
 #include <vector>
 
 #include "calibrate/fit/fit.hpp"
@@ -126,6 +128,36 @@ TEST(WeighModulus, HoldsALawThatCannotFollowToTheSlope) {
   EXPECT_NEAR(with.parameter("youngs_modulus").value, kElasticSlope, kSlopeError);
   EXPECT_LT(with.parameter("youngs_modulus").standard_error, 2.0 * kSlopeError);
   EXPECT_GT(with.misfit_rms, without.misfit_rms) << "the misfit is the curve's alone";
+}
+
+/// A window that is not straight: quarters of 200, 200, 160 and 160 GPa, or a slip between two
+/// lines of 200.
+TEST(WeighModulus, TrustsASlopeAsFarAsItsWindowIsStraight) {
+  const std::vector<double> strain = ramp(101, 0.002);
+  const auto deviation_of = [&](const std::vector<double>& stress) {
+    Target target = with_slope(strain, stress);
+    target.characteristics.modulus_window_low = 0.0;
+    target.characteristics.modulus_window_high = stress.back();
+    return modulus_prior(target, elastic())->standard_deviation;
+  };
+  std::vector<double> straight, bent, slipped;
+  for (const double e : strain) {
+    straight.push_back(kElasticSlope * e);
+    bent.push_back(std::min(200e9 * e, 200e9 * 0.0008889 + 160e9 * (e - 0.0008889)));
+    slipped.push_back(200e9 * (e < 0.001 ? e : e < 0.0011 ? 0.001 : e - 1e-4));
+  }
+  EXPECT_NEAR(deviation_of(straight), kSlopeError, tolerance(1e-6 * kSlopeError));
+  // Each is 20 GPa off the mean: sqrt(4 20^2/(4 3)).
+  EXPECT_NEAR(deviation_of(bent), std::hypot(kSlopeError, 20e9 / std::sqrt(3.0)),
+              tolerance(0.03 * 12e9));
+  EXPECT_GT(deviation_of(slipped), 2.0 * kSlopeError);
+  // What leans on such a slope says so.
+  Target target = with_slope(strain, slipped);
+  target.characteristics.modulus_window_high = slipped.back();
+  const std::vector<std::string> warnings = fit_target(target, elastic()).warnings;
+  EXPECT_TRUE(std::ranges::any_of(warnings, [](const std::string& warning) {
+    return warning.find("leans on an elastic slope that is known to") != std::string::npos;
+  }));
 }
 
 TEST(WeighModulus, IsOfAFreeModulusAndASlopeOfTheCurvesOwn) {

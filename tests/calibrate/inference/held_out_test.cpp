@@ -41,6 +41,24 @@ TEST(PartsAlong, GivesTheElasticPartBlocksOfItsOwn) {
   EXPECT_EQ(part.back(), 4U);
 }
 
+TEST(PartsAlong, IsNotLengthenedByNoise) {
+  // A plateau of many noisy samples is no longer than one of few exact ones.
+  std::vector<double> strain, stress;
+  Noise noise(5);
+  for (int i = 0; i < 20; ++i) {
+    strain.push_back(1e-3 * i / 20.0);
+    stress.push_back(3e8 * i / 20.0);
+  }
+  for (int i = 0; i < 5000; ++i) {
+    strain.push_back(1e-3 + 0.1 * i / 5000.0);
+    stress.push_back(3e8 + noise(1e6));
+  }
+  const std::vector<std::size_t> part = parts_along(strain, stress);
+  for (std::size_t k = 0; k < kParts; ++k) {
+    EXPECT_EQ(part[4 * k + 1], k) << "the rise is half of the curve, as without noise";
+  }
+}
+
 TEST(PartsAlong, TakesCurvesThatHardlyAreOne) {
   EXPECT_TRUE(parts_along({}, {}).empty());
   const std::vector<double> same{1.0, 1.0};
