@@ -117,11 +117,11 @@ Difference difference(const LawFit& law, const LawFit& other, RankedBy by) {
 /// Whether a law leaves no more of what it has not seen than the best one.
 bool are_alike(const LawFit& law, const LawFit& best, RankedBy by) {
   const double own = best.parts.empty() ? mean_of(unseen_of(best, by)) : mean_of(best.parts);
-  const auto [more, error] = difference(law, best, by);
+  const Difference d = difference(law, best, by);
   const auto within = [&](double factor) {
-    return more <= std::max((factor * factor - 1.0) * own, kNothingLeft * kNothingLeft);
+    return d.more <= std::max((factor * factor - 1.0) * own, kNothingLeft * kNothingLeft);
   };
-  return within(kAlike) || (within(kAlikeByError) && more <= error);
+  return within(kAlike) || (within(kAlikeByError) && d.more <= d.error);
 }
 
 /// "BIC lower by 12 than ideal", "specimens not seen are 1.2 % off, by ideal 3 %".
