@@ -112,6 +112,10 @@ int calibrate_scenes(const CalibrateArguments& arguments) {
   tell_notes(file.notes);
   set_intervals(arguments, file.options.intervals);
   if (!arguments.laws.empty()) file.options.laws = calibrate::laws_of(arguments.laws, "--laws");
+  if (arguments.no_modulus_prior) {
+    throw InputError({}, "--no-modulus-prior", "",
+                     "is for curves: fits through scenes have no such prior");
+  }
   check(file);
   if (arguments.dry_run) {
     print_dry_run(file, output);

@@ -212,6 +212,11 @@ TEST(SceneFitCommand, RefusesLawsThatItCannotCompare) {
             "plastica: --laws = ludwik: is no law; there are ideal, linear, voce, chaboche, "
             "multilinear\n");
   EXPECT_EQ(said("linear,linear"), "plastica: --laws = linear: is named twice\n");
+  const CommandResult prior = place.run({"calibrate", "fit.toml", "--no-modulus-prior"});
+  EXPECT_EQ(prior.code, 2);
+  EXPECT_EQ(
+      prior.err,
+      "plastica: --no-modulus-prior: is for curves: fits through scenes have no such prior\n");
   EXPECT_EQ(said("ideal,chaboche"),
             "plastica: target = a: has no more samples than the fit has parameters\n");
   EXPECT_FALSE(place.has("fit.h5"));
