@@ -4,10 +4,12 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cmath>
 #include <random>
 #include <string>
 #include <vector>
 
+#include "calibrate/inference/held_out.hpp"
 #include "calibrate/store/journaled_scene_fits.hpp"
 #include "calibrate/store/scene_result_bytes.hpp"
 #include "tests/calibrate/fit/bent_bar.hpp"
@@ -96,6 +98,39 @@ TEST(SceneLawsReference, AdviseTheLawThatMadeTheCurve) {
   EXPECT_TRUE(std::ranges::any_of(said, [](const std::string& text) {
     return text.starts_with("bar: ideal plasticity does not describe this curve");
   }));
+}
+
+/// Elastic, the force is E times a shape, so that a fit without a part has a closed form.
+TEST(SceneLawsReference, HoldOutPartsOfTheCurveAsTheClosedFormDoes) {
+  WeightedTarget bar = bent_by({});
+  bar.target = measured(bar.setup, {}, 1e-4, 4e-3);
+  bar.target.broke.reset();
+  std::mt19937_64 bits(3);
+  std::normal_distribution<double> noise(0.0, kNoise);
+  for (double& force : bar.target.ordinate) force += noise(bits);
+  SceneFitOptions options = stated();
+  options.parameters.resize(1);
+  options.segments_error = false;
+  const SceneFitResult result = fit(std::vector<WeightedTarget>{bar}, options);
+  ASSERT_EQ(result.status, FitStatus::Fitted) << result.reason;
+  ASSERT_EQ(result.held_out.size(), kParts);
+  const std::vector<double>& force = bar.target.ordinate;
+  const std::vector<double>& shape = result.targets[0].fitted;  // times one over E
+  const std::vector<std::size_t> part = parts_along(bar.target.abscissa, force);
+  const double largest = std::ranges::max(force, {}, [](double f) { return std::abs(f); });
+  for (std::size_t k = 0; k < kParts; ++k) {
+    double both = 0.0, square = 0.0, left = 0.0;
+    for (std::size_t i = 0; i < force.size(); ++i) {
+      if (part[i] == k) continue;
+      both += shape[i] * force[i];
+      square += shape[i] * shape[i];
+    }
+    for (std::size_t i = 0; i < force.size(); ++i) {
+      if (part[i] == k) left += std::pow((both / square * shape[i] - force[i]) / largest, 2);
+    }
+    const double expected = 5.0 * left / static_cast<double>(force.size());
+    EXPECT_NEAR(result.held_out[k], expected, tolerance(1e-4 * expected)) << k;
+  }
 }
 
 TEST(SceneLawsReference, AdviseIdealPlasticityWhereThatMadeTheCurve) {
