@@ -15,6 +15,7 @@ void add_column_options(CLI::App& sub, calibrate::BareFiles& bare, const char* g
   add("--stress", bare.stress, "COLUMN[:UNIT]", "Take stresses from a column, by name or number");
   add("--load", bare.force, "COLUMN[:UNIT]", "Take forces from a column, with --area");
   add("--area", bare.area, "AREA", "\"120 mm^2\", or a column of --table");
+  add("--sheet", bare.sheet, "NAME", "Read this sheet of a workbook (.xlsx)");
   add("--decimal", bare.decimal, "MARK", "\".\" or \",\", where the numbers do not show it");
   sub.add_flag("--override-unit", bare.override_unit,
                "Let a UNIT go before another one that the file says")

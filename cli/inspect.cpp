@@ -72,8 +72,11 @@ void print_specimens(const calibrate::TargetSource& source) {
 
 void inspect_file(const std::string& path, const calibrate::TargetSource& given) {
   const io::CsvTable table = io::CsvTable::read(path, given.csv);
-  say("{}: {} rows, {} columns, separated by {}, decimal {}\n", path, table.rows(), table.columns(),
-      name_of_separator(table.separator()), table.decimal() == ',' ? "comma" : "point");
+  const std::string layout =
+      table.sheet().empty() ? fmt::format("separated by {}", name_of_separator(table.separator()))
+                            : fmt::format("of the sheet {}", table.sheet());
+  say("{}: {} rows, {} columns, {}, decimal {}\n", path, table.rows(), table.columns(), layout,
+      table.decimal() == ',' ? "comma" : "point");
   for (const std::string& line : table.preamble()) say("  metadata: {}\n", line);
   const calibrate::FileGuess guess = calibrate::guess_file(table, given);
   print_columns(table, guess);

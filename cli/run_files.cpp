@@ -19,18 +19,22 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::vector<std::string> tables_of(const calibrate::FitFile& file) {
-  std::vector<std::string> tables;
+std::vector<const calibrate::TableSource*> tables_of(const calibrate::FitFile& file) {
+  std::vector<const calibrate::TableSource*> tables;
   for (const calibrate::TargetBlock& block : file.targets) {
     if (!block.source.table) continue;
-    const std::string& table = block.source.table->file;
-    if (std::find(tables.begin(), tables.end(), table) == tables.end()) tables.push_back(table);
+    const calibrate::TableSource& own = *block.source.table;
+    const auto is_same = [&](const calibrate::TableSource* other) {
+      return other->file == own.file && other->csv.sheet == own.csv.sheet;
+    };
+    if (std::ranges::none_of(tables, is_same)) tables.push_back(&own);
   }
   return tables;
 }
 
 std::vector<std::string> files_read(const calibrate::FitFile& file) {
-  std::vector<std::string> files = tables_of(file);
+  std::vector<std::string> files;
+  for (const calibrate::TableSource* table : tables_of(file)) files.push_back(table->file);
   if (!file.path.empty()) files.push_back(file.path);
   for (const calibrate::TargetBlock& block : file.targets) {
     files.insert(files.end(), block.source.files.begin(), block.source.files.end());
@@ -44,9 +48,9 @@ std::vector<io::InputText> input_texts(const calibrate::FitFile& file) {
   const std::string name =
       file.path.empty() ? "command-line.toml" : fs::path(file.path).filename().string();
   std::vector<io::InputText> texts{{name, file.text}};
-  for (const std::string& table : tables_of(file)) {
+  for (const calibrate::TableSource* table : tables_of(file)) {
     texts.push_back(
-        {fs::path(table).filename().string(), io::read_input(table, io::kMaxTableBytes)});
+        {fs::path(table->file).filename().string(), io::table_text(table->file, table->csv.sheet)});
   }
   return texts;
 }

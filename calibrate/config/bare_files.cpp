@@ -228,6 +228,7 @@ TargetSource source_of(const BareFiles& bare) {
     set_word(bare.decimal, "--decimal", {".", ","}, mark);
     source.csv.decimal = ".,"[mark];
   }
+  source.csv.sheet = bare.sheet;
   const bool has_table = bare.table.has_value();
   source.gauge_length =
       specimen_value_of(bare.gauge_length, Dimension::Length, "--gauge-length", has_table);

@@ -20,6 +20,7 @@ void read_csv_options(const io::TomlTable& table, io::CsvOptions& csv) {
   } else if (separator && csv.separator == csv.decimal) {
     throw separator->error("is the decimal mark, too");
   }
+  if (const auto value = table.find("sheet")) csv.sheet = value->string();
   if (const auto value = table.find("header")) {
     csv.header = static_cast<std::size_t>(value->integer(0, 1'000'000));
   }

@@ -7,6 +7,7 @@
 #include "plastica/io/csv_number.hpp"
 #include "plastica/io/csv_text.hpp"
 #include "plastica/io/read_input.hpp"
+#include "plastica/io/workbook.hpp"
 
 namespace plastica::io {
 namespace {
@@ -36,7 +37,24 @@ std::string_view unescaped(std::string_view cell, std::vector<char>& text) {
 }  // namespace
 
 CsvTable CsvTable::read(const std::string& path, const CsvOptions& options) {
-  return parse(read_input(path, kMaxTableBytes), path, options);
+  if (!is_workbook(path)) {
+    if (options.sheet) {
+      throw InputError({path, 0}, "sheet", *options.sheet,
+                       "is of workbooks (.xlsx), which this is not");
+    }
+    return parse(read_input(path, kMaxTableBytes), path, options);
+  }
+  const SheetText sheet = read_sheet(path, options.sheet);
+  CsvOptions as_written = options;
+  as_written.separator = '\t';
+  if (!sheet.has_commas) as_written.decimal = '.';
+  CsvTable table = parse(sheet.text, path, as_written);
+  table.sheet_ = sheet.name;
+  return table;
+}
+
+std::string table_text(const std::string& path, const std::optional<std::string>& sheet) {
+  return is_workbook(path) ? read_sheet(path, sheet).text : read_input(path, kMaxTableBytes);
 }
 
 CsvTable CsvTable::parse(std::string_view text, std::string name, const CsvOptions& options) {

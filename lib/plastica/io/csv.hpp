@@ -15,11 +15,14 @@ struct CsvOptions {
   std::optional<char> separator = {};      ///< ',', ';', tab, or ' ' for any number of blanks
   std::optional<char> decimal = {};        ///< '.' or ','
   std::optional<std::size_t> header = {};  ///< line of the column names, from 1; 0: there is none
+  std::optional<std::string> sheet =
+      {};  ///< of a workbook: its name; else the only one with a table
 };
 
 /// A delimited text file as laboratories write it: metadata lines, a header, a unit row, data. A
 /// line of the data that begins with #, % or // is a comment, unless the first column is one of
-/// words. UTF-16 is read as well, and numbers whose thousands stand apart: 1,234.5.
+/// words. UTF-16 is read as well, and numbers whose thousands stand apart: 1,234.5. Of an Excel
+/// workbook (.xlsx) a sheet is read, its rows as lines.
 ///
 /// The text is kept, cells are views into it; copies are not allowed, moves are.
 class CsvTable {
@@ -36,6 +39,7 @@ class CsvTable {
   CsvTable& operator=(const CsvTable&) = delete;
 
   const std::string& file() const { return file_; }
+  const std::string& sheet() const { return sheet_; }  ///< of a workbook; else empty
   char separator() const { return separator_; }
   char decimal() const { return decimal_; }
   bool torn_last_row() const { return torn_last_row_; }
@@ -82,6 +86,7 @@ class CsvTable {
   std::vector<std::size_t> matches(std::string_view name_or_number) const;
 
   std::string file_;
+  std::string sheet_;
   std::vector<char> text_;  // not a string: a moved short string would move its characters
   char separator_ = ',';
   char decimal_ = '.';
@@ -94,5 +99,9 @@ class CsvTable {
   std::vector<int> line_of_row_;
   std::vector<std::string_view> cells_;  // (rows x columns), row by row
 };
+
+/// The text that a table is read from: the file's, or that of a workbook's sheet.
+/// @throws InputError as `CsvTable::read`
+std::string table_text(const std::string& path, const std::optional<std::string>& sheet = {});
 
 }  // namespace plastica::io
