@@ -49,7 +49,7 @@ calibrate::FitFile read_inputs(const CalibrateArguments& arguments) {
     std::sort(bare.files.begin(), bare.files.end());
     const auto twice = std::adjacent_find(bare.files.begin(), bare.files.end());
     if (twice != bare.files.end()) throw InputError({}, "inputs", *twice, "is named twice");
-    calibrate::FitFile file = calibrate::fit_of_bare_files(bare);
+    calibrate::FitFile file = calibrate::fit_of_bare_files(bare, arguments.threads);
     tell_notes(file.notes);
     return file;
   }
@@ -123,7 +123,7 @@ int calibrate_files(const CalibrateArguments& arguments) {
   for (calibrate::TargetBlock& block : file.targets) {
     block.options.accept = block.options.accept || arguments.accept;
   }
-  std::vector<calibrate::Target> targets = calibrate::import_all(file);
+  std::vector<calibrate::Target> targets = calibrate::import_all(file, arguments.threads);
   if (file.options.intervals.specimens > 0 && targets.size() < 2) {
     throw InputError({}, "bootstrap_specimens", std::to_string(file.options.intervals.specimens),
                      "needs several specimens, for the mean of their parameters");

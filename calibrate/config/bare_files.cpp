@@ -9,6 +9,7 @@
 #include "calibrate/config/read_parameters.hpp"
 #include "calibrate/config/write_target.hpp"
 #include "calibrate/guess/guess_file.hpp"
+#include "plastica/base/parallel_for.hpp"
 #include "plastica/io/csv.hpp"
 #include "plastica/io/read_input.hpp"
 #include "plastica/io/units.hpp"
@@ -107,6 +108,16 @@ struct GuessNote {
   std::size_t files = 1;
 };
 
+/// Adds a note; one that is known already counts its files.
+void add_note(const GuessNote& note, std::vector<GuessNote>& notes) {
+  const auto known = std::ranges::find(notes, note.words, &GuessNote::words);
+  if (known == notes.end()) {
+    notes.push_back(note);
+  } else {
+    known->files += note.files;
+  }
+}
+
 void add_notes(const std::string& file, const FileGuess& guess, std::vector<GuessNote>& notes) {
   std::vector<std::string> all = guess.notes;
   for (const auto& [key, words] : guess.blocks.front().comments) {
@@ -114,14 +125,7 @@ void add_notes(const std::string& file, const FileGuess& guess, std::vector<Gues
         std::ranges::find(guess.blocks.front().missing, key) != guess.blocks.front().missing.end();
     if (!is_unknown) all.push_back(fmt::format("{}: {}", key, words));
   }
-  for (const std::string& words : all) {
-    const auto known = std::ranges::find(notes, words, &GuessNote::words);
-    if (known == notes.end()) {
-      notes.push_back({words, file});
-    } else {
-      ++known->files;
-    }
-  }
+  for (const std::string& words : all) add_note({words, file}, notes);
 }
 
 /// Completes what the options say by what the columns of a file are called.
@@ -249,7 +253,42 @@ TargetSource source_of(const BareFiles& bare) {
   return source;
 }
 
-FitFile fit_of_bare_files(const BareFiles& bare) {
+namespace {
+
+/// What a file is taken for, or why not.
+struct GuessedFile {
+  TargetSource source;
+  std::vector<GuessNote> notes;
+  std::optional<InputError> unreadable;  ///< its import rejects it
+  std::optional<InputError> wrong;       ///< no fit can begin
+};
+
+GuessedFile guess_bare_file(const std::string& file, const TargetSource& given,
+                            bool measure_given) {
+  GuessedFile guessed{given, {}, {}, {}};
+  std::optional<io::CsvTable> table;
+  try {
+    // The fit file that is stored with the results must be UTF-8.
+    if (!io::is_utf8(file)) {
+      throw InputError({file, 0}, "", "", "has a name that is not UTF-8 text; rename it");
+    }
+    try {
+      table.emplace(io::CsvTable::read(file, given.csv));
+    } catch (const InputError& error) {
+      if (!io::is_file(file)) throw;
+      guessed.unreadable = error;
+      return guessed;
+    }
+    complete(*table, guessed.source, measure_given, guessed.notes);
+  } catch (const InputError& error) {
+    guessed.wrong = error;
+  }
+  return guessed;
+}
+
+}  // namespace
+
+FitFile fit_of_bare_files(const BareFiles& bare, int threads) {
   if (bare.files.empty()) throw InputError({}, "FILE", "", "give at least one file");
   const TargetSource given = source_of(bare);
   std::string text = parameters_text(bare.fixed);
@@ -258,22 +297,20 @@ FitFile fit_of_bare_files(const BareFiles& bare) {
   std::vector<std::string> unreadable;
   std::vector<GuessNote> notes;
   std::optional<InputError> first_error;
-  for (const std::string& file : bare.files) {
-    // The fit file that is stored with the results must be UTF-8.
-    if (!io::is_utf8(file)) {
-      throw InputError({file, 0}, "", "", "has a name that is not UTF-8 text; rename it");
-    }
-    TargetSource source = given;
-    std::optional<io::CsvTable> table;
-    try {
-      table.emplace(io::CsvTable::read(file, source.csv));
-    } catch (const InputError& error) {
-      if (!io::is_file(file)) throw;
-      if (!first_error) first_error = error;
+  std::vector<GuessedFile> guessed(bare.files.size());
+  parallel_for(guessed.size(), {threads, nullptr}, [&](std::size_t i, int) {
+    guessed[i] = guess_bare_file(bare.files[i], given, bare.measure.has_value());
+  });
+  for (std::size_t i = 0; i < guessed.size(); ++i) {
+    const std::string& file = bare.files[i];
+    if (guessed[i].wrong) throw InputError(*guessed[i].wrong);
+    if (guessed[i].unreadable) {
+      if (!first_error) first_error = guessed[i].unreadable;
       unreadable.push_back(file);
       continue;
     }
-    complete(*table, source, bare.measure.has_value(), notes);
+    for (const GuessNote& note : guessed[i].notes) add_note(note, notes);
+    TargetSource source = std::move(guessed[i].source);
     const std::string columns = target_text(source);
     auto block = std::find_if(blocks.begin(), blocks.end(),
                               [&](const auto& other) { return other.first == columns; });

@@ -38,7 +38,8 @@ TargetSource source_of(const BareFiles& bare);
 /// folder. Files of the same columns make one [[target]]. Parameters are the default ones; those of
 /// --fix are fixed. A file that cannot be read stands in the first [[target]], whose import rejects
 /// it; it is an error here if all of them are so. Its notes say what was guessed and may be wrong.
+/// @param threads  that read files side by side, 0: as many as the machine has; changes nothing
 /// @throws InputError naming the option (or file), value and rule
-FitFile fit_of_bare_files(const BareFiles& bare);
+FitFile fit_of_bare_files(const BareFiles& bare, int threads = 0);
 
 }  // namespace plastica::calibrate

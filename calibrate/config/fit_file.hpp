@@ -25,7 +25,8 @@ FitFile read_fit_file(const std::string& path);
 FitFile parse_fit_file(std::string text, const std::string& path);
 
 /// Imports the specimens of all targets. A name that an earlier specimen has gets "#2", "#3", …
+/// @param threads  that read files side by side, 0: as many as the machine has; changes nothing
 /// @throws InputError as `import_targets`, but not for a bad specimen: that one is Rejected
-std::vector<Target> import_all(const FitFile& file);
+std::vector<Target> import_all(const FitFile& file, int threads = 0);
 
 }  // namespace plastica::calibrate

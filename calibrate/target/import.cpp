@@ -1,8 +1,10 @@
 #include "calibrate/target/import.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <filesystem>
+#include <iterator>
 #include <map>
 #include <string_view>
 #include <utility>
@@ -12,6 +14,8 @@
 #include "calibrate/target/make.hpp"
 #include "calibrate/target/named_column.hpp"
 #include "calibrate/target/samples.hpp"
+#include "calibrate/target/specimen_table.hpp"
+#include "plastica/base/parallel_for.hpp"
 #include "plastica/io/read_input.hpp"
 #include "plastica/io/units.hpp"
 
@@ -90,21 +94,6 @@ Plan plan_of(const TargetSource& source) {
   return plan;
 }
 
-/// The rows of a file that are one specimen.
-struct Part {
-  std::string stem;   ///< of the file
-  std::string value;  ///< of the columns that split it; empty: all rows
-  std::vector<std::size_t> rows;
-
-  std::vector<double> of(std::vector<double> values) const {
-    if (value.empty()) return values;
-    std::vector<double> own;
-    own.reserve(rows.size());
-    for (const std::size_t row : rows) own.push_back(values[row]);
-    return own;
-  }
-};
-
 /// The specimens of a file, in the order in which they come up first.
 std::vector<Part> parts_of(const TargetSource& source, const CsvTable& table,
                            const std::string& stem) {
@@ -131,61 +120,6 @@ std::vector<Part> parts_of(const TargetSource& source, const CsvTable& table,
   }
   return parts;
 }
-
-/// The table beside the curves, with the columns that the block asks for.
-class Specimens {
- public:
-  explicit Specimens(const TargetSource& source)
-      : source_(source),
-        table_(CsvTable::read(source.table->file, source.table->csv)),
-        key_(table_.find(source.table->key, source.table->where, "key")) {
-    for (const std::string& name : source.group) {
-      groups_.push_back(table_.find(name, source.where, "group"));
-    }
-    for (const auto& value : {source.gauge_length, source.area, source.strain_rate}) {
-      if (value && !value->value) table_.find(value->from, value->where, "from");
-    }
-    for (std::size_t row = 0; row < table_.rows(); ++row) {
-      const auto [entry, is_new] = rows_.emplace(std::string(table_.cell(row, key_)), row);
-      if (!is_new) entry->second = kTwice;
-    }
-  }
-
-  /// The row of a file's stem, or of the value that splits it.
-  /// @throws InputError if there is not exactly one row
-  std::size_t row_of(const Part& part) const {
-    auto found = part.value.empty() ? rows_.end() : rows_.find(part.value);
-    if (found == rows_.end()) found = rows_.find(part.stem);
-    if (found != rows_.end() && found->second != kTwice) return found->second;
-    throw InputError({table_.file(), 0}, source_.table->key,
-                     part.value.empty() ? part.stem : part.value,
-                     found == rows_.end() ? "has no row in the table" : "has more than one row");
-  }
-
-  double number(std::size_t row, const SpecimenValue& value, Dimension dimension, const char* field,
-                std::vector<std::string>& warnings) const {
-    const io::FoundColumn column = io::find_column(table_, named(value, field), dimension);
-    warn_of_unit(table_, column, warnings);
-    const double si = column.to_si(table_.number(row, column.index));
-    if (si > 0.0 && std::isfinite(si)) return si;
-    throw InputError({table_.file(), table_.line_of_row(row)}, value.from,
-                     table_.cell(row, column.index), "must be a positive number");
-  }
-
-  void add_groups(std::size_t row, Target& target) const {
-    for (std::size_t i = 0; i < groups_.size(); ++i) {
-      target.group.emplace_back(source_.group[i], table_.cell(row, groups_[i]));
-    }
-  }
-
- private:
-  static constexpr std::size_t kTwice = static_cast<std::size_t>(-1);
-  const TargetSource& source_;
-  CsvTable table_;
-  std::size_t key_;
-  std::vector<std::size_t> groups_;
-  std::map<std::string, std::size_t> rows_;
-};
 
 void reject(Target& target, std::string reason) {
   target.status = TargetStatus::Rejected;
@@ -221,7 +155,7 @@ Columns columns_of(const Plan& plan, const CsvTable& table) {
 
 /// Raw curve of one specimen, in SI.
 void read_curve(const Plan& plan, const CsvTable& table, const io::FoundColumn& strain,
-                const io::FoundColumn& stress, const Specimens* specimens, const Part& part,
+                const io::FoundColumn& stress, const SpecimenTable* specimens, const Part& part,
                 Target& target) {
   double gauge_length = 1.0;
   double area = 1.0;
@@ -278,89 +212,126 @@ void make_names_unique(std::vector<Target>& targets) {
   }
 }
 
+/// What all files of a block are read by.
+struct Block {
+  const TargetSource& source;
+  const Plan plan;
+  const TargetOptions options;
+  const std::optional<SpecimenTable> specimens;
+};
+
+/// The specimens of a file.
+struct Imported {
+  std::vector<Target> targets;
+  std::optional<InputError> lacking;  ///< where the file has not the columns of the block
+  bool was_unreadable = false;
+};
+
+Target rejected(Target target, const InputError& error) {
+  reject(target, error.what());
+  return target;
+}
+
+/// One specimen of a file, from its raw curve on.
+Target import_curve(const Block& block, const CsvTable& table, const io::FoundColumn& strain,
+                    const io::FoundColumn& stress, const Part& part, Target target) {
+  const SpecimenTable* specimens = block.specimens ? &*block.specimens : nullptr;
+  report_torn_row(table, target.repairs);
+  try {
+    if (specimens != nullptr && !block.source.split.empty()) {
+      specimens->add_groups(specimens->row_of(part), target);
+    }
+    read_curve(block.plan, table, strain, stress, specimens, part, target);
+  } catch (const InputError& error) {
+    return rejected(std::move(target), error);
+  }
+  warn_of_unit(table, strain, target.warnings);
+  warn_of_unit(table, stress, target.warnings);
+  if (target.test == Test::Tension) {
+    warn_of_percent(strain, target.raw.strain, target.warnings);
+    warn_of_travel(table.names()[strain.index], table.units()[strain.index], target.warnings);
+  }
+  process_target(target, block.options);
+  return target;
+}
+
+Imported import_file(const Block& block, const std::string& file) {
+  const TargetSource& source = block.source;
+  Imported imported;
+  Target first;
+  first.file = file;
+  first.test = source.test;
+  first.measure = source.measure;
+  const std::string stem = std::filesystem::path(file).stem().string();
+  first.name = stem;
+  std::optional<CsvTable> table;
+  try {
+    if (block.specimens && source.split.empty()) {
+      block.specimens->add_groups(block.specimens->row_of({stem, "", {}}), first);
+    }
+    table.emplace(CsvTable::read(file, source.csv));
+  } catch (const InputError& error) {
+    imported.was_unreadable = true;
+    imported.targets.push_back(rejected(std::move(first), error));
+    return imported;
+  }
+  Columns columns;
+  std::vector<Part> parts;
+  try {
+    columns = columns_of(block.plan, *table);
+    parts = parts_of(source, *table, stem);
+  } catch (const InputError& error) {
+    imported.lacking = error;
+    imported.targets.push_back(rejected(std::move(first), error));
+    return imported;
+  }
+  const bool pattern = block.plan.stress->column.find('*') != std::string::npos;
+  for (const Part& part : parts) {
+    for (const io::FoundColumn& column : columns.stress) {
+      Target target = first;
+      if (!part.value.empty()) target.name += ":" + part.value;
+      if (pattern) target.name += ":" + table->names()[column.index];
+      imported.targets.push_back(
+          import_curve(block, *table, columns.strain, column, part, std::move(target)));
+    }
+  }
+  return imported;
+}
+
 }  // namespace
 
-std::vector<Target> import_targets(const TargetSource& source, const TargetOptions& options) {
+std::vector<Target> import_targets(const TargetSource& source, const TargetOptions& options,
+                                   int threads) {
   const Plan plan = plan_of(source);
   check_units(plan);
   TargetOptions used = options;
   used.test = source.test;
   used.measure = source.measure;
   if (source.loading) used.loading = source.loading;
-  std::optional<Specimens> specimens;
-  if (source.table) specimens.emplace(source);
-  std::vector<Target> targets;
-  std::optional<InputError> lacking;  // the first file without the columns
-  bool any_has_columns = false;
   for (const std::string& file : source.files) {
     // A link that leads nowhere is one bad file among others: its reading says why.
     if (!io::is_file(file) && !io::is_broken_link(file)) {
       throw InputError(source.where, "files", file,
                        "is not a file that can be read" + io::why_no_file(file));
     }
-    Target first;
-    first.file = file;
-    first.test = source.test;
-    first.measure = source.measure;
-    const std::string stem = std::filesystem::path(file).stem().string();
-    first.name = stem;
-    const auto refuse = [&](const InputError& error) {
-      Target refused = first;
-      reject(refused, error.what());
-      targets.push_back(std::move(refused));
-    };
-    std::optional<CsvTable> table;
-    Columns columns;
-    std::vector<Part> parts;
-    try {
-      if (specimens && source.split.empty()) {
-        specimens->add_groups(specimens->row_of({stem, "", {}}), first);
-      }
-      table.emplace(CsvTable::read(file, source.csv));
-    } catch (const InputError& error) {
-      refuse(error);
-      continue;
-    }
-    try {
-      columns = columns_of(plan, *table);
-      parts = parts_of(source, *table, stem);
-      any_has_columns = true;
-    } catch (const InputError& error) {
-      if (!lacking) lacking = error;
-      refuse(error);
-      continue;
-    }
-    const bool pattern = plan.stress->column.find('*') != std::string::npos;
-    for (const Part& part : parts) {
-      for (const io::FoundColumn& column : columns.stress) {
-        Target target = first;
-        if (!part.value.empty()) target.name += ":" + part.value;
-        if (pattern) target.name += ":" + table->names()[column.index];
-        report_torn_row(*table, target.repairs);
-        try {
-          if (specimens && !source.split.empty()) {
-            specimens->add_groups(specimens->row_of(part), target);
-          }
-          read_curve(plan, *table, columns.strain, column, specimens ? &*specimens : nullptr, part,
-                     target);
-        } catch (const InputError& error) {
-          reject(target, error.what());
-          targets.push_back(std::move(target));
-          continue;
-        }
-        warn_of_unit(*table, columns.strain, target.warnings);
-        warn_of_unit(*table, column, target.warnings);
-        if (target.test == Test::Tension) {
-          warn_of_percent(columns.strain, target.raw.strain, target.warnings);
-          warn_of_travel(table->names()[columns.strain.index], table->units()[columns.strain.index],
-                         target.warnings);
-        }
-        process_target(target, used);
-        targets.push_back(std::move(target));
-      }
-    }
   }
-  if (lacking && !any_has_columns) throw *lacking;  // the block is wrong, not the files
+  const Block block{
+      source, plan, used,
+      source.table ? std::optional<SpecimenTable>(std::in_place, source) : std::nullopt};
+  std::vector<Imported> files(source.files.size());
+  parallel_for(files.size(), {threads, nullptr},
+               [&](std::size_t i, int) { files[i] = import_file(block, source.files[i]); });
+  const auto lacks = [](const Imported& file) { return file.lacking.has_value(); };
+  const auto first = std::ranges::find_if(files, lacks);
+  const auto has_columns = [](const Imported& file) {
+    return !file.lacking && !file.was_unreadable;
+  };
+  // Then the block is wrong, not the files.
+  if (first != files.end() && std::ranges::none_of(files, has_columns)) throw *first->lacking;
+  std::vector<Target> targets;
+  for (Imported& file : files) {
+    std::ranges::move(file.targets, std::back_inserter(targets));
+  }
   make_names_unique(targets);
   return targets;
 }
