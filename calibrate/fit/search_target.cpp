@@ -116,7 +116,10 @@ void weigh_modulus(const Target& target, const FitOptions& options, FitResult& r
   for (int i = 0; i < kRepetitions; ++i) {
     const double before = prior->variance;
     prior->variance = std::max(squares, least) / worth;
-    if (std::abs(prior->variance - before) <= kSettled * before) break;
+    if (std::abs(prior->variance - before) <= kSettled * before) {
+      prior->variance = before;  // what the last search had
+      break;
+    }
     const ParameterSet set(target, from);
     Misfit misfit(target, from, set);
     misfit.set_prior(*prior);

@@ -87,9 +87,14 @@ void add_unseen(std::span<const Target> targets, std::span<const FitCase> cases,
       const Target& target = targets[one.target];
       const FitOptions own = options_of(*one.law, options, target.loading);
       Foretold foretold(target, own);
+      double sum = 0.0, ran = 0.0;
       for (std::size_t k = 1; k <= mates; ++k) {
-        left[i] += foretold.by(results[group[(i + k) % group.size()]]) / static_cast<double>(mates);
+        const double by = foretold.by(results[group[(i + k) % group.size()]]);
+        if (!std::isfinite(by)) continue;
+        sum += by;
+        ran += 1.0;
       }
+      left[i] = sum / ran;  // not a number where none ran
     });
     for (std::size_t i = 0; i < group.size(); ++i) {
       if (std::isfinite(left[i])) results[group[i]].unseen = left[i];

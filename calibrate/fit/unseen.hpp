@@ -17,9 +17,8 @@ namespace plastica::calibrate {
 /// averaged over j. Of large groups those ten j count that follow i by name, round. What specimens
 /// differ by is in all laws alike; a law that is too simple leaves its shape besides, and one that
 /// is too free what it has taken from j alone.
-/// @param results  of the cases; where laws are compared, those of targets that every law was
-/// fitted
-///        to get the number
+/// @param results  of the cases; where laws are compared, those of targets to which every law was
+///                 fitted get the number
 void add_unseen(std::span<const Target> targets, std::span<const FitCase> cases,
                 const FitOptions& options, int threads, std::span<FitResult> results);
 

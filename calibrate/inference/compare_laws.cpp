@@ -21,8 +21,8 @@ constexpr double kNothingLeft = 1e-6;
 constexpr double kLeastWorth = 10.0;
 /// Specimens that must have been predicted by others.
 constexpr std::size_t kFewSpecimens = 3;
-/// How much larger the misfit of parts may be than that of the best law, as a factor: within one
-/// standard error of the difference; whatever that is.
+/// How much larger than the best law's the misfit of parts may be, as a factor, of laws that are as
+/// good: if the difference is within its standard error; whatever its standard error is.
 constexpr double kAlikeByError = 1.1;
 constexpr double kAlike = 1.02;
 

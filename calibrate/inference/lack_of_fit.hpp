@@ -27,9 +27,8 @@ bool lacks_fit(double fraction, double runs_test_p);
 
 /// How well a law describes a curve, in one word for all that speaks of it:
 /// - "poor": `lacks_fit`;
-/// - "close": the residuals are noise (no fewer runs than noise has, neighbours not alike), or
-/// below
-///   1 % of the largest value;
+/// - "close": the residuals are noise (no fewer runs than noise has, neighbours not alike), or they
+///   are below 1 % of the largest value;
 /// - "fair": what is left, such as 1 to 5 % of a curve too short to count runs.
 /// @param autocorrelation  of neighbouring residuals: many elastic samples may hide the runs of few
 ///                         others from the count

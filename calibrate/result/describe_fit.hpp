@@ -101,7 +101,7 @@ inline constexpr auto kDescribeFit = [](auto& d) {
     "total strain at which the fitted model breaks");
   d.since(7, [](auto& later) {
     later.optional("weighed_modulus", PLASTICA_MEMBER(result.modulus_prior), kDescribeModulusPrior);
-    later("unseen", "1", PLASTICA_MEMBER(result.unseen),
+    later("unseen_squared", "1", PLASTICA_MEMBER(result.unseen),
           "square of the misfit by fits of other specimens, over the largest stress");
   });
 };

@@ -262,7 +262,9 @@ Imported import_file(const Block& block, const std::string& file) {
   first.file = file;
   first.test = source.test;
   first.measure = source.measure;
-  const std::string stem = std::filesystem::path(file).stem().string();
+  // Sheets of a workbook are specimens of their own.
+  std::string stem = std::filesystem::path(file).stem().string();
+  if (source.csv.sheet) stem += ":" + *source.csv.sheet;
   first.name = stem;
   std::optional<CsvTable> table;
   try {

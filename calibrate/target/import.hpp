@@ -69,7 +69,8 @@ struct TargetSource {
 ///
 /// A name is the file's stem, with ":COLUMN" where a pattern chose the column, with ":VALUE" where
 /// the file is split, and with the folder before it where stems are alike. The table's key is the
-/// stem, or the value.
+/// stem, or the value. Of a workbook's sheet that is named, ":SHEET" follows the stem, and the key
+/// is that or the sheet's name.
 /// A strain that neither the block nor the file gives a unit is taken as a fraction; in tension,
 /// above 1, the target gets a warning.
 /// @param threads  that read files side by side, 0: as many as the machine has; changes nothing

@@ -25,6 +25,7 @@ SpecimenTable::SpecimenTable(const TargetSource& source)
 std::size_t SpecimenTable::row_of(const Part& part) const {
   auto found = part.value.empty() ? rows_.end() : rows_.find(part.value);
   if (found == rows_.end()) found = rows_.find(part.stem);
+  if (found == rows_.end() && source_.csv.sheet) found = rows_.find(*source_.csv.sheet);
   if (found != rows_.end() && found->second != kTwice) return found->second;
   throw InputError({table_.file(), 0}, source_.table->key,
                    part.value.empty() ? part.stem : part.value,

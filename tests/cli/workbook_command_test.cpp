@@ -1,3 +1,4 @@
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -68,6 +69,7 @@ TEST(WorkbookCommand, AsksWhichOfSeveralSheets) {
       place.run({"calibrate", "two.xlsx", "--sheet", "Probe 2", "--json", "fit.json"});
   EXPECT_EQ(fitted.code, 0) << fitted.err;
   EXPECT_NEAR(yield_of(place), 320e6, 320.0);
+  EXPECT_NE(fitted.out.find("two:Probe 2: fitted"), std::string::npos) << fitted.out;
   EXPECT_EQ(place.run({"calibrate", "two.xlsx", "--sheet", "Probe 3"}).code, 2);
 }
 
@@ -89,6 +91,30 @@ TEST(WorkbookCommand, TakesTheTableOfSpecimensFromAWorkbook) {
   const CommandResult fitted = place.run({"calibrate", "fit.toml", "--json", "fit.json"});
   EXPECT_EQ(fitted.code, 0) << fitted.err;
   EXPECT_NEAR(yield_of(place), 300e6, 300.0);
+}
+
+/// One specimen a sheet: each has a name and a row of its own.
+TEST(WorkbookCommand, TakesEachSheetForASpecimen) {
+  const Workplace place;
+  write_workbook(place.path("w.xlsx").string(), {{"S1", sheet_of(300.0)}, {"S2", sheet_of(300.0)}});
+  place.write("info.csv", "key,S0 [mm^2],L0 [mm]\nw,1,80\nw:S1,50,80\nS2,100,80\n");
+  const std::string block =
+      "[[target]]\nfiles = 'w.xlsx'\nsheet = '{}'\nelongation = {{ column = 'Dehnung' }}\n"
+      "force = {{ column = 'Kraft' }}\narea = {{ from = 'S0' }}\ngauge_length = {{ from = 'L0' }}\n"
+      "table = {{ file = 'info.csv', key = 'key' }}\n";
+  place.write("fit.toml",
+              fmt::format(fmt::runtime(block), "S1") + fmt::format(fmt::runtime(block), "S2"));
+  const CommandResult fitted = place.run({"calibrate", "fit.toml", "--json", "fit.json"});
+  EXPECT_EQ(fitted.code, 0) << fitted.err << fitted.out;
+  const auto fits = nlohmann::json::parse(place.read("fit.json")).at("fits");
+  ASSERT_EQ(fits.size(), 2U);
+  const auto yield = [&](std::size_t i) {
+    return fits.at(i).at("parameters").at("yield_stress").at("value").get<double>();
+  };
+  EXPECT_EQ(fits.at(0).at("name"), "w:S1");
+  EXPECT_NEAR(yield(0), 300e6, 300.0);
+  EXPECT_EQ(fits.at(1).at("name"), "w:S2");
+  EXPECT_NEAR(yield(1), 150e6, 300.0);
 }
 
 }  // namespace

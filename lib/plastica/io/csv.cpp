@@ -44,17 +44,17 @@ CsvTable CsvTable::read(const std::string& path, const CsvOptions& options) {
     }
     return parse(read_input(path, kMaxTableBytes), path, options);
   }
-  const SheetText sheet = read_sheet(path, options.sheet);
+  const SheetText sheet = read_sheet(path, options.sheet, options.decimal);
   CsvOptions as_written = options;
   as_written.separator = '\t';
-  if (!sheet.has_commas) as_written.decimal = '.';
+  as_written.decimal = sheet.decimal;
   CsvTable table = parse(sheet.text, path, as_written);
   table.sheet_ = sheet.name;
   return table;
 }
 
 std::string table_text(const std::string& path, const std::optional<std::string>& sheet) {
-  return is_workbook(path) ? read_sheet(path, sheet).text : read_input(path, kMaxTableBytes);
+  return is_workbook(path) ? read_sheet(path, sheet, {}).text : read_input(path, kMaxTableBytes);
 }
 
 CsvTable CsvTable::parse(std::string_view text, std::string name, const CsvOptions& options) {
@@ -75,7 +75,7 @@ CsvTable CsvTable::parse(std::string_view text, std::string name, const CsvOptio
   for (std::size_t i = 0; i < before; ++i) table.preamble_.emplace_back(lines[i].text);
 
   if (layout.header) {
-    std::string_view header = csv_text::without_blanks(lines[*layout.header].text);
+    std::string_view header = csv_text::without_blanks(lines[*layout.header].text, separator);
     if (header.starts_with('#')) header.remove_prefix(1);  // as NumPy writes it
     if (!csv_text::split_names(header, separator, layout.dialect.width, cells)) {
       throw InputError({table.file_, lines[*layout.header].number}, "", "",

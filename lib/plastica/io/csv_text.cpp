@@ -173,6 +173,9 @@ bool is_comment(std::string_view line) {
 }
 
 std::string_view without_blanks(std::string_view text) { return without(text, '\0'); }
+std::string_view without_blanks(std::string_view line, char separator) {
+  return without(line, separator);
+}
 
 std::string lower_case(std::string_view text) {
   std::string lower(text);

@@ -36,6 +36,8 @@ bool split_names(std::string_view line, char separator, std::size_t width,
 bool is_comment(std::string_view line);
 
 std::string_view without_blanks(std::string_view text);
+/// The same of a line of cells: tabs that separate stay, so that no cell is lost at its ends.
+std::string_view without_blanks(std::string_view line, char separator);
 std::string lower_case(std::string_view text);
 
 /// Takes "Stress (MPa)", "Strain [%]", "Force / kN" or "Force in kN" apart: name and unit. What is

@@ -63,8 +63,10 @@ std::string read_input(const std::string& path, std::size_t max_bytes) {
 
 void refuse_binary(std::string_view bytes, const std::string& file) {
   constexpr std::array<std::pair<std::string_view, std::string_view>, 3> kKinds{
-      {{"PK\x03\x04", "is an Excel workbook or another archive: name the file, or save the sheet as CSV"},
-       {"\xD0\xCF\x11\xE0", "is an old Excel workbook (.xls): save the sheet as CSV"},
+      {{"PK\x03\x04",
+        "is an Excel workbook or another archive: name the file, or save the sheet as CSV"},
+       {"\xD0\xCF\x11\xE0",
+        "is an old Excel workbook (.xls), or one with a password: save the sheet as CSV"},
        {"MATLAB 5.0 MAT-file",
         "is a MATLAB file: write the columns with writematrix(data, \"curve.csv\")"}}};
   for (const auto& [begin, rule] : kKinds) {

@@ -1,213 +1,35 @@
 #include "plastica/io/workbook.hpp"
 
-#include <minizip/unzip.h>
-
 #include <algorithm>
 #include <array>
 #include <charconv>
 #include <cstddef>
 #include <cstdio>
 #include <cstring>
-#include <filesystem>
 #include <memory>
-#include <pugixml.hpp>
-#include <string_view>
+#include <system_error>
 #include <utility>
 #include <vector>
 
 #include "plastica/base/check.hpp"
 #include "plastica/io/read_input.hpp"
+#include "plastica/io/workbook_parts.hpp"
 
 namespace plastica::io {
 namespace {
 
-constexpr std::size_t kMaxRows = std::size_t{1} << 20U, kMaxColumns = std::size_t{1} << 14U;
-
-[[noreturn]] void refuse(const std::string& path, std::string rule) {
-  throw InputError({path, 0}, "", "", std::move(rule));
+bool is_number_as_text(const std::string& text) {
+  const bool has_digit = text.find_first_of("0123456789") != std::string::npos;
+  return has_digit && text.find_first_not_of("0123456789,.+-eE ") == std::string::npos;
 }
 
-/// An archive's parts by their names.
-class Archive {
- public:
-  explicit Archive(const std::string& path) : path_(path), zip_(unzOpen64(path.c_str())) {
-    if (!zip_) refuse(path, "is a damaged archive, no Excel workbook");
-  }
-
-  bool has(const std::string& part) const {
-    return unzLocateFile(zip_.get(), part.c_str(), kIgnoreCase) == UNZ_OK;
-  }
-
-  pugi::xml_document read(const std::string& part) const {
-    if (!has(part)) refuse(path_, "is no Excel workbook, or a damaged one: it has no " + part);
-    unz_file_info64 info{};
-    unzGetCurrentFileInfo64(zip_.get(), &info, nullptr, 0, nullptr, 0, nullptr, 0);
-    if (info.uncompressed_size > kMaxTableBytes) {
-      refuse(path_, part + " in it is larger than 1 GiB, the most that is read");
-    }
-    std::string bytes;
-    std::array<char, 1U << 16U> block{};
-    bool is_good = unzOpenCurrentFile(zip_.get()) == UNZ_OK;
-    while (is_good) {
-      const int count = unzReadCurrentFile(zip_.get(), block.data(), block.size());
-      if (count == 0) break;
-      is_good = count > 0 && bytes.size() <= kMaxTableBytes;
-      if (is_good) bytes.append(block.data(), static_cast<std::size_t>(count));
-    }
-    // Also says whether the checksum holds.
-    is_good = unzCloseCurrentFile(zip_.get()) == UNZ_OK && is_good;
-    pugi::xml_document document;
-    if (!is_good || !document.load_buffer(bytes.data(), bytes.size(),
-                                          pugi::parse_default | pugi::parse_ws_pcdata)) {
-      refuse(path_, "is damaged: its part " + part + " cannot be read");
-    }
-    return document;
-  }
-
- private:
-  static constexpr int kIgnoreCase = 2;
-  struct Close {
-    void operator()(void* zip) const { unzClose(zip); }
+/// Rows with so many numbers or more, those that are text among them.
+std::size_t rows_of_numbers(const std::vector<Row>& rows, std::ptrdiff_t numbers) {
+  const auto is_number = [](const Cell& cell) {
+    return cell.is_number || is_number_as_text(cell.text);
   };
-  std::string path_;
-  std::unique_ptr<void, Close> zip_;
-};
-
-/// "row" of "row" and of "x:row": some programs name their elements so.
-std::string_view local_name(std::string_view name) { return name.substr(name.find(':') + 1); }
-
-template <typename Each>
-void for_children(const pugi::xml_node& node, std::string_view name, const Each& each) {
-  for (const pugi::xml_node& child : node.children()) {
-    if (local_name(child.name()) == name) each(child);
-  }
-}
-
-pugi::xml_node child_of(const pugi::xml_node& node, std::string_view name) {
-  pugi::xml_node found;
-  for_children(node, name, [&](const pugi::xml_node& child) {
-    if (!found) found = child;
-  });
-  return found;
-}
-
-std::string_view attribute(const pugi::xml_node& node, std::string_view name) {
-  for (const pugi::xml_attribute& one : node.attributes()) {
-    if (local_name(one.name()) == name) return one.value();
-  }
-  return {};
-}
-
-/// The text of a string: all of its runs, without how they are read aloud.
-void add_text(const pugi::xml_node& node, std::string& text) {
-  for (const pugi::xml_node& child : node.children()) {
-    const std::string_view name = local_name(child.name());
-    if (name == "t") text += child.text().get();
-    if (name == "r") add_text(child, text);
-  }
-}
-
-struct Cell {
-  std::size_t column = 0;
-  std::string text;
-  bool is_number = false;
-};
-
-struct Row {
-  std::size_t number = 0;  ///< from 1
-  std::vector<Cell> cells;
-};
-
-/// "AB12": column 27, from 0.
-std::optional<std::size_t> column_of(std::string_view place) {
-  std::size_t column = 0, letters = 0;
-  while (letters < place.size() && place[letters] >= 'A' && place[letters] <= 'Z') {
-    column = 26 * column + static_cast<std::size_t>(place[letters++] - 'A' + 1);
-    if (column > kMaxColumns) return std::nullopt;
-  }
-  return letters == 0 ? std::nullopt : std::optional(column - 1);
-}
-
-class Workbook {
- public:
-  explicit Workbook(const std::string& path) : path_(path), archive_(path) {
-    const pugi::xml_document book = archive_.read("xl/workbook.xml");
-    const pugi::xml_document links = archive_.read("xl/_rels/workbook.xml.rels");
-    const auto target_of = [&](std::string_view id) {
-      std::string target;
-      for_children(child_of(links, "Relationships"), "Relationship", [&](const auto& link) {
-        if (attribute(link, "Id") == id) target = attribute(link, "Target");
-      });
-      return target.starts_with('/') ? target.substr(1) : "xl/" + target;
-    };
-    for_children(child_of(child_of(book, "workbook"), "sheets"), "sheet", [&](const auto& sheet) {
-      // "id" of the relation; "sheetId" is another number.
-      sheets_.emplace_back(attribute(sheet, "name"), target_of(attribute(sheet, "id")));
-    });
-    if (sheets_.empty()) refuse(path_, "is a workbook without sheets");
-    if (!archive_.has("xl/sharedStrings.xml")) return;
-    const pugi::xml_document strings = archive_.read("xl/sharedStrings.xml");
-    for_children(child_of(strings, "sst"), "si",
-                 [&](const pugi::xml_node& item) { add_text(item, strings_.emplace_back()); });
-  }
-
-  const std::vector<std::pair<std::string, std::string>>& sheets() const { return sheets_; }
-
-  std::vector<Row> rows_of(const std::string& part) const {
-    std::vector<Row> rows;
-    if (!archive_.has(part)) refuse(path_, "is damaged: a sheet is missing, " + part);
-    const pugi::xml_document document = archive_.read(part);
-    for_children(child_of(child_of(document, "worksheet"), "sheetData"), "row",
-                 [&](const pugi::xml_node& node) {
-                   const std::size_t before = rows.empty() ? 0 : rows.back().number;
-                   Row& row = rows.emplace_back();
-                   row.number = before + 1;
-                   const std::string_view number = attribute(node, "r");
-                   std::from_chars(number.data(), number.data() + number.size(), row.number);
-                   if (row.number <= before || row.number > kMaxRows) {
-                     refuse(path_, "is damaged: the rows of a sheet are not in order");
-                   }
-                   for_children(node, "c", [&](const pugi::xml_node& cell) { add(cell, row); });
-                 });
-    return rows;
-  }
-
- private:
-  void add(const pugi::xml_node& node, Row& row) const {
-    const std::size_t next = row.cells.empty() ? 0 : row.cells.back().column + 1;
-    const std::string_view place = attribute(node, "r");
-    const auto column = place.empty() ? std::optional(next) : column_of(place);
-    if (!column || *column < next || *column >= kMaxColumns) {
-      refuse(path_, "is damaged: the cells of a row are not in order");
-    }
-    Cell cell{*column, child_of(node, "v").text().get(), false};
-    const std::string_view type = attribute(node, "t");
-    if (type == "s") {
-      std::size_t index = strings_.size();
-      std::from_chars(cell.text.data(), cell.text.data() + cell.text.size(), index);
-      if (index >= strings_.size()) refuse(path_, "is damaged: a cell has no text");
-      cell.text = strings_[index];
-    } else if (type == "inlineStr") {
-      cell.text.clear();
-      add_text(child_of(node, "is"), cell.text);
-    } else if (type == "e") {
-      cell.text = "NaN";
-    } else {
-      cell.is_number = type != "str" && type != "d";
-    }
-    if (!cell.text.empty()) row.cells.push_back(std::move(cell));
-  }
-
-  std::string path_;
-  Archive archive_;
-  std::vector<std::pair<std::string, std::string>> sheets_;  ///< name and part
-  std::vector<std::string> strings_;
-};
-
-/// Rows with two numbers or more.
-std::size_t rows_of_numbers(const std::vector<Row>& rows) {
-  return static_cast<std::size_t>(std::ranges::count_if(rows, [](const Row& row) {
-    return std::ranges::count_if(row.cells, &Cell::is_number) >= 2;
+  return static_cast<std::size_t>(std::ranges::count_if(rows, [&](const Row& row) {
+    return std::ranges::count_if(row.cells, is_number) >= numbers;
   }));
 }
 
@@ -223,17 +45,90 @@ std::string written(const std::string& text) {
   return quoted + '"';
 }
 
-bool is_number_with_comma(const std::string& text) {
-  const bool plain = text.find_first_not_of("0123456789,.+-eE ") == std::string::npos;
-  return plain && text.find(',') != std::string::npos;
+/// What a number that is text shows of its marks.
+enum class Mark { None, Point, Comma, Either };
+Mark mark_of(const std::string& text) {
+  const std::size_t comma = text.find(',');
+  if (comma == std::string::npos) return Mark::None;
+  const std::size_t point = text.find('.');
+  if (point != std::string::npos) return point > comma ? Mark::Point : Mark::Comma;
+  if (text.find(',', comma + 1) != std::string::npos) return Mark::Point;  // 1,234,567
+  std::size_t begin = text.find_first_of("0123456789");
+  const std::size_t end = text.find_first_not_of("0123456789", comma + 1);
+  const bool may_be_thousands = (end == std::string::npos ? text.size() : end) - comma == 4 &&
+                                comma - begin >= 1 && comma - begin <= 3 && text[begin] != '0';
+  return may_be_thousands ? Mark::Either : Mark::Comma;
 }
 
-SheetText text_of(std::string name, const std::vector<Row>& rows) {
-  SheetText sheet{std::move(name), {}, false};
+/// The decimal mark of all numbers that are text.
+char decimal_of(const std::string& path, const std::vector<Row>& rows,
+                std::optional<char> decimal) {
+  const Cell* by_comma = nullptr;
+  const Cell* by_point = nullptr;
+  const Cell* by_either = nullptr;
+  for (const Row& row : rows) {
+    for (const Cell& cell : row.cells) {
+      if (cell.is_number || !is_number_as_text(cell.text)) continue;
+      const Mark mark = mark_of(cell.text);
+      if (mark == Mark::Comma) by_comma = &cell;
+      if (mark == Mark::Point) by_point = &cell;
+      if (mark == Mark::Either) by_either = &cell;
+    }
+  }
+  if (decimal) return *decimal;
+  const auto ask = [&](const std::string& cells) {
+    throw InputError({path, 0}, "decimal", "",
+                     "must be given: " + cells + " stand in cells that are text");
+  };
+  if (by_comma != nullptr && by_point != nullptr) ask(by_comma->text + " and " + by_point->text);
+  if (by_comma == nullptr && by_point == nullptr && by_either != nullptr) {
+    ask("numbers such as " + by_either->text);
+  }
+  return by_comma != nullptr ? ',' : '.';
+}
+
+/// Columns in which a text has a "%": what is a percentage there counts as it is shown.
+std::vector<bool> percent_columns(const std::vector<Row>& rows) {
+  std::vector<bool> columns;
+  for (const Row& row : rows) {
+    for (const Cell& cell : row.cells) {
+      if (cell.is_number || cell.text.find('%') == std::string::npos) continue;
+      if (columns.size() <= cell.column) columns.resize(cell.column + 1, false);
+      columns[cell.column] = true;
+    }
+  }
+  return columns;
+}
+
+std::string number_text(const std::string& path, const Cell& cell, bool times_100, char decimal) {
+  std::string text = cell.text;
+  if (times_100) {
+    double value = 0.0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (error != std::errc() || end != text.data() + text.size()) {
+      refuse_workbook(path, "is damaged: a number is " + text);
+    }
+    std::array<char, 32> digits{};
+    const auto written = std::to_chars(digits.data(), digits.data() + digits.size(), 100.0 * value);
+    text.assign(digits.data(), written.ptr);
+  }
+  std::ranges::replace(text, '.', decimal);
+  return text;
+}
+
+SheetText text_of(const std::string& path, std::string name, const std::vector<Row>& rows,
+                  std::optional<char> decimal) {
+  constexpr std::size_t kMaxCells = std::size_t{1} << 28U;
+  SheetText sheet{std::move(name), {}, decimal_of(path, rows, decimal)};
   std::size_t width = 0;
   for (const Row& row : rows) {
     if (!row.cells.empty()) width = std::max(width, row.cells.back().column + 1);
   }
+  if (width * rows.size() > kMaxCells) {
+    refuse_workbook(path, "has a sheet with " + std::to_string(width) + " columns and " +
+                              std::to_string(rows.size()) + " rows, more than are read");
+  }
+  const std::vector<bool> percent = percent_columns(rows);
   std::size_t line = 1;
   for (const Row& row : rows) {
     if (row.cells.empty()) continue;
@@ -241,8 +136,10 @@ SheetText text_of(std::string name, const std::vector<Row>& rows) {
     std::size_t column = 0;
     for (const Cell& cell : row.cells) {
       for (; column < cell.column; ++column) sheet.text += '\t';
-      sheet.text += written(cell.text);
-      sheet.has_commas = sheet.has_commas || (!cell.is_number && is_number_with_comma(cell.text));
+      const bool times_100 =
+          cell.is_percentage && cell.column < percent.size() && percent[cell.column];
+      sheet.text +=
+          cell.is_number ? number_text(path, cell, times_100, sheet.decimal) : written(cell.text);
     }
     for (; column + 1 < width; ++column) sheet.text += '\t';
   }
@@ -263,35 +160,41 @@ bool is_workbook(const std::string& path) {
          std::memcmp(begin.data(), "PK\x03\x04", begin.size()) == 0;
 }
 
-SheetText read_sheet(const std::string& path, const std::optional<std::string>& sheet) {
+SheetText read_sheet(const std::string& path, const std::optional<std::string>& sheet,
+                     std::optional<char> decimal) {
   constexpr std::size_t kFewRows = 3;
   const Workbook book(path);
   std::string all, with_tables;
-  std::optional<SheetText> found;
-  std::size_t tables = 0;
-  for (const auto& [name, part] : book.sheets()) {
-    all += (all.empty() ? "" : ", ") + name;
+  std::vector<std::pair<std::string, std::vector<Row>>> tables, others;
+  for (const Sheet& one : book.sheets()) {
+    all += (all.empty() ? "" : ", ") + one.name + (one.is_hidden ? " (hidden)" : "");
     if (sheet) {
-      if (name == *sheet) return text_of(name, book.rows_of(part));
+      if (one.name == *sheet) return text_of(path, one.name, book.rows_of(one), decimal);
       continue;
     }
-    // Charts and dialogs are sheets, too.
-    if (part.find("worksheets/") == std::string::npos) continue;
-    const std::vector<Row> rows = book.rows_of(part);
-    const std::size_t count = rows_of_numbers(rows);
-    if (count < kFewRows) continue;
-    with_tables += (tables == 0 ? "" : ", ") + name + " (" + std::to_string(count) + " rows)";
-    if (++tables == 1) found = text_of(name, rows);
+    if (one.is_hidden) continue;
+    std::vector<Row> rows = book.rows_of(one);
+    const std::size_t count = rows_of_numbers(rows, 2);
+    if (count >= kFewRows) {
+      with_tables +=
+          (tables.empty() ? "" : ", ") + one.name + " (" + std::to_string(count) + " rows)";
+      tables.emplace_back(one.name, std::move(rows));
+    } else if (rows_of_numbers(rows, 1) > 0) {
+      others.emplace_back(one.name, std::move(rows));
+    }
   }
   if (sheet) {
     throw InputError({path, 0}, "sheet", *sheet, "is no sheet of this workbook, which has " + all);
   }
-  if (tables > 1) {
+  if (tables.size() > 1) {
     throw InputError({path, 0}, "sheet", "",
                      "must be named, as several have a table of numbers: " + with_tables);
   }
-  if (tables == 0) refuse(path, "has no table of numbers on any of its sheets: " + all);
-  return *std::move(found);
+  if (tables.empty() && others.size() != 1) {
+    refuse_workbook(path, "has no table of numbers on any of its sheets: " + all);
+  }
+  const auto& [name, rows] = tables.empty() ? others.front() : tables.front();
+  return text_of(path, name, rows, decimal);
 }
 
 }  // namespace plastica::io

@@ -39,9 +39,11 @@ TEST(CsvErrors, BinaryIsRefusedWithWhatToDo) {
                         "a"),
             "curve.csv:1: is UTF-16 text that ends amid a character");
   EXPECT_EQ(parse_error(std::string("PK\x03\x04\0", 5)),
-            "curve.csv: is an Excel workbook or another archive: name the file, or save the sheet as CSV");
-  EXPECT_EQ(parse_error(std::string("\xD0\xCF\x11\xE0\0", 5)),
-            "curve.csv: is an old Excel workbook (.xls): save the sheet as CSV");
+            "curve.csv: is an Excel workbook or another archive: name the file, or save the sheet "
+            "as CSV");
+  EXPECT_EQ(
+      parse_error(std::string("\xD0\xCF\x11\xE0\0", 5)),
+      "curve.csv: is an old Excel workbook (.xls), or one with a password: save the sheet as CSV");
   EXPECT_EQ(parse_error(std::string("MATLAB 5.0 MAT-file\0", 20)),
             "curve.csv: is a MATLAB file: write the columns with writematrix(data, \"curve.csv\")");
 }

@@ -124,6 +124,15 @@ TEST(Csv, ReadsQuotedDecimalCommasBetweenCommas) {
   EXPECT_EQ(table.numbers(1), (std::vector<double>{1.5, 2.5}));
 }
 
+TEST(Csv, KeepsAnEmptyNameAtTheBeginningOfAHeaderOfTabs) {
+  const CsvTable table = CsvTable::parse(
+      "Test report\t\t\tOperator\n\tStrain [%]\tStress [MPa]\n1\t0.1\t70\n2\t0.2\t140\n", "a.tsv");
+  ASSERT_EQ(table.columns(), 3U);
+  EXPECT_EQ(table.names()[0], "");
+  EXPECT_EQ(table.names()[1], "Strain");
+  EXPECT_EQ(table.number(1, 2), 140.0);
+}
+
 TEST(Csv, DropsTheEmptyColumnOfTrailingSeparators) {
   for (const char* text : {"a,b,\n1,2,\n3,4,\n", "a,b\n1,2,\n3,4,\n", "a,b,\n1,2\n3,4\n"}) {
     const CsvTable table = parse(text);

@@ -96,6 +96,79 @@ TEST_F(WorkbookTest, FindsTheMarkWhereNumbersAreText) {
   EXPECT_EQ(table.decimal(), ',');
 }
 
+/// Two columns of numbers under names; a cell each by `cell`.
+template <typename Cell>
+std::string table_of(const std::string& second, int rows, const Cell& cell) {
+  std::vector<std::vector<SheetCell>> all{{text_cell("Strain"), text_cell(second)}};
+  for (int i = 0; i < rows; ++i) all.push_back({number_cell("0.00" + std::to_string(i)), cell(i)});
+  return sheet_xml(all);
+}
+
+TEST_F(WorkbookTest, ReadsNumbersBesideNumbersThatAreText) {
+  // Numbers always have a point in the file; what is text has a mark of its own.
+  write({{"A", table_of("Stress [MPa]", 5, [](int i) {
+            return text_cell(std::to_string(30 + i) + (i == 0 ? ",5" : ",250"));
+          })}});
+  const CsvTable commas = CsvTable::read(path_);
+  EXPECT_EQ(commas.number(1, 0), 0.001);
+  EXPECT_EQ(commas.number(0, 1), 30.5);
+  EXPECT_EQ(commas.number(1, 1), 31.25) << "not 31 250";
+
+  write({{"A", table_of("Stress [MPa]", 5,
+                        [](int i) { return text_cell("1,23" + std::to_string(i)); })}});
+  EXPECT_EQ(message_of([&] { (void)CsvTable::read(path_); }),
+            path_ + ": decimal: must be given: numbers such as 1,234 stand in cells that are text");
+  CsvOptions options;
+  options.decimal = ',';
+  EXPECT_EQ(CsvTable::read(path_, options).number(4, 1), 1.234);
+  EXPECT_EQ(CsvTable::read(path_, options).number(4, 0), 0.004);
+  options.decimal = '.';
+  EXPECT_EQ(CsvTable::read(path_, options).number(4, 1), 1234.0);
+}
+
+TEST_F(WorkbookTest, TakesPercentagesAsTheyAreShown) {
+  const auto percentage = [](int i) {
+    return SheetCell{" s=\"1\"><v>0.00" + std::to_string(i) + "</v>"};
+  };
+  const std::string styles =
+      "<styleSheet><numFmts><numFmt numFmtId='164' formatCode='0.00%'/></numFmts>"
+      "<cellXfs><xf numFmtId='0'/><xf numFmtId='164'/></cellXfs></styleSheet>";
+  const auto read = [&](const std::string& name) {
+    write_archive(path_, {{"xl/workbook.xml",
+                           "<workbook><sheets><sheet name='S' r:id='a'/></sheets></workbook>"},
+                          {"xl/_rels/workbook.xml.rels",
+                           "<Relationships><Relationship Id='a' Target='./data/one.xml'/>"
+                           "<Relationship Id='b' Type='http://x/styles' Target='look.xml'/>"
+                           "</Relationships>"},
+                          {"xl/look.xml", styles},
+                          {"xl/data/one.xml", table_of(name, 6, percentage)}});
+    return CsvTable::read(path_).number(5, 1);
+  };
+  EXPECT_EQ(read("Elongation [%]"), 0.5) << "as it is shown";
+  EXPECT_EQ(read("Elongation"), 0.005) << "a fraction";
+}
+
+TEST_F(WorkbookTest, LooksAtNoHiddenSheetAndReadsALoneOne) {
+  write({{"Only", sheet_xml({{text_cell("Name"), text_cell("S0")},
+                             {text_cell("a"), number_cell("78.5")}})}});
+  EXPECT_EQ(CsvTable::read(path_).number(0, 1), 78.5) << "a table of specimens";
+  write_archive(path_, {{"xl/workbook.xml",
+                         "<workbook><sheets><sheet name='H' state='hidden' r:id='a'/></sheets>"
+                         "</workbook>"},
+                        {"xl/_rels/workbook.xml.rels",
+                         "<Relationships><Relationship Id='a' Target='worksheets/s.xml'/>"
+                         "</Relationships>"},
+                        {"xl/worksheets/s.xml", sheet_xml(curve_rows())}});
+  EXPECT_EQ(message_of([&] { (void)CsvTable::read(path_); }),
+            path_ + ": has no table of numbers on any of its sheets: H (hidden)");
+}
+
+TEST_F(WorkbookTest, RefusesFormulasWithoutResults) {
+  write({{"A", sheet_xml({{SheetCell{"><f>B1+1</f>"}, number_cell("1")}})}});
+  EXPECT_EQ(message_of([&] { (void)CsvTable::read(path_); }),
+            path_ + ": has formulas without their results: open it in Excel and save it");
+}
+
 TEST_F(WorkbookTest, TakesElementsWithAPrefix) {
   write_archive(
       path_,
@@ -108,7 +181,7 @@ TEST_F(WorkbookTest, TakesElementsWithAPrefix) {
         "<x:row><x:c><x:v>3</x:v></x:c><x:c><x:v>4</x:v></x:c></x:row>"
         "<x:row><x:c><x:v>5</x:v></x:c><x:c><x:v>6</x:v></x:c></x:row></x:sheetData></"
         "x:worksheet>"}});
-  EXPECT_EQ(read_sheet(path_, {}).text, "1\t2\n3\t4\n5\t6\n");
+  EXPECT_EQ(read_sheet(path_, {}, {}).text, "1\t2\n3\t4\n5\t6\n");
 }
 
 TEST_F(WorkbookTest, RefusesWhatIsNone) {
