@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "calibrate/target/named_column.hpp"
+#include "calibrate/target/samples.hpp"
 
 namespace plastica::calibrate {
 

@@ -7,6 +7,7 @@
 
 #include "calibrate/target/import.hpp"
 #include "calibrate/target/target.hpp"
+#include "plastica/base/quantity.hpp"
 #include "plastica/io/csv.hpp"
 
 namespace plastica::calibrate {

@@ -112,8 +112,8 @@ std::optional<std::size_t> column_of(std::string_view place) {
 
 }  // namespace
 
-void refuse_workbook(const std::string& path, std::string rule) {
-  throw InputError({path, 0}, "", "", std::move(rule));
+void refuse_workbook(const std::string& path, const std::string& rule) {
+  throw InputError({path, 0}, "", "", rule);
 }
 
 class Workbook::Parts {

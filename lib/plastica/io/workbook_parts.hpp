@@ -46,6 +46,6 @@ class Workbook {
 };
 
 /// @throws InputError {path}: rule
-[[noreturn]] void refuse_workbook(const std::string& path, std::string rule);
+[[noreturn]] void refuse_workbook(const std::string& path, const std::string& rule);
 
 }  // namespace plastica::io

@@ -162,7 +162,7 @@ TEST(SceneLawsReference, GoOnWhereTheyWereStoppedWithTheSameBits) {
   const std::vector<SceneFitCase> cases{{"bar", {bent_by(voce())}}};
   SceneFitOptions options = stated();
   options.laws = {Law::Ideal, Law::Linear};
-  const auto bytes_of_all = [&](std::vector<SceneFitResult> results) {
+  const auto bytes_of_all = [&](const std::vector<SceneFitResult>& results) {
     std::vector<std::vector<std::byte>> all;
     for (const SceneFitResult& result : results) all.push_back(bytes_of(result));
     return all;
