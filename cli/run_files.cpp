@@ -50,7 +50,7 @@ std::vector<io::InputText> input_texts(const calibrate::FitFile& file) {
   std::vector<io::InputText> texts{{name, file.text}};
   for (const calibrate::TableSource* table : tables_of(file)) {
     texts.push_back(
-        {fs::path(table->file).filename().string(), io::table_text(table->file, table->csv.sheet)});
+        {fs::path(table->file).filename().string(), io::table_text(table->file, table->csv)});
   }
   return texts;
 }

@@ -196,12 +196,15 @@ std::string advice_of(const LawComparison& comparison, std::size_t advised) {
   return text;
 }
 
-/// Takes from a target's fits what not all of them have: laws are compared by the same parts and
+/// Takes from fits what not all of them have: laws are compared by the same parts and
 /// the same specimens.
 void keep_common(std::vector<LawFit>& fits) {
   for (const auto member : {&LawFit::parts, &LawFit::specimens}) {
-    const auto lacks = [&](const LawFit& fit) { return fit.fitted && (fit.*member).empty(); };
-    if (std::ranges::none_of(fits, lacks)) continue;
+    const auto first = std::ranges::find_if(fits, &LawFit::fitted);
+    const auto differs = [&](const LawFit& fit) {
+      return fit.fitted && (fit.*member).size() != ((*first).*member).size();
+    };
+    if (std::ranges::none_of(fits, differs)) continue;
     for (LawFit& fit : fits) (fit.*member).clear();
   }
 }
@@ -272,6 +275,7 @@ LawComparison compare_laws_over(std::vector<std::vector<LawFit>> targets) {
 
 LawComparison compare_laws(std::vector<LawFit> fits) {
   LawComparison comparison;
+  keep_common(fits);
   const std::vector<double> worth = worth_of(fits);
   for (const double n : worth) comparison.samples += n;
   comparison.is_informed = comparison.samples >= kLeastWorth * static_cast<double>(worth.size());

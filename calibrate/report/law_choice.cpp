@@ -36,8 +36,9 @@ LawFit law_fit_of(const FitRecord& record) {
   fit.evaluations = result.evaluations() + result.simpler_evaluations;
   fit.misfit_fraction = result.misfit_fraction;
   fit.lacks_fit = lacks_fit(result.misfit_fraction, result.runs_test_p);
-  if (const auto& prior = result.modulus_prior) {
-    const double off = result.parameter("material.youngs_modulus").value - prior->mean;
+  const FittedParameter* modulus = result.find_parameter("material.youngs_modulus");
+  if (const auto& prior = result.modulus_prior; prior && modulus != nullptr) {
+    const double off = modulus->value - prior->mean;
     fit.curves.back().prior = std::pow(off / prior->standard_deviation, 2);
   }
   fit.parts = result.held_out;

@@ -43,6 +43,7 @@ class StoreReader {
     if (tables_.version() < version) return;
     const auto rows = tables_.lists(path, records_.size());
     for (std::size_t i = 0; i < records_.size(); ++i) {
+      store::check_parts(root_, path, rows.row(i).size());
       member(records_[i]).assign(rows.row(i).begin(), rows.row(i).end());
     }
   }

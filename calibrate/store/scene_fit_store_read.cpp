@@ -44,6 +44,7 @@ class Reader {
     if (tables_.version() < 8) return;
     const auto held_out = tables_.lists("held_out", records_.size());
     for (std::size_t i = 0; i < records_.size(); ++i) {
+      store::check_parts(tables_.root(), "held_out", held_out.row(i).size());
       records_[i]->result.held_out = numbers(held_out.row(i));
     }
   }

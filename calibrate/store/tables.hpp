@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "calibrate/inference/held_out.hpp"
 #include "calibrate/store/columns.hpp"
 #include "plastica/io/result_file.hpp"
 
@@ -56,6 +57,12 @@ io::Hdf5Group write_items(io::Hdf5Group& root, const std::string& path, const It
   using Bare = std::remove_const_t<Row>;
   write_columns<Bare>(group, {items.rows.begin(), items.rows.end()}, description);
   return group;
+}
+
+/// @throws InputError for another number of parts held out than none or all
+inline void check_parts(const io::Hdf5Group& root, const std::string& path, std::size_t count) {
+  if (count == 0 || count == kParts) return;
+  io::refuse_value(root, path, "", "must have a number for each part of a fit, or none");
 }
 
 /// Reads tables of a file.

@@ -93,6 +93,33 @@ TEST(WorkbookCommand, TakesTheTableOfSpecimensFromAWorkbook) {
   EXPECT_NEAR(yield_of(place), 300e6, 300.0);
 }
 
+/// What is kept of the table with the result is read as the table was.
+TEST(WorkbookCommand, TakesTheMarkThatIsGivenForATable) {
+  const Workplace place;
+  std::string curve = "Strain,Force\n";
+  for (int i = 0; i < 200; ++i) {
+    const double strain = 5e-5 * i;
+    curve += number(strain) + "," + number(1.25 * std::min(200e3 * strain, 300.0)) + "\n";
+  }
+  place.write("a.csv", curve);
+  write_workbook(place.path("info.xlsx").string(),
+                 {{"A", sheet_xml({{text_cell("Name"), text_cell("S0 [mm^2]")},
+                                   {text_cell("a"), text_cell("1,250")}})}});
+  const std::string fit =
+      "[[target]]\nfiles = 'a.csv'\nstrain = {{ column = 'Strain', unit = '1' }}\n"
+      "force = {{ column = 'Force', unit = 'N' }}\narea = {{ from = 'S0' }}\n"
+      "table = {{ file = 'info.xlsx', key = 'Name'{} }}\n";
+  place.write("fit.toml", fmt::format(fmt::runtime(fit), ""));
+  const CommandResult asks = place.run({"calibrate", "fit.toml"});
+  EXPECT_EQ(asks.code, 2);
+  EXPECT_NE(asks.err.find("decimal: must be given: numbers such as 1,250"), std::string::npos)
+      << asks.err;
+  place.write("fit.toml", fmt::format(fmt::runtime(fit), ", decimal = ','"));
+  const CommandResult fitted = place.run({"calibrate", "fit.toml", "--json", "fit.json"});
+  EXPECT_EQ(fitted.code, 0) << fitted.err;
+  EXPECT_NEAR(yield_of(place), 300e6, 300.0);
+}
+
 /// One specimen a sheet: each has a name and a row of its own.
 TEST(WorkbookCommand, TakesEachSheetForASpecimen) {
   const Workplace place;

@@ -53,8 +53,9 @@ CsvTable CsvTable::read(const std::string& path, const CsvOptions& options) {
   return table;
 }
 
-std::string table_text(const std::string& path, const std::optional<std::string>& sheet) {
-  return is_workbook(path) ? read_sheet(path, sheet, {}).text : read_input(path, kMaxTableBytes);
+std::string table_text(const std::string& path, const CsvOptions& options) {
+  return is_workbook(path) ? read_sheet(path, options.sheet, options.decimal).text
+                           : read_input(path, kMaxTableBytes);
 }
 
 CsvTable CsvTable::parse(std::string_view text, std::string name, const CsvOptions& options) {

@@ -102,6 +102,6 @@ class CsvTable {
 
 /// The text that a table is read from: the file's, or that of a workbook's sheet.
 /// @throws InputError as `CsvTable::read`
-std::string table_text(const std::string& path, const std::optional<std::string>& sheet = {});
+std::string table_text(const std::string& path, const CsvOptions& options = {});
 
 }  // namespace plastica::io

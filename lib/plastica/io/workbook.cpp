@@ -4,9 +4,8 @@
 #include <array>
 #include <charconv>
 #include <cstddef>
-#include <cstdio>
-#include <cstring>
-#include <memory>
+#include <fstream>
+#include <string_view>
 #include <system_error>
 #include <utility>
 #include <vector>
@@ -151,13 +150,10 @@ SheetText text_of(const std::string& path, std::string name, const std::vector<R
 
 bool is_workbook(const std::string& path) {
   if (!is_file(path)) return false;
-  struct Close {
-    void operator()(std::FILE* file) const { std::fclose(file); }
-  };
-  const std::unique_ptr<std::FILE, Close> file(std::fopen(path.c_str(), "rbe"));
+  std::ifstream file(path, std::ios::binary);
   std::array<char, 4> begin{};
-  return file && std::fread(begin.data(), 1, begin.size(), file.get()) == begin.size() &&
-         std::memcmp(begin.data(), "PK\x03\x04", begin.size()) == 0;
+  return file.read(begin.data(), begin.size()) &&
+         std::string_view(begin.data(), begin.size()) == "PK\x03\x04";
 }
 
 SheetText read_sheet(const std::string& path, const std::optional<std::string>& sheet,

@@ -220,6 +220,13 @@ TEST(CompareLaws, ComparesByTheSpecimensThatAllLawsHave) {
   EXPECT_EQ(c.laws[0].fit.parts.size(), 8U);
 }
 
+TEST(CompareLaws, DoesNotCompareByPartsOfUnequalNumber) {
+  const LawComparison c = compare_laws(
+      {uninformed(Law::Ideal, 0.1, 2, {0.1, 0.1, 0.1}), uninformed(Law::Linear, 0.05, 3, {0.01})});
+  EXPECT_EQ(c.ranked_by, RankedBy::Information);
+  EXPECT_TRUE(c.laws[0].fit.parts.empty());
+}
+
 TEST(CompareLaws, CountsWhatALawOwesToThePriorOfItsModulus) {
   LawFit fit = fit_of_law(Law::Ideal, 0.1, 2);
   const double without = compare_laws({fit}).laws[0].bic;

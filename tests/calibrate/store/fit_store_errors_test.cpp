@@ -107,6 +107,13 @@ TEST_F(FitStoreErrors, AnHdf5FileOfSomebodyElseIsNamed) {
             path_ + ": is not a result file of Plastica: it has no attribute schema");
 }
 
+TEST_F(FitStoreErrors, PartsOfAnotherNumberAreRefused) {
+  contents_.records[1].result.held_out.pop_back();
+  write_fit_store(path_, contents_);
+  EXPECT_EQ(reading(path_),
+            path_ + ": /held_out: must have a number for each part of a fit, or none");
+}
+
 TEST_F(FitStoreErrors, AnotherSchemaAndAnotherVersionAreNamed) {
   const auto write = [&](const std::string& schema, int version) {
     auto file = io::Hdf5File::create(path_);
