@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "calibrate/engine/engine_text.hpp"
+#include "calibrate/engine/engine_world.hpp"
 #include "calibrate/report/csv_export.hpp"
 #include "calibrate/report/json.hpp"
 #include "calibrate/report/scene_fit_csv.hpp"
@@ -39,13 +40,9 @@ namespace plastica::cli {
 namespace {
 
 struct ExportArguments {
-  std::string file;
-  std::string to;    ///< empty: what the output's name ends in, else csv
+  BeamRequest beam;  ///< its file, and `to`, empty: what the output's name ends in, else csv
   std::string what;  ///< empty: the first of the file's kind
   std::string time;
-  std::string scene;
-  std::string which;
-  std::optional<int> segments;
   std::string output = "-";
   bool force = false;
 };
@@ -84,16 +81,16 @@ void take_format(ExportArguments& arguments) {
   const std::string& output = arguments.output;
   const std::string ending = std::filesystem::path(output).extension().string();
   const std::string named = output == "-" ? "" : format_of(ending);
-  if (!arguments.to.empty()) {
-    if (named.empty() || named == arguments.to) return;
+  if (!arguments.beam.to.empty()) {
+    if (named.empty() || named == arguments.beam.to) return;
     throw InputError({}, "--output", output,
-                     fmt::format("must not end in {}: --to is {}", ending, arguments.to));
+                     fmt::format("must not end in {}: --to is {}", ending, arguments.beam.to));
   }
   if (named.empty() && output != "-" && ending.size() > 1 && ending != ".txt" && ending != ".dat") {
     throw InputError({}, "--output", output,
                      fmt::format("ends in {}, which says no format: give --to", ending));
   }
-  arguments.to = named.empty() ? "csv" : named;
+  arguments.beam.to = named.empty() ? "csv" : named;
 }
 
 bool is_table(const std::string& to) {
@@ -102,8 +99,8 @@ bool is_table(const std::string& to) {
 
 /// Whether the beam is wanted for an engine, not the numbers of the result.
 bool wants_beam(const ExportArguments& arguments) {
-  if (arguments.to != "csv") return !is_table(arguments.to);
-  return arguments.what == "beam" || (arguments.what.empty() && !arguments.scene.empty());
+  if (arguments.beam.to != "csv") return !is_table(arguments.beam.to);
+  return arguments.what == "beam" || (arguments.what.empty() && !arguments.beam.scene.empty());
 }
 
 /// What of a file's kind that was asked for, or its first.
@@ -118,7 +115,8 @@ std::string what_of(const ExportArguments& arguments, const std::vector<std::str
 
 /// JSON is one summary, whatever of it is asked for.
 void refuse_what_of_json(const ExportArguments& arguments) {
-  refuse_option(!arguments.what.empty() && arguments.to == "json", "--what", "goes with --to csv");
+  refuse_option(!arguments.what.empty() && arguments.beam.to == "json", "--what",
+                "goes with --to csv");
 }
 
 std::string text_of_scene(const ExportArguments& arguments) {
@@ -127,8 +125,8 @@ std::string text_of_scene(const ExportArguments& arguments) {
   const std::optional<double> time = seconds_of("--time", arguments.time);
   refuse_option(time && what != "joints", "--time", "goes with --what joints only");
   refuse_what_of_json(arguments);
-  const io::SceneRecord record = io::read_scene_store(arguments.file);
-  if (arguments.to == "json") return report::scene_json(record);
+  const io::SceneRecord record = io::read_scene_store(arguments.beam.file);
+  if (arguments.beam.to == "json") return report::scene_json(record);
   std::ostringstream out;
   if (what == "probes") report::write_probes_csv(out, record);
   if (what == "joints") report::write_joints_csv(out, record, time);
@@ -142,8 +140,8 @@ std::string text_of_scene(const ExportArguments& arguments) {
 std::string text_of_fits(const ExportArguments& arguments) {
   const std::string what = what_of(arguments, {"specimens", "curves"});
   refuse_what_of_json(arguments);
-  const calibrate::FitStoreContents contents = calibrate::read_fit_store(arguments.file);
-  if (arguments.to == "json") {
+  const calibrate::FitStoreContents contents = calibrate::read_fit_store(arguments.beam.file);
+  if (arguments.beam.to == "json") {
     const calibrate::FitOptions& fit = contents.options;
     const calibrate::SpecimenDraws draws{fit.intervals.specimens, fit.seed, fit.confidence};
     return calibrate::json_summary(contents.records, 2, draws) + '\n';
@@ -160,8 +158,8 @@ std::string text_of_fits(const ExportArguments& arguments) {
 std::string text_of_scene_fits(const ExportArguments& arguments) {
   const std::string what = what_of(arguments, {"fits", "targets", "curves"});
   refuse_what_of_json(arguments);
-  const auto contents = calibrate::read_scene_fit_store(arguments.file);
-  if (arguments.to == "json")
+  const auto contents = calibrate::read_scene_fit_store(arguments.beam.file);
+  if (arguments.beam.to == "json")
     return calibrate::scene_fits_json(contents.records, contents.confidence);
   std::ostringstream out;
   if (what == "fits") calibrate::write_scene_fits_csv(out, contents.records);
@@ -172,11 +170,12 @@ std::string text_of_scene_fits(const ExportArguments& arguments) {
 
 std::string text_of_sweep(const ExportArguments& arguments) {
   const std::string what = what_of(arguments, {"cases", "curves"});
-  refuse_option(!arguments.what.empty() && arguments.to != "csv", "--what", "goes with --to csv");
-  const sweeps::SweepRecord record = sweeps::read_sweep_store(arguments.file);
-  if (arguments.to == "json") return sweeps::sweep_json(record);
-  if (arguments.to == "markdown") return sweeps::markdown_table(record);
-  if (arguments.to == "latex") return sweeps::latex_table(record);
+  refuse_option(!arguments.what.empty() && arguments.beam.to != "csv", "--what",
+                "goes with --to csv");
+  const sweeps::SweepRecord record = sweeps::read_sweep_store(arguments.beam.file);
+  if (arguments.beam.to == "json") return sweeps::sweep_json(record);
+  if (arguments.beam.to == "markdown") return sweeps::markdown_table(record);
+  if (arguments.beam.to == "latex") return sweeps::latex_table(record);
   std::ostringstream out;
   if (what == "curves") {
     sweeps::write_sweep_curves_csv(out, record);
@@ -188,27 +187,31 @@ std::string text_of_sweep(const ExportArguments& arguments) {
 
 std::string text_of(const ExportArguments& arguments) {
   using enum ResultKind;
-  const ResultKind kind = kind_of_result(arguments.file);
+  const ResultKind kind = kind_of_result(arguments.beam.file);
   const bool beam = wants_beam(arguments);
   const std::array options{
       ResultOption{"--time", !arguments.time.empty(), {Scene}},
-      ResultOption{"--scene", !arguments.scene.empty(), {Fits, SceneFits}},
-      ResultOption{"--case", !arguments.which.empty(), {Fits, SceneFits}},
+      ResultOption{"--scene", !arguments.beam.scene.empty(), {Fits, SceneFits}},
+      ResultOption{"--case", !arguments.beam.which.empty(), {Fits, SceneFits}},
       ResultOption{"--what beam", arguments.what == "beam", {Fits, SceneFits, Scene}},
-      ResultOption{"--to " + arguments.to, beam, {Fits, SceneFits, Scene}},
-      ResultOption{
-          "--to " + arguments.to, arguments.to == "markdown" || arguments.to == "latex", {Sweep}}};
+      ResultOption{"--to " + arguments.beam.to, beam, {Fits, SceneFits, Scene}},
+      ResultOption{"--to " + arguments.beam.to,
+                   arguments.beam.to == "markdown" || arguments.beam.to == "latex",
+                   {Sweep}}};
   refuse_options_of_others(kind, options);
   constexpr std::string_view kOfBeams = "goes with a beam: --to mjcf, agx, chrono, opensees or csv";
-  refuse_option(!beam && !arguments.scene.empty(), "--scene", kOfBeams);
-  refuse_option(!beam && !arguments.which.empty(), "--case", kOfBeams);
-  refuse_option(!beam && arguments.segments, "--segments", kOfBeams);
+  refuse_option(!beam && !arguments.beam.scene.empty(), "--scene", kOfBeams);
+  refuse_option(!beam && !arguments.beam.which.empty(), "--case", kOfBeams);
+  refuse_option(!beam && arguments.beam.segments, "--segments", kOfBeams);
+  refuse_option(!beam && !arguments.beam.up.empty(), "--up", kOfBeams);
+  refuse_option(!beam && !arguments.beam.gravity.empty(), "--gravity", kOfBeams);
+  refuse_option(!beam && !arguments.beam.damping.empty(), "--damping", kOfBeams);
+  refuse_option(!beam && !arguments.beam.contacts.empty(), "--contacts", kOfBeams);
   if (beam) {
     refuse_option(!arguments.what.empty() && arguments.what != "beam", "--what",
                   "goes with --to csv or json");
     refuse_option(!arguments.time.empty(), "--time", "goes with --what joints only");
-    return beam_text(
-        {arguments.file, arguments.to, arguments.scene, arguments.which, arguments.segments}, kind);
+    return beam_text(arguments.beam, kind);
   }
   switch (kind) {
     case Fits: return text_of_fits(arguments);
@@ -220,10 +223,11 @@ std::string text_of(const ExportArguments& arguments) {
 }
 
 int run_export(ExportArguments arguments) {
-  if (!arguments.to.empty()) check_format(arguments.to);
+  if (!arguments.beam.to.empty()) check_format(arguments.beam.to);
   if (arguments.output != "-") {
-    refuse_input("--output", arguments.output, arguments.file);
-    if (!arguments.scene.empty()) refuse_input("--output", arguments.output, arguments.scene);
+    refuse_input("--output", arguments.output, arguments.beam.file);
+    if (!arguments.beam.scene.empty())
+      refuse_input("--output", arguments.output, arguments.beam.scene);
   }
   take_format(arguments);
   if (arguments.output != "-") io::check_output_path(arguments.output, arguments.force);
@@ -242,11 +246,11 @@ void add_export(CLI::App& app, Action& action) {
   CLI::App* sub =
       app.add_subcommand("export", "Write numbers of a result file, or its beam for an engine");
   auto arguments = std::make_shared<ExportArguments>();
-  sub->add_option("file", arguments->file, "Result of calibrate, simulate or sweep")
+  sub->add_option("file", arguments->beam.file, "Result of calibrate, simulate or sweep")
       ->required()
       ->option_text("FILE.h5");
   sub->add_option(
-         "--to", arguments->to,
+         "--to", arguments->beam.to,
          "Write csv or json; of a sweep also markdown or latex; the beam as mjcf (MuJoCo), "
          "agx, chrono or opensees; default: as the output's name ends, else csv")
       ->option_text("FORMAT");
@@ -262,16 +266,38 @@ void add_export(CLI::App& app, Action& action) {
   add_force_option(*sub, arguments->force, "the output");
   const char* beam = "Beam of a fit";
   sub->add_option(
-         "--scene", arguments->scene,
+         "--scene", arguments->beam.scene,
          "Take this scene, with the fitted material; of a fit through several scenes: which")
       ->option_text("SCENE.toml")
       ->group(beam);
-  sub->add_option("--case", arguments->which, "Take this specimen's fit")
+  sub->add_option("--case", arguments->beam.which, "Take this specimen's fit")
       ->option_text("NAME")
       ->group(beam);
-  sub->add_option("--segments", arguments->segments, "Divide the beam into N segments")
+  sub->add_option("--segments", arguments->beam.segments, "Divide the beam into N segments")
       ->option_text("N")
       ->group(beam);
+  const char* world = "World of mjcf, agx and chrono";
+  const auto up = calibrate::up_axes();
+  sub->add_option("--up", arguments->beam.up,
+                  "Turn what is up in the scene (against its gravity, else y) to this axis")
+      ->check(CLI::IsMember(std::vector<std::string>(up.begin(), up.end())))
+      ->option_text("z|y|x|-z|-y|-x")
+      ->group(world);
+  sub->add_option("--gravity", arguments->beam.gravity,
+                  "Let gravity pull down so: \"9.81 m/s^2\"; default: the scene's")
+      ->option_text("G")
+      ->group(world);
+  sub->add_option("--damping", arguments->beam.damping,
+                  "mjcf: damp each joint by this time its stiffness: \"0.5 ms\"; default: the "
+                  "scene's, else a tenth of the step")
+      ->option_text("TIME")
+      ->group(world);
+  const auto contacts = contact_words();
+  sub->add_option("--contacts", arguments->beam.contacts,
+                  "mjcf: let segments touch none (the default), others but each other, or all")
+      ->check(CLI::IsMember(std::vector<std::string>(contacts.begin(), contacts.end())))
+      ->option_text("WORD")
+      ->group(world);
   sub->footer(
       "Names of --what, by the kind of result:\n"
       "  fits of curves       specimens; curves, a row per sample\n"
@@ -284,6 +310,7 @@ void add_export(CLI::App& app, Action& action) {
       "Examples:\n"
       "  plastica export fit.h5 --to csv -o fit.csv\n"
       "  plastica export fit.h5 --case s355 --scene scene.toml --to mjcf -o beam.xml\n"
+      "  plastica export scene.h5 --to mjcf --up z --gravity \"9.81 m/s^2\" -o beam.xml\n"
       "  plastica export scene-fit.h5 --to mjcf -o beam.xml");
   sub->callback([&action, arguments] { action = [arguments] { return run_export(*arguments); }; });
 }

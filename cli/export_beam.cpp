@@ -4,17 +4,21 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
 #include <filesystem>
 
 #include "calibrate/config/stored_scenes.hpp"
 #include "calibrate/engine/engine_text.hpp"
+#include "calibrate/engine/engine_world.hpp"
 #include "calibrate/engine/fitted_scene.hpp"
 #include "calibrate/store/fit_store.hpp"
 #include "calibrate/store/scene_fit_store.hpp"
 #include "cli/find_record.hpp"
+#include "cli/run_files.hpp"
 #include "cli/tell.hpp"
 #include "plastica/io/scene_file.hpp"
 #include "plastica/io/scene_store.hpp"
+#include "plastica/io/units.hpp"
 #include "plastica/model/support_kind.hpp"
 
 namespace plastica::cli {
@@ -152,9 +156,42 @@ BeamSource simulated_beam(const BeamRequest& request) {
   return source;
 }
 
+/// The world that the options ask for.
+/// @throws InputError for what the format has not
+calibrate::EngineWorld world_of(const BeamRequest& request, calibrate::EngineFormat format) {
+  using enum calibrate::EngineFormat;
+  const bool has_world = format == Mjcf || format == Agx || format == Chrono;
+  constexpr std::string_view kWithWorld = "goes with --to mjcf, agx or chrono";
+  refuse_option(!request.up.empty() && !has_world, "--up", kWithWorld);
+  refuse_option(!request.gravity.empty() && !has_world, "--gravity", kWithWorld);
+  constexpr std::string_view kWithMjcf = "goes with --to mjcf";
+  refuse_option(!request.damping.empty() && format != Mjcf, "--damping", kWithMjcf);
+  refuse_option(!request.contacts.empty() && format != Mjcf, "--contacts", kWithMjcf);
+  calibrate::EngineWorld world{.up = request.up};
+  if (!request.gravity.empty()) {
+    world.gravity = io::parse_quantity(request.gravity, Dimension::Acceleration, {}, "--gravity");
+  }
+  world.damping_time = seconds_of("--damping", request.damping);
+  const auto words = contact_words();
+  const auto contacts = std::ranges::find(words, request.contacts);
+  if (contacts != words.end()) {
+    world.contacts = static_cast<calibrate::EngineContacts>(contacts - words.begin());
+  }
+  return world;
+}
+
 }  // namespace
 
+std::span<const std::string_view> contact_words() {
+  static constexpr std::array<std::string_view, 3> kWords{"none", "others", "all"};
+  return kWords;
+}
+
 std::string beam_text(const BeamRequest& request, ResultKind kind) {
+  const auto words = calibrate::engine_formats();
+  const auto format =
+      static_cast<calibrate::EngineFormat>(std::ranges::find(words, request.to) - words.begin());
+  const calibrate::EngineWorld world = world_of(request, format);
   BeamSource source = kind == ResultKind::Fits        ? fitted_beam(request)
                       : kind == ResultKind::SceneFits ? scene_fitted_beam(request)
                                                       : simulated_beam(request);
@@ -169,9 +206,7 @@ std::string beam_text(const BeamRequest& request, ResultKind kind) {
   }
   tell_of_segments(request, source);
   calibrate::EngineBeam beam = calibrate::engine_beam(source.setup.scene, source.setup.solver);
-  const auto words = calibrate::engine_formats();
-  const auto format = static_cast<calibrate::EngineFormat>(
-      std::find(words.begin(), words.end(), request.to) - words.begin());
+  calibrate::put_into(world, beam);
   for (const std::string& note : calibrate::engine_notes(beam, format)) {
     tell("note: {}\n", note);
   }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -16,7 +17,14 @@ struct BeamRequest {
   std::string scene;  ///< the beam of a fit: a file, or the name of one that the fit went through
   std::string which;  ///< the specimen of a fit; empty: the only one
   std::optional<int> segments;
+  std::string up;        ///< the axis that points up; empty: as in the scene
+  std::string gravity;   ///< with its unit, as the next one; empty: the scene's
+  std::string damping;   ///< the damping time of the joints
+  std::string contacts;  ///< what the segments touch; empty: nothing
 };
+
+/// What --contacts may be.
+std::span<const std::string_view> contact_words();
 
 /// The beam of a result as the text of an engine's format. What the format does not hold of the
 /// scene is said on stderr.

@@ -77,24 +77,24 @@ def build(simulation):
     return bodies, joints
 )";
 
-std::string triple(const std::array<double, 3>& v) { return "(" + exact(v, ", ") + ")"; }
+std::string triple(const std::array<double, 3>& v) { return "(" + digits(v, ", ") + ")"; }
 
 std::string rotation(const EngineAxes& axes) {
   const auto q = quaternion(axes);
-  return fmt::format("({}, {}, {}, {})", q[1], q[2], q[3], q[0]);
+  return "(" + digits(std::array{q[1], q[2], q[3], q[0]}, ", ") + ")";
 }
 
 std::string segment_row(const EngineSegment& segment) {
-  return fmt::format("    ({}, {}, {}, {}, {}),\n", segment.length, segment.mass,
-                     triple(segment.inertia), triple(segment.center()), rotation(segment.axes));
+  return written("    ({}, {}, {}, {}, {}),\n", segment.length, segment.mass,
+                 triple(segment.inertia), triple(segment.center()), rotation(segment.axes));
 }
 
 /// The joint's frame as a body sees it, whose origin is its center.
 std::string frame_in(const EngineSegment& body, const EngineJoint& joint) {
   std::array<double, 3> offset = joint.point;
   for (std::size_t k = 0; k < 3; ++k) offset[k] -= body.center()[k];
-  return fmt::format("({}, {})", triple(seen_from(body.axes, offset)),
-                     rotation(seen_from(body.axes, joint.axes)));
+  return written("({}, {})", triple(seen_from(body.axes, offset)),
+                 rotation(seen_from(body.axes, joint.axes)));
 }
 
 std::string joint_row(const EngineBeam& beam, const EngineJoint& joint) {
@@ -106,8 +106,8 @@ std::string joint_row(const EngineBeam& beam, const EngineJoint& joint) {
   }
   const std::string in_parent =
       joint.parent ? frame_in(beam.segments[*joint.parent], joint)
-                   : fmt::format("({}, {})", triple(joint.point), rotation(joint.axes));
-  return fmt::format(
+                   : written("({}, {})", triple(joint.point), rotation(joint.axes));
+  return written(
       "    (\"{}\", {}, {}, {},\n     {},\n     {},\n     ({}), ({}), {}, {},\n     {}, {}, "
       "{}),\n",
       joint.name, joint.parent ? static_cast<long>(*joint.parent) : -1L, joint.child,

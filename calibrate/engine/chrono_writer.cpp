@@ -92,22 +92,21 @@ inline std::vector<std::shared_ptr<chrono::ChBody>> Build(
 }  // namespace plastica_beam
 )";
 
-std::string braced(const std::array<double, 3>& v) { return "{" + exact(v, ", ") + "}"; }
+std::string braced(const std::array<double, 3>& v) { return "{" + digits(v, ", ") + "}"; }
 
 std::string braced_rotation(const EngineAxes& axes) {
-  return fmt::format("{{{}}}", fmt::join(quaternion(axes), ", "));
+  return "{" + digits(quaternion(axes), ", ") + "}";
 }
 
 std::string chrono_row(const EngineSegment& segment) {
-  return fmt::format("    {{{}, {}, {}, {}, {}}},\n", segment.length, segment.mass,
-                     braced(segment.inertia), braced(segment.center()),
-                     braced_rotation(segment.axes));
+  return written("    {{{}, {}, {}, {}, {}}},\n", segment.length, segment.mass,
+                 braced(segment.inertia), braced(segment.center()), braced_rotation(segment.axes));
 }
 
 std::string joint_row(const EngineJoint& joint) {
   std::array<int, 3> rotation{};
   for (std::size_t k = 0; k < 3; ++k) rotation[k] = static_cast<int>(joint.rotation[k]);
-  return fmt::format(
+  return written(
       "    {{\"{}\", {}, {}, {}, {}, {},\n     {{{}}}, {{{}}}, {}, {},\n     {}, {}, {}}},\n",
       joint.name, joint.parent ? static_cast<long>(*joint.parent) : -1L, joint.child,
       joint.half_joint, braced(joint.point), braced_rotation(joint.axes),

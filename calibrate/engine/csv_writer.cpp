@@ -25,7 +25,7 @@ std::string held(const std::array<bool, 3>& holds) {
 
 /// What a joint never reaches is an empty cell.
 void add_cells(const OfJointAxes& values, std::string& row) {
-  for (const double value : values) row += ',' + (std::isfinite(value) ? exact(value) : "");
+  for (const double value : values) row += ',' + (std::isfinite(value) ? digits(value) : "");
 }
 
 }  // namespace
@@ -40,15 +40,15 @@ std::string csv_text(const EngineBeam& beam) {
   for (const std::string_view what :
        {"rotation {}", "stiffness {} [N m/rad]", "hardened stiffness {} [N m/rad]",
         "yield moment {} [N m]", "break angle {} [rad]"}) {
-    for (const char axis : {'x', 'y', 'z'}) text += ',' + fmt::format(fmt::runtime(what), axis);
+    for (const char axis : {'x', 'y', 'z'}) text += ',' + written(what, axis);
   }
   text += '\n';
   for (const EngineJoint& joint : beam.joints) {
     std::string row =
-        fmt::format("{},{},{},{},{:d},{},{}", joint.name, joint.at, segment_number(joint.parent),
-                    joint.child + 1, joint.half_joint, held(joint.holds), joint.length);
+        written("{},{},{},{},{:d},{},{}", joint.name, joint.at, segment_number(joint.parent),
+                joint.child + 1, joint.half_joint, held(joint.holds), joint.length);
     for (const JointHold rotation : joint.rotation) {
-      row += fmt::format(",{}", kRotation[static_cast<std::size_t>(rotation)]);
+      row += written(",{}", kRotation[static_cast<std::size_t>(rotation)]);
     }
     add_cells(joint.stiffness, row);
     add_cells(joint.hardened_stiffness, row);

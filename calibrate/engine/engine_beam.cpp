@@ -281,6 +281,9 @@ EngineBeam engine_beam(const Scene& scene, const SolverOptions& options) {
   EngineBeam beam = BeamReader(*model.chain).read();
   beam.gravity = scene.gravity;
   beam.time_step = options.time_step;
+  if (options.analysis == Analysis::Dynamics && options.damping != Damping::None) {
+    beam.damping_time = options.damping_time;
+  }
   add_scene_notes(scene, options, beam);
   return beam;
 }

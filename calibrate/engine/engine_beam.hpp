@@ -63,7 +63,7 @@ struct EngineJoint {
   double at = 0.0;                ///< along the beam's axis [m]
   std::array<double, 3> point{};  ///< world axes [m]
   EngineAxes axes{};
-  std::array<bool, 3> holds{};          ///< translations along the world's x, y, z
+  std::array<bool, 3> holds{};          ///< translations along the scene's x, y, z
   std::array<JointHold, 3> rotation{};  ///< about its own axes
   double length = 0.0;                  ///< tributary length l [m]; 0 where nothing is sprung
   OfJointAxes stiffness{};              ///< [N m/rad]; 0 where it is not sprung
@@ -74,6 +74,13 @@ struct EngineJoint {
   std::size_t region = 0;  ///< whose law it has
 };
 
+/// What the segments of a beam touch.
+enum class EngineContacts {
+  None,
+  Others,  ///< everything but each other
+  All,     ///< each other, too; not their neighbours
+};
+
 /// A beam as an engine of rigid bodies takes it; SI.
 struct EngineBeam {
   std::string name;
@@ -81,8 +88,13 @@ struct EngineBeam {
   std::vector<EngineSegment> segments;  ///< (N)
   /// The start's, unless nothing holds it; the N-1 between segments; those of supports.
   std::vector<EngineJoint> joints;
-  std::array<double, 3> gravity{};  ///< [m/s^2]
+  /// The scene's x, y and z in world axes: others than these where the beam was turned.
+  EngineAxes scene_axes{{{1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {0.0, 0.0, 1.0}}};
+  std::array<double, 3> gravity{};  ///< world axes [m/s^2]
   double time_step = 1e-3;          ///< the scene's [s]
+  /// What times its stiffness is a joint's damping [s]; empty: the scene's joints have none.
+  std::optional<double> damping_time{};
+  EngineContacts contacts = EngineContacts::None;
   Formulas formulas = Formulas::Mechanics;
   YieldModel yield_model = YieldModel::PerAxis;
   YieldCap yield_cap = YieldCap::FirstYield;

@@ -85,22 +85,22 @@ void describe_region(const EngineBeam& beam, std::size_t index, std::vector<std:
   const EngineRegion& region = beam.regions[index];
   const SectionProperties& p = region.properties;
   const Material& m = region.material;
-  lines.push_back(fmt::format("{}: {}", index == 0 ? "Beam" : fmt::format("region[{}]", index),
-                              one_line(m.name)));
-  lines.push_back(fmt::format("  E = {} Pa, G = {} Pa, rho = {} kg/m^3", m.youngs_modulus,
-                              resolved_shear_modulus(m), m.density));
+  lines.push_back(
+      written("{}: {}", index == 0 ? "Beam" : written("region[{}]", index), one_line(m.name)));
+  lines.push_back(written("  E = {} Pa, G = {} Pa, rho = {} kg/m^3", m.youngs_modulus,
+                          resolved_shear_modulus(m), m.density));
   if (beam.yield_model != YieldModel::Elastic) {
     const bool report = beam.formulas == Formulas::Report;
-    lines.push_back(fmt::format(
+    lines.push_back(written(
         "  sigma_y = {} Pa, tau_y = {} Pa", m.yield_stress,
         report ? m.shear_yield_stress.value_or(m.yield_stress) : resolved_shear_yield_stress(m)));
   }
-  lines.push_back(fmt::format("  A = {} m^2, I_x = {} m^4, I_y = {} m^4, J = {} m^4", p.area,
-                              p.second_moment_x, p.second_moment_y, p.torsion_constant));
-  lines.push_back(fmt::format("  W_x = {} m^3, W_y = {} m^3, W_t = {} m^3", p.section_modulus_x,
-                              p.section_modulus_y, p.torsion_modulus));
-  lines.push_back(fmt::format("  f = {}, c = {}", exact(region.stiffness_factor, ", "),
-                              exact(region.cap_factor, ", ")));
+  lines.push_back(written("  A = {} m^2, I_x = {} m^4, I_y = {} m^4, J = {} m^4", p.area,
+                          p.second_moment_x, p.second_moment_y, p.torsion_constant));
+  lines.push_back(written("  W_x = {} m^3, W_y = {} m^3, W_t = {} m^3", p.section_modulus_x,
+                          p.section_modulus_y, p.torsion_modulus));
+  lines.push_back(written("  f = {}, c = {}", digits(region.stiffness_factor, ", "),
+                          digits(region.cap_factor, ", ")));
 }
 
 void describe_break(const EngineBeam& beam, std::vector<std::string>& lines) {
@@ -114,7 +114,7 @@ void describe_break(const EngineBeam& beam, std::vector<std::string>& lines) {
         "gamma l/(c/2) about z, c the longer side");
     return;
   }
-  lines.push_back(fmt::format(
+  lines.push_back(written(
       "  break angle [rad], permanent: eps a/(h/2) about x, eps a/(b/2) about y, gamma a W_t/J "
       "about z, a = {}, L_p = {} m",
       beam.break_length, beam.hinge_length));
@@ -125,10 +125,10 @@ void describe_break(const EngineBeam& beam, std::vector<std::string>& lines) {
   }
   const Material& m = beam.regions[0].material;
   const auto limit = [](const std::optional<double>& value) {
-    return value ? exact(*value) : std::string("none");
+    return value ? digits(*value) : std::string("none");
   };
-  lines.push_back(fmt::format("    of the material: eps = {}, gamma = {}", limit(m.break_strain),
-                              limit(resolved_break_shear_strain(m))));
+  lines.push_back(written("    of the material: eps = {}, gamma = {}", limit(m.break_strain),
+                          limit(resolved_break_shear_strain(m))));
 }
 
 }  // namespace
@@ -137,10 +137,6 @@ void add_scene_notes(const Scene& scene, const SolverOptions& options, EngineBea
   note_yield(scene, beam);
   if (options.translation == JointTranslation::Elastic) {
     beam.notes.emplace_back("stretch and shear of the joints are left out: translations are rigid");
-  }
-  if (options.analysis == Analysis::Dynamics && options.damping != Damping::None) {
-    beam.notes.push_back(fmt::format("the damping of the scene's joints, {:g} s, is left out",
-                                     options.damping_time));
   }
   note_supports(scene, beam.segments, beam);
   if (beam.carries_masses) {
@@ -151,9 +147,9 @@ void add_scene_notes(const Scene& scene, const SolverOptions& options, EngineBea
 
 std::vector<std::string> comment_lines(const EngineBeam& beam) {
   std::vector<std::string> lines;
-  lines.push_back(fmt::format("{}: a lumped beam of {} rigid segments; plastica {}",
-                              beam.name.empty() ? "beam" : one_line(beam.name),
-                              beam.segments.size(), version()));
+  lines.push_back(written("{}: a lumped beam of {} rigid segments; plastica {}",
+                          beam.name.empty() ? "beam" : one_line(beam.name), beam.segments.size(),
+                          version()));
   lines.emplace_back("SI units: m, kg, s, N, rad. z runs along the beam, b is its width along x,");
   lines.emplace_back("h its height along y; about x and y it bends, about z it is twisted.");
   for (std::size_t region = 0; region < beam.regions.size(); ++region)
@@ -162,7 +158,7 @@ std::vector<std::string> comment_lines(const EngineBeam& beam) {
   lines.emplace_back("an end that is held against rotation a half joint, l = L/2:");
   lines.emplace_back("  stiffness [N m/rad]: f_x E I_x/l, f_y E I_y/l, f_z G J/l");
   if (beam.yield_model != YieldModel::Elastic) {
-    lines.push_back(fmt::format(
+    lines.push_back(written(
         "  yield moment [N m]: c_x sigma_y W_x, c_y sigma_y W_y, c_z tau_y W_t ({})",
         beam.yield_cap == YieldCap::FullyPlastic ? "the whole section yields" : "first yield"));
     describe_break(beam, lines);
@@ -177,14 +173,14 @@ std::vector<std::string> comment_lines(const EngineBeam& beam) {
 
 std::string comment(const EngineBeam& beam, std::string_view sign) {
   std::string text;
-  for (const std::string& line : comment_lines(beam)) text += fmt::format("{} {}\n", sign, line);
+  for (const std::string& line : comment_lines(beam)) text += written("{} {}\n", sign, line);
   return text;
 }
 
-std::string exact(double value) { return fmt::format("{}", value); }
+std::string digits(double value) { return fmt::format("{:.14g}", value); }
 
-std::string exact(const std::array<double, 3>& values, std::string_view separator) {
-  return fmt::format("{}", fmt::join(values, separator));
+std::string digits(std::span<const double> values, std::string_view separator) {
+  return fmt::format("{:.14g}", fmt::join(values, separator));
 }
 
 std::array<double, 4> quaternion(const EngineAxes& axes) {

@@ -1,9 +1,13 @@
 #pragma once
 
 #include <array>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "calibrate/engine/engine_beam.hpp"
 
@@ -19,10 +23,24 @@ std::vector<std::string> comment_lines(const EngineBeam& beam);
 /// The same with the comment sign of a format before each line, and a line end behind it.
 std::string comment(const EngineBeam& beam, std::string_view sign);
 
-/// The shortest text that reads back as the same double.
-std::string exact(double value);
+/// A number as it was meant, with 14 digits at most: "46", where sums and products leave
+/// 46.000000000000014. Reads back within 5e-14 of it.
+std::string digits(double value);
 /// Such texts with a separator between.
-std::string exact(const std::array<double, 3>& values, std::string_view separator);
+std::string digits(std::span<const double> values, std::string_view separator);
+
+/// What a text shows of a value: of a number its digits.
+inline std::string shown(double value) { return digits(value); }
+template <typename Value>
+const Value& shown(const Value& value) {
+  return value;
+}
+
+/// `fmt::format` where each "{}" of a number has its digits.
+template <typename... Values>
+std::string written(std::string_view form, const Values&... values) {
+  return fmt::format(fmt::runtime(form), shown(values)...);
+}
 
 /// The unit quaternion w, x, y, z of a frame.
 std::array<double, 4> quaternion(const EngineAxes& axes);

@@ -30,17 +30,10 @@ std::string of_even_segments(const EngineBeam& beam) {
 std::vector<std::string> engine_notes(const EngineBeam& beam, EngineFormat format) {
   std::vector<std::string> notes = beam.notes;
   if (format == EngineFormat::Mjcf) {
-    std::string joint;
-    const double step = mjcf_time_step(beam, &joint);
+    notes.push_back(mjcf_step_note(beam));
+  } else if (beam.damping_time) {
     notes.push_back(
-        joint.empty()
-            ? fmt::format("the step is {:.3g} s, the scene's, and each joint's damping the step "
-                          "times its stiffness, which keeps it stable",
-                          step)
-            : fmt::format("the step is {:.3g} s, a tenth of what {} answers in: a support off the "
-                          "start is a weld, which takes no longer one. Each joint's damping is the "
-                          "step times its stiffness; change both together",
-                          step, joint));
+        fmt::format("the damping of the scene's joints, {:g} s, is left out", *beam.damping_time));
   }
   // Its reader of XML (tinyxml2) ends there up to MuJoCo 2; each segment is inside of the last.
   constexpr std::size_t kNested = 96;

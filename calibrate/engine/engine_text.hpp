@@ -26,7 +26,7 @@ std::span<const std::string_view> engine_formats();
 std::vector<std::string> engine_notes(const EngineBeam& beam, EngineFormat format);
 
 /// The beam as the text of a format. Equations, units and notes are in its comments; every number
-/// reads back as the same double. What an engine cannot take (of yielding, breaking) is there as
+/// has its first 14 digits. What an engine cannot take (of yielding, breaking) is there as
 /// numbers, and a comment says so.
 /// @throws InputError for OpenSees if the beam carries point masses
 std::string engine_text(const EngineBeam& beam, EngineFormat format);

@@ -6,6 +6,7 @@
 #include "calibrate/engine/engine_notes.hpp"
 #include "calibrate/engine/writers.hpp"
 #include "plastica/model/section_kind.hpp"
+#include "plastica/report/xml_text.hpp"
 
 namespace plastica::calibrate {
 namespace {
@@ -18,41 +19,51 @@ constexpr std::string_view kMjcfRemarks =
     "  with it) or breaks. The numeric elements NAME_yield_moment, NAME_hardened_stiffness and\n"
     "  NAME_break_angle belong to the hinge NAME, for a controller of yours; what has no such\n"
     "  element never yields or breaks.\n"
-    "  damping = timestep x stiffness: MuJoCo's Euler takes springs explicitly and damping\n"
-    "  implicitly, and so both together are a linearly implicit step, stable however stiff a "
-    "joint\n"
-    "  is. It is numerical: change it together with the timestep.\n"
+    "  MuJoCo's Euler takes springs explicitly, stable up to a step of 2 sqrt(inertia/stiffness).\n"
+    "  armature = timestep^2 x stiffness/2 is inertia enough for the timestep, however stiff a "
+    "joint "
+    "is;\n"
+    "  it slows a motion of frequency w by (w x timestep)^2/4 at most. Change it together with "
+    "the\n"
+    "  timestep.\n"
     "  A support off the start is a body of its own, joined to the beam as the support holds it "
     "and\n"
     "  welded to the world; as it stands still its mass does not matter.\n";
 
-std::string of_vector(const std::array<double, 3>& v) { return exact(v, " "); }
+std::string of_vector(const std::array<double, 3>& v) { return digits(v, " "); }
 
-std::string of_quaternion(const EngineAxes& axes) {
-  return fmt::format("{}", fmt::join(quaternion(axes), " "));
-}
-
-std::string attribute_text(std::string_view text) {
-  std::string safe(text);
-  for (char& c : safe) {
-    if (c == '"' || c == '<' || c == '>' || c == '&') c = '_';
-  }
-  return safe;
-}
+std::string of_quaternion(const EngineAxes& axes) { return digits(quaternion(axes), " "); }
 
 EngineAxes world_axes() { return {{{1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {0.0, 0.0, 1.0}}}; }
 
+/// The damping of a joint over its stiffness [s]. What nothing damps would ring for ever at its
+/// highest frequencies; a tenth of a step calms these and leaves those that the step resolves.
+double damping_time(const EngineBeam& beam) {
+  return beam.damping_time.value_or(0.1 * beam.time_step);
+}
+
+/// Two geometries touch where the contype of one meets the conaffinity of the other; 1 and 1 are
+/// MuJoCo's defaults.
+std::string_view contact_flags(EngineContacts contacts) {
+  switch (contacts) {
+    case EngineContacts::None: break;
+    case EngineContacts::Others: return "contype=\"2\" conaffinity=\"1\"";
+    case EngineContacts::All: return "contype=\"1\" conaffinity=\"1\"";
+  }
+  return "contype=\"0\" conaffinity=\"0\"";
+}
+
 class MjcfWriter {
  public:
-  explicit MjcfWriter(const EngineBeam& beam) : beam_(beam), time_step_(mjcf_time_step(beam)) {}
+  explicit MjcfWriter(const EngineBeam& beam) : beam_(beam) {}
 
   std::string write() {
-    text_ = fmt::format("<mujoco model=\"{}\">\n<!--\n", attribute_text(one_line(beam_.name)));
+    text_ = written("<mujoco model=\"{}\">\n<!--\n", plastica::report::xml_text(beam_.name));
     text_ += comment(beam_, " ");
     text_ += kMjcfRemarks;
     text_ += "-->\n  <compiler angle=\"radian\" inertiafromgeom=\"false\"/>\n";
-    text_ += fmt::format("  <option timestep=\"{}\" integrator=\"Euler\" gravity=\"{}\"/>\n",
-                         time_step_, of_vector(beam_.gravity));
+    text_ += written("  <option timestep=\"{}\" integrator=\"Euler\" gravity=\"{}\"/>\n",
+                     beam_.time_step, of_vector(beam_.gravity));
     add_numbers();
     text_ += "  <worldbody>\n";
     for (std::size_t i = 0; i < beam_.segments.size(); ++i) begin_segment(i);
@@ -64,13 +75,13 @@ class MjcfWriter {
 
  private:
   static std::string hinge_name(const EngineJoint& joint, std::size_t axis) {
-    return fmt::format("{}_{}", joint.name, "xyz"[axis]);
+    return written("{}_{}", joint.name, "xyz"[axis]);
   }
 
   void add_numbers() {
     std::string numbers;
     const auto add = [&](const std::string& name, std::string_view what, double value) {
-      numbers += fmt::format("    <numeric name=\"{}_{}\" data=\"{}\"/>\n", name, what, value);
+      numbers += written("    <numeric name=\"{}_{}\" data=\"{}\"/>\n", name, what, value);
     };
     for (const EngineJoint& joint : beam_.joints) {
       for (std::size_t k = 0; k < 3; ++k) {
@@ -96,9 +107,9 @@ class MjcfWriter {
     if (i > 0) {
       for (std::size_t k = 0; k < 3; ++k) offset[k] -= beam_.segments[i - 1].start[k];
     }
-    text_ += fmt::format("<body name=\"segment_{}\" pos=\"{}\" quat=\"{}\">\n", i + 1,
-                         of_vector(seen_from(before, offset)),
-                         of_quaternion(seen_from(before, segment.axes)));
+    text_ += written("<body name=\"segment_{}\" pos=\"{}\" quat=\"{}\">\n", i + 1,
+                     of_vector(seen_from(before, offset)),
+                     of_quaternion(seen_from(before, segment.axes)));
     const auto joint = std::find_if(beam_.joints.begin(), beam_.joints.end(),
                                     [&](const auto& j) { return !j.off_start && j.child == i; });
     if (joint == beam_.joints.end()) {
@@ -119,10 +130,12 @@ class MjcfWriter {
     if (!joint.off_start) add_slides(joint, axes, indent);
     for (std::size_t k = 0; k < 3; ++k) {
       if (joint.rotation[k] == JointHold::Rigid) continue;
-      text_ += fmt::format(
-          "{}  <joint name=\"{}\" type=\"hinge\" axis=\"{}\" stiffness=\"{}\" damping=\"{}\"/>\n",
+      text_ += written(
+          "{}  <joint name=\"{}\" type=\"hinge\" axis=\"{}\" stiffness=\"{}\" damping=\"{}\" "
+          "armature=\"{}\"/>\n",
           indent, hinge_name(joint, k), of_vector(seen_from(axes, joint.axes[k])),
-          joint.stiffness[k], time_step_ * joint.stiffness[k]);
+          joint.stiffness[k], damping_time(beam_) * joint.stiffness[k],
+          0.5 * beam_.time_step * beam_.time_step * joint.stiffness[k]);
     }
     if (joint.off_start) add_slides(joint, axes, indent);
   }
@@ -130,8 +143,8 @@ class MjcfWriter {
   void add_slides(const EngineJoint& joint, const EngineAxes& axes, std::string_view indent) {
     for (std::size_t k = 0; k < 3; ++k) {
       if (joint.holds[k]) continue;
-      text_ += fmt::format("{}  <joint name=\"{}_move_{}\" type=\"slide\" axis=\"{}\"/>\n", indent,
-                           joint.name, "xyz"[k], of_vector(seen_from(axes, world_axes()[k])));
+      text_ += written("{}  <joint name=\"{}_move_{}\" type=\"slide\" axis=\"{}\"/>\n", indent,
+                       joint.name, "xyz"[k], of_vector(seen_from(axes, beam_.scene_axes[k])));
     }
   }
 
@@ -141,63 +154,53 @@ class MjcfWriter {
       for (std::size_t k = 0; k < 3; ++k) point[k] -= segment.start[k];
       return of_vector(seen_from(segment.axes, point));
     };
-    text_ += fmt::format("  <inertial pos=\"{}\" mass=\"{}\" diaginertia=\"{}\"/>\n",
-                         at(segment.center()), segment.mass, of_vector(segment.inertia));
+    text_ += written("  <inertial pos=\"{}\" mass=\"{}\" diaginertia=\"{}\"/>\n",
+                     at(segment.center()), segment.mass, of_vector(segment.inertia));
     const bool round = section_kind(beam_.regions[segment.region].section).round();
-    const std::string size = round ? fmt::format("{} {}", p.outer_distance_x, 0.5 * segment.length)
-                                   : fmt::format("{} {} {}", p.outer_distance_y, p.outer_distance_x,
-                                                 0.5 * segment.length);
-    text_ += fmt::format(
-        "  <geom type=\"{}\" pos=\"{}\" size=\"{}\" contype=\"0\" conaffinity=\"0\"/>\n",
-        round ? "cylinder" : "box", at(segment.point(0.5)), size);
+    const std::string size =
+        round ? written("{} {}", p.outer_distance_x, 0.5 * segment.length)
+              : written("{} {} {}", p.outer_distance_y, p.outer_distance_x, 0.5 * segment.length);
+    text_ +=
+        written("  <geom type=\"{}\" pos=\"{}\" size=\"{}\" {}/>\n", round ? "cylinder" : "box",
+                at(segment.point(0.5)), size, contact_flags(beam_.contacts));
   }
 
   void add_support(const EngineJoint& support, const EngineSegment& segment) {
     std::array<double, 3> offset = support.point;
     for (std::size_t k = 0; k < 3; ++k) offset[k] -= segment.start[k];
-    text_ += fmt::format("  <body name=\"{}\" pos=\"{}\">\n", support.name,
-                         of_vector(seen_from(segment.axes, offset)));
+    text_ += written("  <body name=\"{}\" pos=\"{}\">\n", support.name,
+                     of_vector(seen_from(segment.axes, offset)));
     add_freedoms(support, segment.axes, "  ");
-    text_ +=
-        fmt::format("    <inertial pos=\"0 0 0\" mass=\"{}\" diaginertia=\"{}\"/>\n  </body>\n",
-                    segment.mass, of_vector(segment.inertia));
+    text_ += written("    <inertial pos=\"0 0 0\" mass=\"{}\" diaginertia=\"{}\"/>\n  </body>\n",
+                     segment.mass, of_vector(segment.inertia));
   }
 
   void add_welds() {
     std::string welds;
     for (const EngineJoint& joint : beam_.joints) {
       if (!joint.off_start) continue;
-      welds +=
-          fmt::format("    <weld body1=\"{}\" solref=\"{} 1\" solimp=\"0.9999 0.9999 0.001\"/>\n",
-                      joint.name, 2.0 * time_step_);
+      welds += written("    <weld body1=\"{}\" solref=\"{} 1\" solimp=\"0.9999 0.9999 0.001\"/>\n",
+                       joint.name, 2.0 * beam_.time_step);
     }
     if (!welds.empty()) text_ += "  <equality>\n" + welds + "  </equality>\n";
   }
 
   const EngineBeam& beam_;
-  double time_step_;
   std::string text_;
 };
 
 }  // namespace
 
-double mjcf_time_step(const EngineBeam& beam, std::string* limiting) {
-  double step = beam.time_step;
-  const bool welds = std::any_of(beam.joints.begin(), beam.joints.end(),
-                                 [](const EngineJoint& joint) { return joint.off_start; });
-  if (!welds) return step;
-  for (const EngineJoint& joint : beam.joints) {
-    for (const std::size_t segment : {joint.child, joint.parent.value_or(joint.child)}) {
-      for (std::size_t k = 0; k < 3; ++k) {
-        if (joint.stiffness[k] == 0.0) continue;
-        const double own = 0.1 * std::sqrt(beam.segments[segment].inertia[k] / joint.stiffness[k]);
-        if (own >= step) continue;
-        step = own;
-        if (limiting != nullptr) *limiting = fmt::format("{} about {}", joint.name, "xyz"[k]);
-      }
-    }
-  }
-  return step;
+std::string mjcf_step_note(const EngineBeam& beam) {
+  const std::string damping =
+      beam.damping_time
+          ? fmt::format("{:.3g} s times its stiffness", *beam.damping_time)
+          : fmt::format("{:.3g} s times its stiffness, a tenth of the step, which is numerical",
+                        damping_time(beam));
+  return fmt::format(
+      "the step is {:.3g} s, the scene's; each joint's armature, step^2 times its stiffness over "
+      "2, keeps it stable. The damping of a joint is {}; --damping sets the time",
+      beam.time_step, damping);
 }
 
 std::string mjcf_text(const EngineBeam& beam) { return MjcfWriter(beam).write(); }

@@ -38,7 +38,7 @@ class TclWriter {
   static std::size_t end_node(std::size_t segment) { return 2 * segment + 2; }
 
   std::size_t add_node(const std::array<double, 3>& point) {
-    text_ += fmt::format("node {} {}\n", next_node_, exact(point, " "));
+    text_ += written("node {} {}\n", next_node_, digits(point, " "));
     return next_node_++;
   }
 
@@ -48,20 +48,20 @@ class TclWriter {
     const SectionProperties& p = region.properties;
     ++next_element_;
     text_ +=
-        fmt::format("geomTransf Corotational {} {}\n", next_element_, exact(segment.axes[0], " "));
-    text_ += fmt::format(
+        written("geomTransf Corotational {} {}\n", next_element_, digits(segment.axes[0], " "));
+    text_ += written(
         "element elasticBeamColumn {0} {1} {2} {3} [expr $rigid*{4}] [expr $rigid*{5}] {6} {7} {8} "
         "{0}",
         next_element_, from, to, p.area, region.material.youngs_modulus,
         resolved_shear_modulus(region.material), p.second_moment_x + p.second_moment_y,
         p.second_moment_y, p.second_moment_x);
-    if (has_mass) text_ += fmt::format(" -mass {} -cMass", segment.mass / segment.length);
+    if (has_mass) text_ += written(" -mass {} -cMass", segment.mass / segment.length);
     text_ += '\n';
   }
 
   void add_segment(std::size_t i) {
     const EngineSegment& segment = beam_.segments[i];
-    text_ += fmt::format("# segment_{}\n", i + 1);
+    text_ += written("# segment_{}\n", i + 1);
     add_node(segment.start);
     add_node(segment.end);
     add_bar(segment, start_node(i), end_node(i), true);
@@ -85,11 +85,11 @@ class TclWriter {
 
   void add_joint(const EngineJoint& joint) {
     text_ +=
-        fmt::format("# {}{}\n", joint.name, joint.half_joint ? ", a half joint to the ground" : "");
+        written("# {}{}\n", joint.name, joint.half_joint ? ", a half joint to the ground" : "");
     const std::size_t child = node_at(joint);
     const std::size_t parent = joint.parent ? end_node(*joint.parent) : add_ground(joint);
     if (joint.parent) {
-      text_ += fmt::format("equalDOF {} {} 1 2 3\n", parent, child);
+      text_ += written("equalDOF {} {} 1 2 3\n", parent, child);
     } else {
       fix(joint, child);
     }
@@ -97,18 +97,18 @@ class TclWriter {
     std::string directions;
     for (std::size_t k = 0; k < 3; ++k) {
       if (joint.rotation[k] != JointHold::Sprung) continue;
-      materials += fmt::format(" {}", add_material(joint, k));
-      directions += fmt::format(" {}", 4 + k);
+      materials += written(" {}", add_material(joint, k));
+      directions += written(" {}", 4 + k);
     }
     if (materials.empty()) return;
-    text_ += fmt::format("element zeroLength {} {} {} -mat{} -dir{} -orient {} {}\n",
-                         ++next_element_, parent, child, materials, directions,
-                         exact(joint.axes[0], " "), exact(joint.axes[1], " "));
+    text_ += written("element zeroLength {} {} {} -mat{} -dir{} -orient {} {}\n", ++next_element_,
+                     parent, child, materials, directions, digits(joint.axes[0], " "),
+                     digits(joint.axes[1], " "));
   }
 
   std::size_t add_ground(const EngineJoint& joint) {
     const std::size_t node = add_node(joint.point);
-    text_ += fmt::format("fix {} 1 1 1 1 1 1\n", node);
+    text_ += written("fix {} 1 1 1 1 1 1\n", node);
     return node;
   }
 
@@ -119,7 +119,7 @@ class TclWriter {
     for (const JointHold rotation : joint.rotation) {
       flags += rotation == JointHold::Rigid ? " 1" : " 0";
     }
-    if (flags.find('1') != std::string::npos) text_ += fmt::format("fix {}{}\n", node, flags);
+    if (flags.find('1') != std::string::npos) text_ += written("fix {}{}\n", node, flags);
   }
 
   /// @return the tag of the material
@@ -129,23 +129,22 @@ class TclWriter {
     const double hardened = joint.hardened_stiffness[k];
     const std::size_t law = ++next_material_;
     if (!std::isfinite(moment)) {
-      text_ += fmt::format("uniaxialMaterial Elastic {} {}\n", law, stiffness);
+      text_ += written("uniaxialMaterial Elastic {} {}\n", law, stiffness);
       return law;
     }
     if (hardened > 0.0) {
-      text_ += fmt::format("uniaxialMaterial Steel01 {} {} {} {}\n", law, moment, stiffness,
-                           hardened / stiffness);
+      text_ += written("uniaxialMaterial Steel01 {} {} {} {}\n", law, moment, stiffness,
+                       hardened / stiffness);
     } else {
-      text_ +=
-          fmt::format("uniaxialMaterial ElasticPP {} {} {}\n", law, stiffness, moment / stiffness);
+      text_ += written("uniaxialMaterial ElasticPP {} {} {}\n", law, stiffness, moment / stiffness);
     }
     const double permanent = joint.break_angle[k];
     if (!std::isfinite(permanent)) return law;
     // The moment has grown by H theta_p, with the hardened stiffness k H/(k + H).
     const double slope = hardened > 0.0 ? stiffness * hardened / (stiffness - hardened) : 0.0;
     const double whole = permanent + (moment + slope * permanent) / stiffness;
-    text_ += fmt::format("uniaxialMaterial MinMax {} {} -min {} -max {}\n", ++next_material_, law,
-                         -whole, whole);
+    text_ += written("uniaxialMaterial MinMax {} {} -min {} -max {}\n", ++next_material_, law,
+                     -whole, whole);
     return next_material_;
   }
 

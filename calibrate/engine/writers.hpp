@@ -7,10 +7,8 @@
 /// A writer for each format; not installed.
 namespace plastica::calibrate {
 
-/// The step of an MJCF file [s]: the scene's, or where a support off the start is welded, what an
-/// explicit step can take; the joints' damping goes with it.
-/// @param joint  takes the name of the joint that limits it; empty: none does
-double mjcf_time_step(const EngineBeam& beam, std::string* joint = nullptr);
+/// How a MuJoCo step stays stable, and what damps the joints.
+std::string mjcf_step_note(const EngineBeam& beam);
 
 std::string csv_text(const EngineBeam& beam);
 std::string mjcf_text(const EngineBeam& beam);

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "plastica/report/format.hpp"
+#include "plastica/report/xml_text.hpp"
 
 namespace plastica::sweeps {
 namespace {
@@ -50,20 +51,6 @@ std::string without_words(std::string text) {
   return text;
 }
 
-std::string escaped(const std::string& text) {
-  std::string out;
-  for (const char c : report::printable(text)) {
-    switch (c) {
-      case '&': out += "&amp;"; break;
-      case '<': out += "&lt;"; break;
-      case '>': out += "&gt;"; break;
-      case '"': out += "&quot;"; break;
-      default: out += c;
-    }
-  }
-  return out;
-}
-
 std::size_t count_held(const CheckedFile& checked) {
   return static_cast<std::size_t>(std::count_if(checked.verdicts.begin(), checked.verdicts.end(),
                                                 [](const auto& v) { return v.holds; }));
@@ -103,16 +90,16 @@ std::string check_summary(std::span<const CheckedFile> files) {
 std::string junit_xml(std::span<const CheckedFile> files) {
   std::string text = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites>\n";
   for (const CheckedFile& checked : files) {
-    const std::string suite = escaped(checked.file.path);
+    const std::string suite = report::xml_text(checked.file.path);
     text += fmt::format(
         "  <testsuite name=\"{}\" tests=\"{}\" failures=\"{}\" errors=\"0\" time=\"{:.3f}\">\n",
         suite, checked.verdicts.size(), checked.verdicts.size() - count_held(checked),
         checked.seconds);
     for (std::size_t k = 0; k < checked.verdicts.size(); ++k) {
       const Claim& claim = checked.file.claims[k];
-      const std::string found = escaped(finding(checked.file, claim, checked.verdicts[k]));
+      const std::string found = report::xml_text(finding(checked.file, claim, checked.verdicts[k]));
       text += fmt::format("    <testcase classname=\"{}\" name=\"{}\" time=\"0\">\n", suite,
-                          escaped(claim.name));
+                          report::xml_text(claim.name));
       text += checked.verdicts[k].holds ? fmt::format("      <system-out>{}</system-out>\n", found)
                                         : fmt::format("      <failure message=\"{}\"/>\n", found);
       text += "    </testcase>\n";

@@ -146,6 +146,17 @@ TEST_F(ExportBeam, OfASimulatedSceneHasItsOwnMaterial) {
   EXPECT_EQ(place_.run({"export", "s.h5", "--to", "opensees", "--segments", "3"}).code, 0);
 }
 
+TEST_F(ExportBeam, IsPutIntoTheWorldOfAnEngine) {
+  const std::string text = beam_of({"--case", "a", "--to", "mjcf", "--up", "z", "--gravity",
+                                    "9.81 m/s^2", "--damping", "2 ms", "--contacts", "others"});
+  EXPECT_NE(text.find("gravity=\"0 0 -9.81\""), std::string::npos);
+  EXPECT_NE(text.find("contype=\"2\" conaffinity=\"1\""), std::string::npos);
+  EXPECT_NE(text.find("The damping of a joint is 0.002 s times its stiffness;"), std::string::npos);
+  EXPECT_NE(beam_of({"--case", "a", "--to", "agx", "--up", "x", "--gravity", "9.81 m/s^2"})
+                .find("\nGRAVITY = (-9.81, 0, 0)\n"),
+            std::string::npos);
+}
+
 TEST_F(ExportBeam, ThatCannotBeIsRefusedInOneLine) {
   place_.write("coupon.toml", kCoupon);
   std::map<std::string, std::string> files;
@@ -170,6 +181,18 @@ TEST_F(ExportBeam, ThatCannotBeIsRefusedInOneLine) {
       {{"--case", "a"}, "--case: goes with a beam: --to mjcf, agx, chrono, opensees or csv"},
       {{"--segments", "3"},
        "--segments: goes with a beam: --to mjcf, agx, chrono, opensees or csv"},
+      {{"--to", "mjcf", "--scene", "scene.toml", "--case", "a", "--gravity", "9.81"},
+       "--gravity = 9.81: an acceleration needs a unit (examples: m/s^2, gravity)"},
+      {{"--to", "mjcf", "--scene", "scene.toml", "--case", "a", "--gravity", "-9.81 m/s^2"},
+       "gravity = -9.81: must not be negative"},
+      {{"--to", "mjcf", "--scene", "scene.toml", "--case", "a", "--damping", "1 m"},
+       "--damping = 1 m: …"},
+      {{"--to", "opensees", "--scene", "scene.toml", "--case", "a", "--up", "z"},
+       "--up: goes with --to mjcf, agx or chrono"},
+      {{"--to", "agx", "--scene", "scene.toml", "--case", "a", "--contacts", "all"},
+       "--contacts: goes with --to mjcf"},
+      {{"--to", "csv", "--up", "z"},
+       "--up: goes with a beam: --to mjcf, agx, chrono, opensees or csv"},
       {{"--to", "mjcf", "--what", "curves"}, "--what: goes with --to csv or json"},
       {{"--to", "mjcf", "--time", "1 s"},
        "--time: is for simulated scenes; this is a result of fits"},

@@ -57,15 +57,19 @@ TEST(EngineMasses, ReadBackFromTheFormatsThatTakeThem) {
   for (std::size_t i = 0; i < beam.segments.size(); ++i) {
     const EngineSegment& segment = beam.segments[i];
     for (const ParsedBeam* parsed : {&agx, &chrono, &mjcf}) {
-      EXPECT_EQ(parsed->segments[i].mass, segment.mass);
-      EXPECT_EQ(parsed->segments[i].inertia, segment.inertia);
+      EXPECT_NEAR(parsed->segments[i].mass, segment.mass, 1e-13 * segment.mass);
+      for (std::size_t k = 0; k < 3; ++k) {
+        EXPECT_NEAR(parsed->segments[i].inertia[k], segment.inertia[k], 1e-13 * segment.inertia[k]);
+      }
     }
-    EXPECT_EQ(agx.segments[i].center, segment.center());
-    EXPECT_NEAR(mjcf.segments[i].center[2], segment.center()[2] - segment.start[2], 1e-15);
+    for (std::size_t k = 0; k < 3; ++k) {
+      EXPECT_NEAR(agx.segments[i].center[k], segment.center()[k], 1e-13);
+    }
+    EXPECT_NEAR(mjcf.segments[i].center[2], segment.center()[2] - segment.start[2], 1e-13);
   }
   // Joints are where they were, as a body sees them whose origin is its center of mass.
   for (const auto& joint : beam.joints) {
-    EXPECT_NEAR(agx.joints.at(joint.name).point[2], joint.point[2], 1e-15);
+    EXPECT_NEAR(agx.joints.at(joint.name).point[2], joint.point[2], 1e-13);
   }
 }
 
