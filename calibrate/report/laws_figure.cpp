@@ -71,6 +71,7 @@ void add_panels(const Shown& shown, const std::vector<LawCurve>& laws, Figure& f
     if (laws[k].y.empty()) continue;
     FigureCurve how = curve_of_record(k, laws.size(), laws[k].name);
     how.stroke = Stroke::Line;
+    how.dashes = static_cast<int>(k);  // laws that come to the same lie over each other
     std::vector<double> off;
     for (std::size_t i = 0; i < std::min(shown.y.size(), laws[k].y.size()); ++i) {
       off.push_back(shown.y[i] - laws[k].y[i]);

@@ -199,7 +199,7 @@ Figure population_figure(std::span<const SceneFitRecord> records) {
     const DisplayUnit unit = display_unit_of(parameter.path, parameter.dimension, parameter.mean);
     FigurePanel panel;
     panel.title = label(short_name(parameter.path), unit);
-    panel.x_label = "fit, in the order of the file";
+    for (const SceneFitRecord& record : records) panel.x_names.push_back(record.name);
     panel.x_range = {0.5, static_cast<double>(records.size()) + 0.5};
     FigureCurve values{{}, "value and interval", kGrey, Stroke::Bars};
     for (std::size_t i = 0; i < records.size(); ++i) {
@@ -208,7 +208,10 @@ Figure population_figure(std::span<const SceneFitRecord> records) {
       if (result.status != FitStatus::Fitted || p == result.parameters.end()) continue;
       if (p->at_bound() || !std::isfinite(p->interval_low) || !std::isfinite(p->interval_high))
         continue;
-      values.points.push_back({static_cast<double>(i + 1), p->value / unit.scale,
+      const auto number = static_cast<std::size_t>(p - result.parameters.begin());
+      const std::optional<double> material =
+          parameter.is_of_material ? material_value(result, number) : std::nullopt;
+      values.points.push_back({static_cast<double>(i + 1), material.value_or(p->value) / unit.scale,
                                p->interval_low / unit.scale, p->interval_high / unit.scale});
     }
     panel.curves.push_back(std::move(values));

@@ -85,6 +85,8 @@ Json population_of(std::span<const SceneFitRecord> records, double confidence) {
     parameters[short_name(p.path)] = {
         {"n", p.n},
         {"left_out", p.left_out},
+        {"of_material", p.is_of_material},
+        {"segments_error", number(p.segments_error)},
         {"mean", number(p.mean)},
         {"standard_deviation", number(p.standard_deviation)},
         {"rms_error", number(p.rms_error)},

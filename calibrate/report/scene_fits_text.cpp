@@ -179,6 +179,37 @@ std::string population_intervals_text(const ScenePopulation& population,
                  kWidth);
 }
 
+/// Whose values a population has: of the material, or of its beams.
+std::string values_text(const ScenePopulation& population, std::span<const ColumnParameter> shown) {
+  std::string material;
+  std::string beams;
+  for (std::size_t i = 0; i < shown.size(); ++i) {
+    const PopulationParameter& p = population.parameters[i];
+    if (p.n < 2) continue;
+    if (!p.is_of_material) {
+      beams += (beams.empty() ? "" : ", ") + short_name(p.path);
+      continue;
+    }
+    material +=
+        fmt::format("{}{} ± {} {}", material.empty() ? "" : ", ", short_name(p.path),
+                    significant(p.segments_error / shown[i].unit.scale, 2), shown[i].unit.name);
+  }
+  std::string text;
+  if (!material.empty()) {
+    text +=
+        "of the material, extrapolated from the beams' segments, which shift all alike by up "
+        "to: " +
+        material + "; what lack of fit does to all alike is not in it";
+  }
+  if (!beams.empty()) {
+    text += fmt::format(
+        "{}of the values of these beams, with what segments and lack of fit do to "
+        "all alike: {}",
+        text.empty() ? "" : "; ", beams);
+  }
+  return text.empty() ? text : wrapped("  ", text, kWidth);
+}
+
 std::string population_text(const ScenePopulation& population,
                             std::span<const ColumnParameter> shown, double confidence,
                             const Ink& ink) {
@@ -208,10 +239,10 @@ std::string population_text(const ScenePopulation& population,
   if (table.rows() == 0) return {};
   std::string text = '\n' + ink.heading("Population\n") + table.text(2, kWidth);
   text += wrapped("  ",
-                  "of the values of these beams: what segments and lack of fit do to all alike is "
-                  "not in it; of specimens: variance of the values less the mean of their squared "
-                  "errors of noise and sampling, at least 0",
+                  "of specimens: variance of the values less the mean of their squared errors of "
+                  "noise and sampling, at least 0",
                   kWidth);
+  text += values_text(population, shown);
   if (left_out > 0) {
     text += wrapped("  ", counted(left_out, "value") + " at a bound or not identified left out",
                     kWidth);

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "calibrate/inference/bootstrap.hpp"
+#include "calibrate/inference/material_interval.hpp"
 #include "calibrate/inference/mean_interval.hpp"
 #include "calibrate/result/usable.hpp"
 
@@ -36,7 +37,11 @@ class Fits {
     for (const SceneFitRecord& record : records) {
       if (is_usable(record.result)) add(record.result, parameters);
     }
+    for (std::size_t a = 0; a < n_; ++a) take_material(a);
   }
+
+  bool is_of_material(std::size_t a) const { return is_of_material_[a]; }
+  double segments_error(std::size_t a) const { return segments_error_[a]; }
 
   std::size_t size() const { return there_.size() / n_; }
   bool has(std::size_t fit, std::size_t a) const { return there_[fit * n_ + a]; }
@@ -53,6 +58,9 @@ class Fits {
       at.push_back(index_of(result, like.path));
       there_.push_back(at.back().has_value());
       value_.push_back(at.back() ? result.parameters[*at.back()].value : kNan);
+      const auto material = at.back() ? material_value(result, *at.back()) : std::nullopt;
+      material_.push_back(material.value_or(kNan));
+      half_.push_back(material ? result.segments->parameters[*at.back()].extrapolated_error : 0.0);
     }
     const std::size_t n = result.parameters.size();
     const bool correlated = result.correlation.size() == n * n;
@@ -69,9 +77,28 @@ class Fits {
     }
   }
 
+  /// Values of the material and of beams do not mix: all that are determined, or none.
+  void take_material(std::size_t a) {
+    double halves = 0.0;
+    std::size_t found = 0;
+    bool all = true;
+    for (std::size_t fit = 0; fit < size(); ++fit) {
+      if (!std::isfinite(noise(fit, a, a))) continue;
+      all = all && std::isfinite(material_[fit * n_ + a]);
+      halves += half_[fit * n_ + a];
+      ++found;
+    }
+    is_of_material_.push_back(all && found > 0);
+    segments_error_.push_back(is_of_material_.back() ? halves / static_cast<double>(found) : 0.0);
+    if (!is_of_material_.back()) return;
+    for (std::size_t fit = 0; fit < size(); ++fit) value_[fit * n_ + a] = material_[fit * n_ + a];
+  }
+
   std::size_t n_;
   std::vector<bool> there_;
-  std::vector<double> value_, noise_;
+  std::vector<double> value_, noise_, material_, half_;
+  std::vector<bool> is_of_material_;
+  std::vector<double> segments_error_;
 };
 
 /// Moments of a pair of parameters over the fits that determine both; of a parameter with itself
@@ -193,6 +220,16 @@ void add_intervals(const Fits& fits, double confidence, ScenePopulation& populat
 
 }  // namespace
 
+std::optional<double> material_value(const SceneFitResult& result, std::size_t parameter) {
+  if (!result.segments || parameter >= result.segments->parameters.size()) return std::nullopt;
+  const SegmentsError& segments = result.segments->parameters[parameter];
+  if (!std::isfinite(segments.extrapolated) || !std::isfinite(segments.extrapolated_error) ||
+      !is_of_material(result.parameters[parameter], segments)) {
+    return std::nullopt;
+  }
+  return segments.extrapolated;
+}
+
 double ScenePopulation::correlation(std::size_t a, std::size_t b) const {
   const double size = parameters[a].specimen_deviation * parameters[b].specimen_deviation;
   return size > 0.0 ? specimen_covariance[a * parameters.size() + b] / size : kNan;
@@ -217,6 +254,8 @@ ScenePopulation scene_population(std::span<const SceneFitRecord> records, double
     const auto there =
         std::ranges::count_if(all, [&](std::size_t fit) { return fits.has(fit, a); });
     p.left_out = static_cast<std::size_t>(there) - p.n;
+    p.is_of_material = fits.is_of_material(a);
+    p.segments_error = fits.segments_error(a);
     p.mean = moments.mean;
     p.standard_deviation = std::sqrt(moments.observed);
     p.rms_error = std::sqrt(moments.noise);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -15,7 +16,13 @@ struct PopulationParameter {
   Dimension dimension = Dimension::None;
   std::size_t n = 0;         ///< fits that determine it
   std::size_t left_out = 0;  ///< fitted, but at a bound or not identified
-  double mean = 0.0;         ///< [SI]
+  /// Whether the values are those that segments lead to (`SegmentsError::extrapolated`), as every
+  /// fit has one; else they are those of the beams with their segments.
+  bool is_of_material = false;
+  double mean = 0.0;  ///< [SI]
+  /// Of the extrapolated values, the mean of half their intervals: common to all fits, so in none
+  /// of the numbers below [SI]; 0 where they are not extrapolated.
+  double segments_error = 0.0;
   /// Of the values, with n - 1: the specimens' scatter and the fits' noise together [SI]; NaN for
   /// n < 2.
   double standard_deviation = 0.0;
@@ -33,8 +40,8 @@ inline constexpr int kPopulationResamples = 1000;
 
 /// How parameters scatter among specimens that were fitted alike.
 ///
-/// With v_k the value of fit k, s_k its standard error and rho_k its correlation, over the n fits
-/// that determine the parameter or both of a pair:
+/// With v_k the value of fit k (of the material, where all fits have such a one), s_k its standard
+/// error and rho_k its correlation, over the n fits that determine the parameter or both of a pair:
 ///   variance     max(0, sum (v_k - mean)^2/(n - 1) - sum s_k^2/n)
 ///   covariance   sum (a_k - mean a)(b_k - mean b)/(n - 1) - sum rho_k s_a,k s_b,k/n,
 ///                held within plus and minus the product of both standard deviations.
@@ -56,6 +63,9 @@ struct ScenePopulation {
   /// Of the specimens, from the covariance without noise [1]; NaN where a deviation is 0.
   double correlation(std::size_t a, std::size_t b) const;
 };
+
+/// The value of a parameter as one of the material, where its segments lead to one.
+std::optional<double> material_value(const SceneFitResult& result, std::size_t parameter);
 
 /// The population of all fits of the status Fitted; parameters in the order of the first of them.
 /// Fits without a parameter, with one at a bound or without a standard error do not count for it.

@@ -31,6 +31,7 @@ class Comparer {
   Comparer(const Sweep& sweep, const CaseTable& cases, const std::vector<CaseResult>& results)
       : sweep_(sweep), cases_(cases), results_(results) {
     out_.reference.resize(results.size());
+    out_.reference_curve.resize(results.size());
     out_.error.resize(results.size());
     out_.reason.resize(results.size());
   }
@@ -69,6 +70,7 @@ class Comparer {
     } else {
       out_.reason[i] = "the reference is 0: give error.scale";
     }
+    out_.reference_curve[i] = std::move(reference);
   }
 
   void with_theory(std::size_t i, const ClosedForm& form) {

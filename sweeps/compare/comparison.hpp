@@ -29,6 +29,8 @@ struct Comparison {
   /// (value - reference)/scale, of a curve the rms difference over the rms of the reference; none
   /// for a case without value, and for the finest case against itself (n_cases).
   std::vector<std::optional<double>> error;
+  /// Of a curve its reference at the case's own times [SI]; empty where there is none (n_cases).
+  std::vector<std::vector<double>> reference_curve;
   std::vector<std::string> reason;  ///< why a case with a value has no error (n_cases)
 };
 

@@ -9,6 +9,7 @@
 #include <string_view>
 
 #include "plastica/report/format.hpp"
+#include "plastica/report/scene_figure.hpp"
 
 namespace plastica::sweeps {
 namespace {
@@ -54,7 +55,7 @@ std::array<double, 2> range_around(double low, double high, bool logarithmic) {
 
 std::string style_of(const ChartLook& look) {
   const std::string color = fmt::format("linecolor rgb '{}'", look.color);
-  const std::string dash = look.dashed ? " dashtype 2" : "";
+  const std::string dash = look.dashed ? " dashtype 2" : report::dash_type(look.dashes);
   if (!look.symbols) {
     return fmt::format("using 1:2 with lines linewidth {}{} {}", look.width, dash, color);
   }

@@ -38,8 +38,9 @@ struct ChartLook {
   int symbol = 7;  ///< gnuplot's number of a filled symbol; one less is the same left open
   bool line = true;
   bool symbols = true;
-  bool dashed = false;
+  bool dashed = false;  ///< of references
   double width = 1.4;
+  int dashes = 0;  ///< as `FigureCurve::dashes`
 };
 
 struct ChartSeries {

@@ -43,7 +43,7 @@ void classify_errors(const PlotCases& cases, CaseClasses& out) {
   }
   for (std::size_t i = 0; i < record.cases(); ++i) {
     if (!cases.picked[i] || !record.comparison.error[i]) continue;
-    out.number[i] = fmt::format("{:.2g}", percent_of(i));
+    out.number[i] = report::significant(percent_of(i), 2);
     const auto above = std::upper_bound(bounds.begin() + 1, bounds.end() - 1, percent_of(i));
     out.class_of[i] = static_cast<std::size_t>(above - bounds.begin()) - 1;
   }

@@ -37,6 +37,28 @@ std::vector<std::size_t> shown_cases(const PlotCases& cases) {
                                kLooks, curves));
 }
 
+/// What the shown cases are compared with, each at its own times: they lie over each other where
+/// all have the same. @return whether there is any
+bool add_references(const SweepRecord& record, const std::vector<std::size_t>& shown, double scale,
+                    Chart& chart) {
+  bool is_first = true;
+  for (const std::size_t i : shown) {
+    const std::vector<double>& reference = record.comparison.reference_curve[i];
+    if (reference.empty()) continue;
+    ChartSeries series{is_first ? "reference" : "",
+                       {std::string(report::kDark), 7, true, false, true, 1.2},
+                       {},
+                       {}};
+    for (std::size_t s = 0; s < reference.size(); ++s) {
+      series.points.push_back({record.results[i].time[s], reference[s] / scale});
+    }
+    series.points = report::thinned(series.points);
+    chart.series.push_back(std::move(series));
+    is_first = false;
+  }
+  return !is_first;
+}
+
 }  // namespace
 
 bool has_curves(const SweepRecord& record) {
@@ -46,7 +68,7 @@ bool has_curves(const SweepRecord& record) {
 
 Chart curve_chart(const PlotCases& cases) {
   const SweepRecord& record = cases.record;
-  Chart chart{report::printable(record.name), subtitle_of(record), {}, {}};
+  Chart chart{report::printable(record.name), {}, {}, {}};
   const std::vector<std::size_t> shown = shown_cases(cases);
   // Axes on which these differ.
   std::vector<std::size_t> axes;
@@ -63,12 +85,15 @@ Chart curve_chart(const PlotCases& cases) {
     const CaseResult& result = record.results[shown[k]];
     ChartSeries series{short_setting(record, shown[k], axes), chart_look(k), {}, {}};
     series.look.symbols = false;
+    series.look.dashes = static_cast<int>(k);  // curves that converge lie over each other
     for (std::size_t s = 0; s < result.curve.size(); ++s) {
       series.points.push_back({result.time[s], result.curve[s] / numbers.scale});
     }
     series.points = report::thinned(series.points);
     chart.series.push_back(std::move(series));
   }
+  const bool has_reference = add_references(record, shown, numbers.scale, chart);
+  chart.subtitle = has_reference ? subtitle_of(record) : report::printable(record.quantity.name);
   chart.x.label = record.results[shown.front()].level == Level::Coupon ? "sample" : "time [s]";
   std::vector<double> heights;
   for (const ChartSeries& series : chart.series) {

@@ -53,6 +53,28 @@ double y_of(const SweepRecord& record, std::size_t i, const Map& map) {
   return number_on(record, i, map.y) / map.y_scale;
 }
 
+/// Whether the value on an axis of a map says where a case is on another axis: its own, or one that
+/// moves together with it, if no value of the map's axis stands for several of that.
+bool is_told_by(const SweepRecord& record, std::size_t other, std::size_t axis) {
+  if (other == axis) return true;
+  const Axis& told = record.axes[other];
+  const Axis& by = record.axes[axis];
+  if (by.group.empty() || told.group != by.group) return false;
+  for (std::size_t a = 0; a < by.values.size(); ++a) {
+    for (std::size_t b = 0; b < a; ++b) {
+      if (by.values[a] == by.values[b] && !(told.values[a] == told.values[b])) return false;
+    }
+  }
+  return true;
+}
+
+/// The number of a case's value on an axis; equal values have the same.
+std::size_t key_on(const SweepRecord& record, std::size_t i, std::size_t axis) {
+  const auto& values = record.axes[axis].values;
+  return static_cast<std::size_t>(std::find(values.begin(), values.end(), record.at(i, axis)) -
+                                  values.begin());
+}
+
 Map map_of(const PlotCases& cases) {
   const SweepRecord& record = cases.record;
   const auto axes = axes_of_map(record);
@@ -62,11 +84,7 @@ Map map_of(const PlotCases& cases) {
   map.x_scale = shown_axis(record.axes[map.x]).scale;
   map.y_scale = shown_axis(record.axes[map.y]).scale;
   for (const std::size_t a : varied_axes(record)) {
-    const std::string& group = record.axes[a].group;
-    const auto along = [&](std::size_t b) {
-      return a == b || (!group.empty() && record.axes[b].group == group);
-    };
-    if (!along(map.x) && !along(map.y)) map.others.push_back(a);
+    if (!is_told_by(record, a, map.x) && !is_told_by(record, a, map.y)) map.others.push_back(a);
   }
   map.colors = classify(cases);
   return map;
@@ -83,7 +101,7 @@ std::vector<std::vector<std::size_t>> panels_of(const PlotCases& cases, const Ma
     std::vector<std::size_t> key;
     key.reserve(map.others.size());
     for (const std::size_t a : map.others) {
-      key.push_back(record.position[i * record.axes.size() + a]);
+      key.push_back(key_on(record, i, a));
     }
     panels[key].push_back(i);
   }

@@ -141,6 +141,20 @@ std::vector<double> row_of(const io::Ragged<double>& rows, std::size_t i) {
   return {row.begin(), row.end()};
 }
 
+/// Those of curves; files of version 1 have none.
+void read_references(const Hdf5Group& root, SweepRecord& record) {
+  record.comparison.reference_curve.resize(record.cases());
+  if (!root.exists("curves/reference")) return;
+  const auto reference = io::read_lists(root, "curves/reference", record.cases(), kSweepRules);
+  for (std::size_t i = 0; i < record.cases(); ++i) {
+    std::vector<double> curve = row_of(reference, i);
+    if (!curve.empty() && curve.size() != record.results[i].time.size()) {
+      io::refuse_value(root, "curves/reference", "", "must have a value for each time, or none");
+    }
+    record.comparison.reference_curve[i] = std::move(curve);
+  }
+}
+
 }  // namespace
 
 void write_results(Hdf5Group& root, const SweepRecord& record) {
@@ -153,12 +167,17 @@ void write_results(Hdf5Group& root, const SweepRecord& record) {
   if (!record.quantity.is_curve()) return;
   io::Ragged<double> time;
   io::Ragged<double> value;
+  io::Ragged<double> reference;
   for (const CaseResult& result : record.results) {
     time.push_back(result.time);
     value.push_back(result.curve);
   }
   root.write_ragged("curves/time", time, {"s", kDeflate});
   root.write_ragged("curves/value", value, {record.quantity.unit, kDeflate});
+  for (const std::vector<double>& curve : record.comparison.reference_curve) {
+    reference.push_back(curve);
+  }
+  root.write_ragged("curves/reference", reference, {record.quantity.unit, kDeflate});
 }
 
 void read_results(const Hdf5Group& root, SweepRecord& record) {
@@ -189,6 +208,7 @@ void read_results(const Hdf5Group& root, SweepRecord& record) {
     record.results[i].time = row_of(time, i);
     record.results[i].curve = row_of(value, i);
   }
+  read_references(root, record);
 }
 
 void write_case_seconds(Hdf5Group& root, const SweepRecord& record) {

@@ -239,7 +239,7 @@ void write_sweep_store(const std::string& path, const SweepRecord& record,
 SweepRecord read_sweep_store(const std::string& path) {
   const io::Hdf5File file = io::Hdf5File::open(path);
   const Hdf5Group& root = file.root();
-  io::check_schema(root, kSweepSchema, kSweepVersion);
+  io::check_schema(root, kSweepSchema, kOldestSweepVersion, kSweepVersion);
   SweepRecord record;
   read_head(root, record);
   record.ids = root.read_texts("cases/id");

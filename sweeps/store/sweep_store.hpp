@@ -10,7 +10,9 @@ namespace plastica::sweeps {
 
 /// The attributes `schema` and `version` of the root of a sweep's file.
 inline constexpr std::string_view kSweepSchema = "plastica/sweep";
-inline constexpr int kSweepVersion = 1;
+inline constexpr int kSweepVersion = 2;
+/// The oldest that is read: without references of curves.
+inline constexpr int kOldestSweepVersion = 1;
 
 /// Writes the result file of a sweep (HDF5; layout: docs/hdf5.md). The same record gives the
 /// same bytes outside /meta. The file appears under its name when it is complete,

@@ -26,6 +26,7 @@ double largest(const std::vector<double>& values, std::size_t first, std::size_t
 struct JointPath {
   std::size_t joint = 0;
   std::size_t axis = 0;
+  bool broke = false;                       ///< at the end of it
   std::vector<std::vector<double>> points;  ///< (strain in %, stress in MPa)
 };
 
@@ -36,14 +37,38 @@ double strain_at(const io::SceneRecord& record, std::size_t frame, std::size_t j
          record.outline.strain_per_angle[3 * joint + axis];
 }
 
+/// A joint that broke, and was not cut by the scene.
+struct Broken {
+  std::size_t joint = 0;
+  double time = 0.0;  ///< [s]
+};
+
+/// The first that broke; of a joint, whether it did.
+std::optional<Broken> first_broken(const io::SceneRecord& record, std::optional<int> wanted) {
+  for (const ChainBreak& event : record.response.chain.events) {
+    for (const BrokenJoint& broken : event.joints) {
+      if (broken.cause == BreakCause::Cut || (wanted && broken.joint != *wanted)) continue;
+      return Broken{static_cast<std::size_t>(broken.joint), event.time};
+    }
+  }
+  return std::nullopt;
+}
+
+/// @param wanted  a joint; none: that which broke, else that of the largest strain
 JointPath joint_path(const io::SceneRecord& record, std::optional<int> wanted) {
   const ChainHistory& chain = record.response.chain;
   JointPath path;
   double most = -1.0;
+  const std::optional<Broken> broken = first_broken(record, wanted);
+  if (broken) wanted = static_cast<int>(broken->joint);
+  path.broke = broken.has_value();
+  // What is broken turns freely.
+  std::size_t frames = frames_of(record);
+  while (broken && frames > 1 && time_of_frame(record, frames - 1) > broken->time) --frames;
   for (std::size_t joint = 0; joint < chain.joints; ++joint) {
     if (wanted && joint != static_cast<std::size_t>(*wanted)) continue;
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      for (std::size_t frame = 0; frame < frames_of(record); ++frame) {
+      for (std::size_t frame = 0; frame < frames; ++frame) {
         const double size = std::fabs(strain_at(record, frame, joint, axis));
         if (!(size > most)) continue;
         most = size;
@@ -52,7 +77,7 @@ JointPath joint_path(const io::SceneRecord& record, std::optional<int> wanted) {
       }
     }
   }
-  for (std::size_t frame = 0; frame < frames_of(record); ++frame) {
+  for (std::size_t frame = 0; frame < frames; ++frame) {
     const std::size_t at = (frame * chain.joints + path.joint) * 3 + path.axis;
     const double modulus = record.outline.modulus[3 * path.joint + path.axis];
     path.points.push_back({100.0 * strain_at(record, frame, path.joint, path.axis),
@@ -187,8 +212,8 @@ Figure joint_figure(std::span<const io::SceneRecord> records, std::optional<int>
       curve.points = std::move(path.points);
       const bool shear = path.axis == 2;
       panel.title =
-          fmt::format("joint {} at {} of the length: {}", path.joint,
-                      place_label(record.outline.ends[path.joint]),
+          fmt::format("joint {} at {} of the length{}: {}", path.joint,
+                      place_label(record.outline.ends[path.joint]), path.broke ? ", broken" : "",
                       shear ? std::string("torsion")
                             : fmt::format("bending {}, extreme fibre", axis_name(path.axis)));
       if (shear) {

@@ -13,6 +13,7 @@ namespace plastica::report {
 namespace {
 
 constexpr std::size_t kTitleWidth = 76;
+constexpr std::size_t kNameWidth = 16;  ///< of names along an axis
 constexpr std::string_view kLetters = "#ox+*%@&";
 constexpr std::string_view kMarkStyle =
     "linewidth 1 dashtype 3 linecolor rgb '#333333'";  ///< of upright lines
@@ -36,7 +37,7 @@ std::size_t legend_lines(const Figure& figure) {
 std::string style_of(const FigureCurve& curve) {
   const std::string color = fmt::format("linecolor rgb '{}'", curve.color);
   switch (curve.stroke) {
-    case Stroke::Line: return "using 1:2 with lines linewidth 2 " + color;
+    case Stroke::Line: return "using 1:2 with lines linewidth 2 " + color + dash_type(curve.dashes);
     case Stroke::Dots:
       return "using 1:2 with linespoints linewidth 1.6 pointtype 7 pointsize 0.4 " + color;
     case Stroke::Symbols:
@@ -95,6 +96,27 @@ std::string tics_of(const std::array<double, 2>& range) {
   return fmt::format("set xtics {:.7g}\n", wide / step > 4.5 ? 2.0 * step : step);
 }
 
+/// Names of users along an axis, slanted; of so many that they would meet, every second, third, …
+std::string named_tics(const std::vector<std::string>& names) {
+  constexpr std::size_t kMost = 24;
+  const std::size_t every = (names.size() + kMost - 1) / kMost;
+  std::string tics;
+  for (std::size_t i = 0; i < names.size(); i += every) {
+    tics +=
+        fmt::format("{}{} {}", i == 0 ? "" : ", ", quoted_tic(cut(names[i], kNameWidth)), i + 1);
+  }
+  return "set xtics rotate by 50 right (" + tics + ")\n";
+}
+
+/// The height that slanted names take below a picture.
+double name_room(const Figure& figure) {
+  std::size_t longest = 0;
+  for (const FigurePanel& panel : figure.panels) {
+    for (const std::string& name : panel.x_names) longest = std::max(longest, width_of(name));
+  }
+  return 5.0 * static_cast<double>(std::min(longest, kNameWidth));
+}
+
 /// Ranges, scale, upright lines and texts of a panel.
 std::string frame_of(const FigurePanel& panel) {
   std::string text = "unset arrow\nunset label\nunset logscale\n";
@@ -104,7 +126,7 @@ std::string frame_of(const FigurePanel& panel) {
     text += fmt::format("set {}range [{:.7g}:{:.7g}]\n", axis, ends[0], ends[1]);
   };
   range('x', panel.x_range);
-  text += tics_of(panel.x_range);
+  text += panel.x_names.empty() ? tics_of(panel.x_range) : named_tics(panel.x_names);
   range('y', panel.y_range);
   for (const double x : panel.marks) {
     text += fmt::format("set arrow from {0:.7g}, graph 0 to {0:.7g}, graph 1 nohead front {1}\n", x,
@@ -118,6 +140,10 @@ std::string frame_of(const FigurePanel& panel) {
 }
 
 }  // namespace
+
+std::string dash_type(int dashes) {
+  return dashes == 0 ? std::string() : fmt::format(" dashtype (9,{})", 9 * dashes);
+}
 
 FigureCurve curve_of_record(std::size_t number, std::size_t count, const std::string& name) {
   constexpr std::array<std::string_view, 7> kColors{kBlue,     kVermillion, "#009E73", "#CC79A7",
@@ -156,7 +182,7 @@ PlotScript figure_page(const Figure& figure) {
   const bool single = figure.panels.size() == 1;
   const auto lines = static_cast<double>(legend_lines(figure));
   script.begin_panels(figure.panels.size(), single ? std::string() : figure.title, single ? 2 : 1,
-                      20.0 * std::max(0.0, lines - 1.0));
+                      20.0 * std::max(0.0, lines - 1.0) + name_room(figure));
   script.command("set xzeroaxis linecolor rgb '#B8B8B8' linetype 1 linewidth 0.8");
   for (const FigurePanel& panel : figure.panels) {
     script.command("set xlabel " + in_quotes(panel.x_label));

@@ -22,6 +22,8 @@ struct FigureCurve {
   std::string_view color = kBlue;
   Stroke stroke = Stroke::Line;
   int symbol = 7;  ///< gnuplot's number of the point type of Symbols and Points
+  /// Of a Line: 0 whole, else with ever longer gaps, through which those behind it are seen.
+  int dashes = 0;
 };
 
 /// A text at a point of a panel.
@@ -42,12 +44,16 @@ struct FigurePanel {
   bool logarithmic = false;         ///< y, with a y_range above zero
   std::array<double, 2> x_range{};  ///< both zero: as far as the curves go
   std::array<double, 2> y_range{};
+  std::vector<std::string> x_names{};  ///< at 1, 2, … in place of numbers; empty: numbers
 };
 
 struct Figure {
   std::string title;  ///< of all panels
   std::vector<FigurePanel> panels;
 };
+
+/// How gnuplot dashes a line (`FigureCurve::dashes`): " dashtype …"; nothing of a whole one.
+std::string dash_type(int dashes);
 
 /// A curve of a record among others: colours, and symbols where there are several, tell them apart;
 /// the eighth is as the first.
