@@ -4,11 +4,13 @@
 
 #include <algorithm>
 #include <map>
+#include <memory>
 #include <utility>
 
 #include "calibrate/config/read_parameters.hpp"
 #include "calibrate/config/write_target.hpp"
 #include "calibrate/guess/guess_file.hpp"
+#include "calibrate/target/kept_tables.hpp"
 #include "plastica/base/parallel_for.hpp"
 #include "plastica/io/csv.hpp"
 #include "plastica/io/read_input.hpp"
@@ -263,8 +265,8 @@ struct GuessedFile {
   std::optional<InputError> wrong;       ///< no fit can begin
 };
 
-GuessedFile guess_bare_file(const std::string& file, const TargetSource& given,
-                            bool measure_given) {
+GuessedFile guess_bare_file(const std::string& file, const TargetSource& given, bool measure_given,
+                            KeptTables& kept) {
   GuessedFile guessed{given, {}, {}, {}};
   std::optional<io::CsvTable> table;
   try {
@@ -280,6 +282,7 @@ GuessedFile guess_bare_file(const std::string& file, const TargetSource& given,
       return guessed;
     }
     complete(*table, guessed.source, measure_given, guessed.notes);
+    kept.keep(given.csv, std::move(*table));
   } catch (const InputError& error) {
     guessed.wrong = error;
   }
@@ -298,8 +301,9 @@ FitFile fit_of_bare_files(const BareFiles& bare, int threads) {
   std::vector<GuessNote> notes;
   std::optional<InputError> first_error;
   std::vector<GuessedFile> guessed(bare.files.size());
+  const auto kept = std::make_shared<KeptTables>();
   parallel_for(guessed.size(), {threads, nullptr}, [&](std::size_t i, int) {
-    guessed[i] = guess_bare_file(bare.files[i], given, bare.measure.has_value());
+    guessed[i] = guess_bare_file(bare.files[i], given, bare.measure.has_value(), *kept);
   });
   for (std::size_t i = 0; i < guessed.size(); ++i) {
     const std::string& file = bare.files[i];
@@ -326,6 +330,7 @@ FitFile fit_of_bare_files(const BareFiles& bare, int threads) {
   }
   try {
     FitFile file = parse_fit_file(std::move(text), "");
+    for (TargetBlock& block : file.targets) block.source.kept = kept;
     for (const GuessNote& note : notes) {
       file.notes.push_back(note.file + ": " + note.words);
       if (note.files > 1) file.notes.back() += fmt::format(" ({} files)", note.files);

@@ -23,6 +23,11 @@ double variance_inflation(double autocorrelation, double samples, int parameters
 void set_material_interval(double confidence, std::span<const double> halves,
                            const SegmentsError& segments, FittedParameter& p) {
   if (std::isnan(p.noise_error)) return;
+  // What segments do to it is more than all of it: nothing is known of the material's.
+  if (segments.extrapolated_error > std::abs(segments.extrapolated)) {
+    p.standard_error = p.interval_low = p.interval_high = FittedParameter::kNone;
+    return;
+  }
   const double scale = p.model_error();
   std::vector<double> all(halves.begin(), halves.end());
   double centre = p.value;

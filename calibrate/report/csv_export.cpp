@@ -49,6 +49,8 @@ CellDescriber<FitRecord> fit_columns(const FitRecord* record) {
   kDescribeFit(columns);
   columns.names.emplace_back("evaluations");
   columns.cells.push_back(record == nullptr ? "" : std::to_string(record->result.evaluations()));
+  columns.names.emplace_back("held_out [1]");
+  columns.cells.push_back(record == nullptr ? "" : cell_of(record->result.held_out_misfit()));
   CellDescriber<Characteristics> characteristics(
       record == nullptr ? nullptr : &record->target.characteristics, "", {});
   kDescribeCharacteristics(characteristics);

@@ -28,8 +28,8 @@ void write_scene_fits_csv(std::ostream& out, std::span<const SceneFitRecord> rec
   const ParameterColumns parameters(fits);
   std::vector<std::string> header = {"name", "law", "status", "reason"};
   parameters.add_titles(header);
-  for (const char* last :
-       {"cost [1]", "degrees_of_freedom [1]", "starts", "runs", "search_runs", "failed_runs"}) {
+  for (const char* last : {"cost [1]", "degrees_of_freedom [1]", "starts", "runs", "search_runs",
+                           "failed_runs", "held_out [1]"}) {
     header.emplace_back(last);
   }
   put_row(out, header);
@@ -46,6 +46,7 @@ void write_scene_fits_csv(std::ostream& out, std::span<const SceneFitRecord> rec
     row.push_back(std::to_string(result.runs));
     row.push_back(std::to_string(result.search_runs));
     row.push_back(std::to_string(result.failed_runs));
+    row.push_back(cell_of(result.held_out_misfit()));
     put_row(out, row);
   }
 }

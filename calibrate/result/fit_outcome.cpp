@@ -1,5 +1,7 @@
 #include "calibrate/result/fit_outcome.hpp"
 
+#include <cmath>
+#include <limits>
 #include <stdexcept>
 
 namespace plastica::calibrate {
@@ -11,6 +13,13 @@ std::string_view name_of(FitStatus status) {
     case FitStatus::Rejected: return "rejected";
   }
   return "unknown";
+}
+
+double FitOutcome::held_out_misfit() const {
+  if (held_out.empty()) return std::numeric_limits<double>::quiet_NaN();
+  double sum = 0.0;
+  for (const double part : held_out) sum += part;
+  return std::sqrt(sum / static_cast<double>(held_out.size()));
 }
 
 const FittedParameter* FitOutcome::find_parameter(std::string_view name) const {

@@ -32,6 +32,8 @@ struct FitOutcome {
   /// Where laws are compared: what fits without one part of the curves leave of that part, as
   /// fractions squared (held_out.hpp) [1]; empty: not known.
   std::vector<double> held_out;
+  /// Root of the mean of these [1]; NaN where they are not known.
+  double held_out_misfit() const;
   std::vector<std::string> warnings;
 
   bool is_fitted() const { return status == FitStatus::Fitted; }

@@ -11,6 +11,7 @@
 
 #include "calibrate/guess/column_role.hpp"
 #include "calibrate/target/column_pattern.hpp"
+#include "calibrate/target/kept_tables.hpp"
 #include "calibrate/target/make.hpp"
 #include "calibrate/target/named_column.hpp"
 #include "calibrate/target/samples.hpp"
@@ -271,7 +272,8 @@ Imported import_file(const Block& block, const std::string& file) {
     if (block.specimens && source.split.empty()) {
       block.specimens->add_groups(block.specimens->row_of({stem, "", {}}), first);
     }
-    table.emplace(CsvTable::read(file, source.csv));
+    if (source.kept) table = source.kept->take(file, source.csv);
+    if (!table) table.emplace(CsvTable::read(file, source.csv));
   } catch (const InputError& error) {
     imported.was_unreadable = true;
     imported.targets.push_back(rejected(std::move(first), error));

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -10,6 +11,8 @@
 #include "plastica/io/csv.hpp"
 
 namespace plastica::calibrate {
+
+class KeptTables;
 
 /// A column of a file of curves.
 struct ColumnSource {
@@ -62,6 +65,7 @@ struct TargetSource {
   /// each; empty: a file is one specimen.
   std::vector<std::string> split;
   io::CsvOptions csv;
+  std::shared_ptr<KeptTables> kept{};  ///< of its files, those that were read already
 };
 
 /// Reads every specimen of a block and makes it a target; test, measure and loading of the block

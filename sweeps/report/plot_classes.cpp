@@ -15,7 +15,9 @@ namespace {
 constexpr std::size_t kMaxClasses = 7;
 constexpr std::string_view kRampLetters = ".:-=+*#";
 
-std::string bound_text(double value) { return fmt::format("{:.3g}", value); }
+std::string bound_text(double value) {
+  return value >= 1e3 && value < 1e6 ? fmt::format("{:.0f}", value) : fmt::format("{:.3g}", value);
+}
 
 /// Classes of the size of the error in %, the finest first.
 void classify_errors(const PlotCases& cases, CaseClasses& out) {

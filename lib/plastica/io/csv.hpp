@@ -17,6 +17,8 @@ struct CsvOptions {
   std::optional<std::size_t> header = {};  ///< line of the column names, from 1; 0: there is none
   std::optional<std::string> sheet =
       {};  ///< of a workbook: its name; else the only one with a table
+
+  friend bool operator==(const CsvOptions&, const CsvOptions&) = default;
 };
 
 /// A delimited text file as laboratories write it: metadata lines, a header, a unit row, data. A
@@ -56,6 +58,9 @@ class CsvTable {
 
   /// A column's name for error lines: "column 2" where the file has none.
   std::string label(std::size_t column) const;
+
+  /// What it takes of memory, about.
+  std::size_t bytes() const { return text_.size() + cells_.size() * sizeof(std::string_view); }
 
   std::size_t rows() const { return line_of_row_.size(); }
   std::size_t columns() const { return names_.size(); }

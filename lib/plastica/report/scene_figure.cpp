@@ -114,7 +114,7 @@ double name_room(const Figure& figure) {
   for (const FigurePanel& panel : figure.panels) {
     for (const std::string& name : panel.x_names) longest = std::max(longest, width_of(name));
   }
-  return 5.0 * static_cast<double>(std::min(longest, kNameWidth));
+  return 4.0 * static_cast<double>(std::min(longest, kNameWidth));
 }
 
 /// Ranges, scale, upright lines and texts of a panel.

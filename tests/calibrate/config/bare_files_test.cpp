@@ -121,6 +121,14 @@ stress = { column = "b", unit = "MPa" }
             file.targets.at(0).source.files);
 }
 
+TEST_F(BareFilesTest, ReadsEachFileOnce) {
+  const FitFile file = fit_of_bare_files(of({"named.csv"}));
+  // What is there now was never read.
+  write("named.csv", "Strain (%),Stress (MPa)\n0,0\n1,999\n2,999\n");
+  const std::vector<Target> targets = import_all(file);
+  EXPECT_EQ(targets.at(0).raw.stress, (std::vector<double>{0.0, 100e6, 110e6}));
+}
+
 TEST_F(BareFilesTest, RefusesNoFileAndFilesThatAreNotThere) {
   EXPECT_EQ(error({}), "FILE: give at least one file");
   EXPECT_EQ(error(of({"no.csv"})), "no.csv: cannot be read: No such file or directory");

@@ -44,6 +44,22 @@ TEST(MaterialInterval, LiesAboutWhatTheSegmentsLeadTo) {
   EXPECT_NEAR(p.standard_error, 1.25 * 4.0 / std::sqrt(3.0), 1e-9);
 }
 
+TEST(MaterialInterval, IsNoneWhereSegmentsLeaveNothingKnown) {
+  FittedParameter p = parameter(1.0);
+  // Three times a spread of 40 is more than 90.
+  const SegmentsError diverging = segments_error(110.0, 100.0, 70.0, 2.0);
+  ASSERT_EQ(diverging.trend, SegmentsTrend::Diverges);
+  set_material_interval(0.95, {}, diverging, p);
+  EXPECT_TRUE(std::isnan(p.standard_error));
+  EXPECT_TRUE(std::isnan(p.interval_low) && std::isnan(p.interval_high));
+  EXPECT_FALSE(is_of_material(p, diverging));
+  // Three times a spread of 20 is less than 87.
+  const SegmentsError wide = segments_error(107.0, 100.0, 87.0, 2.0);
+  ASSERT_EQ(wide.trend, SegmentsTrend::Diverges);
+  set_material_interval(0.95, {}, wide, p);
+  EXPECT_LT(p.interval_low, 87.0 - 59.0);
+}
+
 TEST(MaterialInterval, OfOlderFilesIsKnownByItsPlace) {
   const SegmentsError segments = segments_error(116.0, 104.0, 101.0, 2.0);
   FittedParameter p = parameter(1.0);

@@ -30,6 +30,7 @@ std::string curves_of(const std::vector<FitRecord>& records) {
 
 TEST(SpecimenTable, IsReadBackBitForBit) {
   FitRecord record = fitted_record("bar-01", 280e6 / 3.0);
+  record.result.held_out = {0.0001, 0.0007};
   const io::CsvTable table =
       io::CsvTable::parse(specimens_of({record, rejected_record("bar-02", "empty")}), "t.csv");
   ASSERT_EQ(table.rows(), 2U);
@@ -39,6 +40,7 @@ TEST(SpecimenTable, IsReadBackBitForBit) {
   EXPECT_EQ(table.number(0, *table.find("fit.break_strain.standard_error")), 0.00025);
   EXPECT_EQ(table.cell(0, *table.find("group.temperature")), "20");
   EXPECT_EQ(table.number(0, *table.find("evaluations")), 142.0);
+  EXPECT_NEAR(table.number(0, *table.find("held_out")), 0.02, 1e-15);
 }
 
 TEST(SpecimenTable, LeavesEmptyWhatASpecimenDoesNotHave) {

@@ -43,6 +43,36 @@ TEST(ScenePopulation, TakesTheMeanSquaredErrorsOutOfTheVariances) {
   EXPECT_NEAR(p.correlation(0, 1), 1.0, 1e-12);
 }
 
+/// Values with N/2, N and 2N segments that fall by a fourth each: the continuous beam's is known.
+void set_segments(SceneFitRecord& record, std::size_t parameter, double material, double off) {
+  FittedParameter& p = record.result.parameters[parameter];
+  p.value = material + 4.0 * off;
+  record.result.segments->parameters[parameter] =
+      segments_error(material + 16.0 * off, p.value, material + off, 2.0);
+  p.interval_low = material - 1.0;
+  p.interval_high = material + 1.0;
+}
+
+TEST(ScenePopulation, IsOfTheMaterialWhereSegmentsLeadToIt) {
+  std::vector records{specimen(0.0, 1.0), specimen(0.0, 4.0), specimen(0.0, 7.0)};
+  const std::vector<double> materials{90.0, 100.0, 110.0};
+  for (std::size_t i = 0; i < 3; ++i) {
+    set_segments(records[i], 0, materials[i], 0.02 * materials[i]);
+  }
+  const ScenePopulation p = scene_population(records);
+  EXPECT_TRUE(p.parameters[0].is_of_material);
+  EXPECT_NEAR(p.parameters[0].mean, 100.0, 1e-9) << "108 are the beams'";
+  EXPECT_NEAR(p.parameters[0].standard_deviation, 10.0, 1e-9);
+  EXPECT_GT(p.parameters[0].segments_error, 0.0);
+  EXPECT_FALSE(p.parameters[1].is_of_material);
+  EXPECT_EQ(p.parameters[1].segments_error, 0.0);
+  // Values of the material and of a beam do not mix.
+  records[2].result.segments.reset();
+  const ScenePopulation mixed = scene_population(records);
+  EXPECT_FALSE(mixed.parameters[0].is_of_material);
+  EXPECT_NEAR(mixed.parameters[0].mean, 108.0, 1e-9);
+}
+
 TEST(ScenePopulation, OfEqualSpecimensIsNoiseAlone) {
   const ScenePopulation p =
       scene_population(std::vector{specimen(99.0, 1.0), specimen(101.0, 1.1)});

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "plastica/base/check.hpp"
+#include "plastica/report/scene_curves.hpp"
 #include "tests/support/has.hpp"
 #include "tests/support/message.hpp"
 #include "tests/support/scene_record.hpp"
@@ -57,6 +58,24 @@ TEST(ScenePlot, ShowsTheJointOfTheLargestStrainOrTheOneAskedFor) {
   const io::SceneRecord record = record_of(cantilever_text());
   EXPECT_TRUE(has(script_of({record}, {"joint", {}, {}, {}}), "joint 0 at start of the length"));
   EXPECT_TRUE(has(script_of({record}, {"joint", 2, {}, {}}), "joint 2 at 0.5 of the length"));
+}
+
+TEST(ScenePlot, ShowsTheJointThatBrokeUpToItsBreak) {
+  io::SceneRecord record = record_of(cantilever_text());
+  ChainHistory& chain = record.response.chain;
+  BrokenJoint broken;
+  broken.joint = 2;
+  BrokenJoint cut = broken;
+  cut.joint = 1;
+  cut.cause = BreakCause::Cut;
+  chain.events.push_back({chain.time[1], 0.1, {cut}, {}});
+  chain.events.push_back({0.5 * (chain.time[2] + chain.time[3]), 0.5, {broken}, {}});
+  const Figure figure = joint_figure(std::vector{record}, {});
+  EXPECT_EQ(figure.panels[0].title,
+            "joint 2 at 0.5 of the length, broken: bending about x, extreme fibre");
+  EXPECT_EQ(figure.panels[0].curves[0].points.size(), 3U);
+  const Figure other = joint_figure(std::vector{record}, 3);
+  EXPECT_GT(other.panels[0].curves[0].points.size(), 3U);
 }
 
 TEST(ScenePlot, OfACouponIsItsStressOverItsStrain) {

@@ -135,6 +135,8 @@ TEST(Compare, TakesTheRmsOfCurves) {
   made.results[0].time = {0.0, 0.5, 2.0};
   made.results[0].curve = {3.3, 3.3, 3.3};
   EXPECT_NEAR(made.compared().error[0].value_or(0.0), 0.1, 1e-12);
+  EXPECT_EQ(made.compared().reference_curve[0], std::vector<double>(3, 3.0));
+  EXPECT_TRUE(made.compared().reference_curve[1].empty());
   made.results[0].time = {0.0, 1.0, 2.5};
   EXPECT_EQ(made.compared().reason[0], "the reference does not reach over the case's times");
 }

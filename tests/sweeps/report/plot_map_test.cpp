@@ -82,6 +82,23 @@ TEST(MapPage, HasAPanelForEachValueOfOtherAxes) {
   EXPECT_TRUE(has(script, "unset logscale")) << "of the panel that is the legend";
 }
 
+/// Where a value of an axis stands for several cases of what moves together with it.
+TEST(MapPage, HasOneCaseInAFieldWhereAxesMoveTogether) {
+  const std::string together =
+      "[[axis]]\nfield = 'scale.loads'\nvalues = [1, 1, 2]\nzip = 'm'\n"
+      "[[axis]]\nfield = 'rules.end_rule'\nvalues = ['half_joint', 'equal', 'equal']\nzip = 'm'\n";
+  const SweepRecord record = record_of(segments_axis("[4, 8]") + together + kTipError);
+  const std::string script = sweep_plot_script(record, {"map", "", "x.svg"});
+  EXPECT_TRUE(has(script, "'half_joint'")) << script;
+  EXPECT_TRUE(has(script, "'equal'"));
+  // Words that the map's axis tells make no panels.
+  const std::string told =
+      "[[axis]]\nfield = 'scale.loads'\nvalues = [1, 2]\nzip = 'm'\n"
+      "[[axis]]\nfield = 'rules.end_rule'\nvalues = ['half_joint', 'equal']\nzip = 'm'\n";
+  const SweepRecord one = record_of(segments_axis("[4, 8]") + told + kTipError);
+  EXPECT_FALSE(has(sweep_plot_script(one, {"map", "", "x.svg"}), "'equal'"));
+}
+
 TEST(MapPage, AsksForAChoiceOfManyPanels) {
   const SweepRecord record =
       grid("[[axis]]\nfield = 'beam.length'\nlinear = { from = '1 m', to = '2 m', count = 10 }\n");

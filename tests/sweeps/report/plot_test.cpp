@@ -157,6 +157,20 @@ TEST(CurveChart, NamesCurvesByWhatTheyDifferIn) {
   EXPECT_EQ(chart.series[1].points.size(), 3U);
 }
 
+TEST(CurveChart, DrawsTheReferenceThatItsTitleNames) {
+  const auto chart_of = [](const std::string& against) {
+    return curve_chart(every_case(record_of("[set]\nsolver.steps = 2\n" + segments_axis("[2, 3]") +
+                                            "[error]\nprobe = 'tip'\ntake = 'curve'\n" + against)));
+  };
+  const Chart chart = chart_of("against = 'finest'\n");
+  EXPECT_EQ(chart.subtitle, "tip, curve against finest");
+  ASSERT_EQ(chart.series.size(), 3U);
+  EXPECT_EQ(chart.series[2].name, "reference");
+  EXPECT_EQ(chart.series[2].points, chart.series[1].points);
+  EXPECT_NE(chart.series[0].look.dashes, chart.series[1].look.dashes);
+  EXPECT_EQ(chart_of("").subtitle, "tip, curve");
+}
+
 TEST(CurveChart, TakesTheFinestOfEachGroupOfMany) {
   const Chart chart = curve_chart(every_case(curves("[2, 3, 4, 5, 6, 7, 8, 9, 10]")));
   ASSERT_EQ(chart.series.size(), 1U);

@@ -72,6 +72,15 @@ TEST_F(SweepStoreTest, GivesBackCurvesAndFailedCases) {
   EXPECT_TRUE(read.groups.empty());
 }
 
+TEST_F(SweepStoreTest, GivesBackTheReferencesOfCurves) {
+  const SweepRecord record =
+      record_of("[set]\nsolver.steps = 2\n" + segments_axis("[4, 8]") +
+                "[error]\nprobe = 'tip'\ntake = 'curve'\nagainst = 'finest'\n");
+  const SweepRecord read = read_back(record);
+  EXPECT_EQ(read.comparison.reference_curve[0], record.results[1].curve);
+  EXPECT_TRUE(read.comparison.reference_curve[1].empty()) << "the finest is the reference";
+}
+
 TEST_F(SweepStoreTest, GivesEarlierResultsById) {
   const SweepRecord record = record_of(segments_axis("[4, 8]") + kTipError);
   write_sweep_store(path_, record);
