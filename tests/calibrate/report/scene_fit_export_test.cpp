@@ -109,7 +109,7 @@ TEST(SceneFitCsv, HasARowPerFitWithAllParametersThatAnyHas) {
       lone_scene_record("a", 2e11, 3e8).result.segments->parameters[0];
   ASSERT_EQ(rows.size(), 4U);
   constexpr std::size_t kEach = 19;
-  for (const auto& row : rows) EXPECT_EQ(row.size(), 4U + 3U * kEach + 6U);
+  for (const auto& row : rows) EXPECT_EQ(row.size(), 4U + 3U * kEach + 7U);
   const auto column = [&](const std::string& title) {
     return static_cast<std::size_t>(std::ranges::find(rows[0], title) - rows[0].begin());
   };
