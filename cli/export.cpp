@@ -276,7 +276,7 @@ void add_export(CLI::App& app, Action& action) {
   sub->add_option("--segments", arguments->beam.segments, "Divide the beam into N segments")
       ->option_text("N")
       ->group(beam);
-  const char* world = "World of mjcf, agx and chrono";
+  const char* world = "World of an engine (mjcf, agx, chrono)";
   const auto up = calibrate::up_axes();
   sub->add_option("--up", arguments->beam.up,
                   "Turn what is up in the scene (against its gravity, else y) to this axis")

@@ -210,6 +210,9 @@ std::string beam_text(const BeamRequest& request, ResultKind kind) {
   for (const std::string& note : calibrate::engine_notes(beam, format)) {
     tell("note: {}\n", note);
   }
+  if (format == calibrate::EngineFormat::Mjcf && request.damping.empty()) {
+    tell("note: --damping sets what times its stiffness damps a joint\n");
+  }
   beam.notes.insert(beam.notes.begin(), source.notes.begin(), source.notes.end());
   return calibrate::engine_text(beam, format);
 }

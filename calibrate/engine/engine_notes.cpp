@@ -166,6 +166,13 @@ std::vector<std::string> comment_lines(const EngineBeam& beam) {
   lines.emplace_back(
       "A segment: mass rho A L; inertia m L^2/12 + rho I_x L about x, with I_y about");
   lines.emplace_back("y, rho (I_x + I_y) L about z.");
+  for (std::size_t k = 0; k < 3; ++k) {
+    std::array<double, 3> own{};
+    own[k] = 1.0;
+    if (beam.scene_axes[k] == own) continue;
+    lines.push_back(fmt::format("Turned: the scene's {} is along ({}).", "xyz"[k],
+                                digits(beam.scene_axes[k], ", ")));
+  }
   for (const std::string& note : beam.notes) lines.push_back("Note: " + one_line(note));
   lines.emplace_back("Loads are not part of the beam.");
   return lines;

@@ -27,7 +27,7 @@ Vector up_of(const EngineBeam& beam) {
   if (*largest == 0.0) return {0.0, 1.0, 0.0};
   const auto along = static_cast<std::size_t>(largest - beam.gravity.begin());
   if (std::ranges::count(beam.gravity, 0.0) < 2) {
-    throw InputError({}, "up", "",
+    throw InputError({}, "--up", "",
                      "needs a scene whose gravity is along x, y or z: what is up in this one is no "
                      "axis");
   }
@@ -103,12 +103,15 @@ std::span<const std::string_view> up_axes() {
 }
 
 void put_into(const EngineWorld& world, EngineBeam& beam) {
-  check_not_negative("gravity", world.gravity);
-  check_not_negative("damping_time", world.damping_time);
+  check_not_negative("--gravity", world.gravity);
+  check_not_negative("--damping", world.damping_time);
   if (!world.up.empty()) turn_up(axis_of(world.up), beam);
   if (world.gravity) {
-    const Vector up = world.up.empty() ? up_of(beam) : axis_of(world.up);
-    for (std::size_t k = 0; k < 3; ++k) beam.gravity[k] = -*world.gravity * up[k] + 0.0;
+    const double now = std::sqrt(dot(beam.gravity, beam.gravity));
+    const Vector up = world.up.empty() ? Vector{0.0, 1.0, 0.0} : axis_of(world.up);
+    for (std::size_t k = 0; k < 3; ++k) {
+      beam.gravity[k] = (now > 0.0 ? beam.gravity[k] / now : -up[k]) * *world.gravity + 0.0;
+    }
   }
   if (world.damping_time) beam.damping_time = world.damping_time;
   beam.contacts = world.contacts;

@@ -13,7 +13,7 @@ struct EngineWorld {
   /// The axis that points up, a word of `up_axes()`; empty: the scene's axes stay. What is up in
   /// the scene is turned there: against its gravity, or y where it has none.
   std::string_view up{};
-  std::optional<double> gravity{};       ///< downwards [m/s^2]; empty: the scene's
+  std::optional<double> gravity{};  ///< where the scene's points, else down [m/s^2]; empty: that
   std::optional<double> damping_time{};  ///< of the joints [s], >= 0; empty: the scene's
   EngineContacts contacts = EngineContacts::None;
 };

@@ -20,12 +20,11 @@ constexpr std::string_view kMjcfRemarks =
     "  NAME_break_angle belong to the hinge NAME, for a controller of yours; what has no such\n"
     "  element never yields or breaks.\n"
     "  MuJoCo's Euler takes springs explicitly, stable up to a step of 2 sqrt(inertia/stiffness).\n"
-    "  armature = timestep^2 x stiffness/2 is inertia enough for the timestep, however stiff a "
-    "joint "
-    "is;\n"
-    "  it slows a motion of frequency w by (w x timestep)^2/4 at most. Change it together with "
-    "the\n"
-    "  timestep.\n"
+    "  armature = a x timestep x stiffness, with a the longer of timestep/2 and the damping time\n"
+    "  (damping/stiffness), is inertia enough for the timestep, however stiff a joint is; it slows "
+    "a\n"
+    "  motion of frequency w by w^2 x a x timestep/2 at most. Change it together with the "
+    "timestep.\n"
     "  A support off the start is a body of its own, joined to the beam as the support holds it "
     "and\n"
     "  welded to the world; as it stands still its mass does not matter.\n";
@@ -40,6 +39,13 @@ EngineAxes world_axes() { return {{{1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {0.0, 0.0, 
 /// highest frequencies; a tenth of a step calms these and leaves those that the step resolves.
 double damping_time(const EngineBeam& beam) {
   return beam.damping_time.value_or(0.1 * beam.time_step);
+}
+
+/// The armature of a joint over step times stiffness [s]. Half the step keeps springs stable; the
+/// constraint solver, which does not know that damping is implicit, needs as much inertia as that
+/// adds.
+double armature_time(const EngineBeam& beam) {
+  return std::max(0.5 * beam.time_step, damping_time(beam));
 }
 
 /// Two geometries touch where the contype of one meets the conaffinity of the other; 1 and 1 are
@@ -135,7 +141,7 @@ class MjcfWriter {
           "armature=\"{}\"/>\n",
           indent, hinge_name(joint, k), of_vector(seen_from(axes, joint.axes[k])),
           joint.stiffness[k], damping_time(beam_) * joint.stiffness[k],
-          0.5 * beam_.time_step * beam_.time_step * joint.stiffness[k]);
+          armature_time(beam_) * beam_.time_step * joint.stiffness[k]);
     }
     if (joint.off_start) add_slides(joint, axes, indent);
   }
@@ -198,9 +204,9 @@ std::string mjcf_step_note(const EngineBeam& beam) {
           : fmt::format("{:.3g} s times its stiffness, a tenth of the step, which is numerical",
                         damping_time(beam));
   return fmt::format(
-      "the step is {:.3g} s, the scene's; each joint's armature, step^2 times its stiffness over "
-      "2, keeps it stable. The damping of a joint is {}; --damping sets the time",
-      beam.time_step, damping);
+      "the step is {:.3g} s, the scene's; each joint's armature, {:.3g} s times the step and its "
+      "stiffness, keeps it stable. The damping of a joint is {}",
+      beam.time_step, armature_time(beam), damping);
 }
 
 std::string mjcf_text(const EngineBeam& beam) { return MjcfWriter(beam).write(); }

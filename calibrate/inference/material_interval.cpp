@@ -23,11 +23,6 @@ double variance_inflation(double autocorrelation, double samples, int parameters
 void set_material_interval(double confidence, std::span<const double> halves,
                            const SegmentsError& segments, FittedParameter& p) {
   if (std::isnan(p.noise_error)) return;
-  // What segments do to it is more than all of it: nothing is known of the material's.
-  if (segments.extrapolated_error > std::abs(segments.extrapolated)) {
-    p.standard_error = p.interval_low = p.interval_high = FittedParameter::kNone;
-    return;
-  }
   const double scale = p.model_error();
   std::vector<double> all(halves.begin(), halves.end());
   double centre = p.value;
@@ -41,6 +36,11 @@ void set_material_interval(double confidence, std::span<const double> halves,
   const double reach = theory::half_interval(confidence, scale, p.degrees_of_freedom, all);
   p.interval_low = centre - reach;
   p.interval_high = centre + reach;
+  // What segments leave open holds all that was searched: nothing is known of the material's.
+  const double half = segments.extrapolated_error;
+  if (p.upper > p.lower && centre - half <= p.lower && centre + half >= p.upper) {
+    p.standard_error = p.interval_low = p.interval_high = FittedParameter::kNone;
+  }
 }
 
 bool is_of_material(const FittedParameter& p, const SegmentsError& segments) {

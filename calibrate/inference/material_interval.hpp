@@ -26,8 +26,8 @@ double variance_inflation(double autocorrelation, double samples, int parameters
 /// With segments the interval lies about what the fits lead to, f_0 +- F_s |f_0 - f(2N)|, and not
 /// about the value, which is that of a beam with N segments; the standard error holds the distance
 /// of both, F_s |f_0 - f(N)|/sqrt(3), and is that of the value.
-/// Where what the segments leave open, F_s |f_0 - f(2N)|, is more than |f_0| itself, as of values
-/// that diverge, there is no error and no interval (NaN).
+/// Where what the segments leave open, f_0 +- F_s |f_0 - f(2N)|, holds all that lies within the
+/// parameter's bounds, as of values that diverge, there is no error and no interval (NaN).
 /// @param halves    half the intervals of breaks between samples [SI]
 /// @param segments  what they do to the parameter; unknown, or of coupons, nothing
 /// @param p         its errors by source and its degrees_of_freedom are set

@@ -68,6 +68,9 @@ Judgement judge(const Evidence& e) {
     return {e.segments > e.half ? Verdict::LimitedBySegments : Verdict::LimitedBySampling,
             widest / size};
   }
+  if (std::isnan(e.standard_error)) {
+    return {Verdict::NotIdentified, std::numeric_limits<double>::infinity()};
+  }
   const double fraction = e.standard_error / size;
   return {fraction > kWeak ? Verdict::Weak : Verdict::Identified, fraction};
 }

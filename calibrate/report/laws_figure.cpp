@@ -73,7 +73,9 @@ void add_panels(const Shown& shown, const std::vector<LawCurve>& laws, Figure& f
     how.stroke = Stroke::Line;
     how.dashes = static_cast<int>(k);  // laws that come to the same lie over each other
     std::vector<double> off;
-    for (std::size_t i = 0; i < std::min(shown.y.size(), laws[k].y.size()); ++i) {
+    const std::size_t samples = std::min(shown.y.size(), laws[k].y.size());
+    off.reserve(samples);
+    for (std::size_t i = 0; i < samples; ++i) {
       off.push_back(shown.y[i] - laws[k].y[i]);
     }
     below.curves.push_back(curve(shown.x, off, how));

@@ -26,7 +26,8 @@ std::optional<std::size_t> index_of(const SceneFitResult& result, const std::str
 }
 
 bool is_determined(const FittedParameter& p) {
-  return !p.at_bound() && std::isfinite(p.value) && std::isfinite(p.scatter_error());
+  return !p.at_bound() && std::isfinite(p.value) && std::isfinite(p.scatter_error()) &&
+         std::isfinite(p.standard_error);
 }
 
 /// The fits of a population: each parameter's value and error, each pair's correlation.

@@ -53,6 +53,10 @@ bool add_references(const SweepRecord& record, const std::vector<std::size_t>& s
       series.points.push_back({record.results[i].time[s], reference[s] / scale});
     }
     series.points = report::thinned(series.points);
+    const auto is_same = [&](const ChartSeries& other) {
+      return other.look.dashed && other.points == series.points;
+    };
+    if (std::any_of(chart.series.begin(), chart.series.end(), is_same)) continue;
     chart.series.push_back(std::move(series));
     is_first = false;
   }

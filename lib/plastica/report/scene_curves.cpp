@@ -22,7 +22,8 @@ double largest(const std::vector<double>& values, std::size_t first, std::size_t
   return most;
 }
 
-/// Strain and stress of a joint over the path, about the axis of its largest strain.
+/// Strain and stress of a joint over the path, about the axis about which it broke, else that of
+/// its largest strain.
 struct JointPath {
   std::size_t joint = 0;
   std::size_t axis = 0;
@@ -40,15 +41,29 @@ double strain_at(const io::SceneRecord& record, std::size_t frame, std::size_t j
 /// A joint that broke, and was not cut by the scene.
 struct Broken {
   std::size_t joint = 0;
-  double time = 0.0;  ///< [s]
+  std::optional<std::size_t> axis;  ///< about which it broke, if about one
+  double time = 0.0;                ///< [s]
 };
+
+/// About which axis of a joint a cause acts, if about one.
+std::optional<std::size_t> axis_of(BreakCause cause) {
+  switch (cause) {
+    case BreakCause::BendingX: return 0;
+    case BreakCause::BendingY: return 1;
+    case BreakCause::Torsion: return 2;
+    case BreakCause::Biaxial:
+    case BreakCause::Stretch:
+    case BreakCause::Cut: break;
+  }
+  return std::nullopt;
+}
 
 /// The first that broke; of a joint, whether it did.
 std::optional<Broken> first_broken(const io::SceneRecord& record, std::optional<int> wanted) {
   for (const ChainBreak& event : record.response.chain.events) {
     for (const BrokenJoint& broken : event.joints) {
       if (broken.cause == BreakCause::Cut || (wanted && broken.joint != *wanted)) continue;
-      return Broken{static_cast<std::size_t>(broken.joint), event.time};
+      return Broken{static_cast<std::size_t>(broken.joint), axis_of(broken.cause), event.time};
     }
   }
   return std::nullopt;
@@ -68,6 +83,7 @@ JointPath joint_path(const io::SceneRecord& record, std::optional<int> wanted) {
   for (std::size_t joint = 0; joint < chain.joints; ++joint) {
     if (wanted && joint != static_cast<std::size_t>(*wanted)) continue;
     for (std::size_t axis = 0; axis < 3; ++axis) {
+      if (broken && broken->axis && axis != *broken->axis) continue;
       for (std::size_t frame = 0; frame < frames; ++frame) {
         const double size = std::fabs(strain_at(record, frame, joint, axis));
         if (!(size > most)) continue;
@@ -120,7 +136,9 @@ std::string title_of(std::span<const io::SceneRecord> records) {
   std::string title;
   for (const io::SceneRecord& record : records) {
     const std::string name = printable(record.setup.scene.name);
-    if (title.find(name) == title.npos) title += (title.empty() ? "" : ", ") + name;
+    if (title.find(name) != title.npos) continue;
+    if (!title.empty()) title += ", ";
+    title += name;
   }
   return cut(title, 90);
 }
@@ -220,10 +238,12 @@ Figure joint_figure(std::span<const io::SceneRecord> records, std::optional<int>
         panel.x_label = "shear strain [%]";
         panel.y_label = "shear stress [MPa]";
       }
-      if (records.size() == 1) curve.name = fmt::format("joint {}", path.joint);
+      const std::string shown = fmt::format("joint {}", path.joint);
+      curve.name = records.size() == 1 ? shown : curve.name + ", " + shown;
     }
     panel.curves.push_back(std::move(curve));
   }
+  if (records.size() > 1) panel.title.clear();
   figure.panels.push_back(std::move(panel));
   return figure;
 }

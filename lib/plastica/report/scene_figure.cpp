@@ -142,7 +142,8 @@ std::string frame_of(const FigurePanel& panel) {
 }  // namespace
 
 std::string dash_type(int dashes) {
-  return dashes == 0 ? std::string() : fmt::format(" dashtype (9,{})", 9 * dashes);
+  // Three patterns; colours tell apart what has the same.
+  return dashes == 0 ? std::string() : fmt::format(" dashtype (9,{})", 9 * (1 + (dashes - 1) % 3));
 }
 
 FigureCurve curve_of_record(std::size_t number, std::size_t count, const std::string& name) {

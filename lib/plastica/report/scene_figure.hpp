@@ -22,7 +22,8 @@ struct FigureCurve {
   std::string_view color = kBlue;
   Stroke stroke = Stroke::Line;
   int symbol = 7;  ///< gnuplot's number of the point type of Symbols and Points
-  /// Of a Line: 0 whole, else with ever longer gaps, through which those behind it are seen.
+  /// Of a Line: 0 whole, else with gaps, through which those behind it are seen: each number with
+  /// others than the one before.
   int dashes = 0;
 };
 

@@ -44,20 +44,31 @@ TEST(MaterialInterval, LiesAboutWhatTheSegmentsLeadTo) {
   EXPECT_NEAR(p.standard_error, 1.25 * 4.0 / std::sqrt(3.0), 1e-9);
 }
 
-TEST(MaterialInterval, IsNoneWhereSegmentsLeaveNothingKnown) {
+TEST(MaterialInterval, IsNoneWhereSegmentsLeaveOpenAllThatWasSearched) {
   FittedParameter p = parameter(1.0);
-  // Three times a spread of 40 is more than 90.
   const SegmentsError diverging = segments_error(110.0, 100.0, 70.0, 2.0);
   ASSERT_EQ(diverging.trend, SegmentsTrend::Diverges);
+  p.lower = 10.0;  // 70 +- 3 * 40 holds 10 ... 180
+  p.upper = 180.0;
   set_material_interval(0.95, {}, diverging, p);
   EXPECT_TRUE(std::isnan(p.standard_error));
   EXPECT_TRUE(std::isnan(p.interval_low) && std::isnan(p.interval_high));
   EXPECT_FALSE(is_of_material(p, diverging));
-  // Three times a spread of 20 is less than 87.
-  const SegmentsError wide = segments_error(107.0, 100.0, 87.0, 2.0);
-  ASSERT_EQ(wide.trend, SegmentsTrend::Diverges);
-  set_material_interval(0.95, {}, wide, p);
-  EXPECT_NEAR(p.interval_low, 87.0 - 0.95 * 60.0, 0.1);  // 95 % of an even distribution
+  p.upper = 500.0;
+  set_material_interval(0.95, {}, diverging, p);
+  EXPECT_NEAR(p.interval_high, 70.0 + 0.95 * 120.0, 0.1);  // 95 % of an even distribution
+}
+
+/// A number near 0 is known as well as any other.
+TEST(MaterialInterval, OfANumberNearZeroIsThere) {
+  FittedParameter p = parameter(1.7e6);
+  p.value = -2.1e6;
+  p.lower = -300e6;
+  p.upper = 300e6;
+  set_material_interval(0.95, {}, segments_error(-3.4e6, -2.1e6, -0.15e6, 2.0), p);
+  EXPECT_LT(p.interval_low, 0.0);
+  EXPECT_GT(p.interval_high, 0.0);
+  EXPECT_GT(p.standard_error, 1.7e6);
 }
 
 TEST(MaterialInterval, OfOlderFilesIsKnownByItsPlace) {

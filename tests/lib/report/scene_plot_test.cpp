@@ -74,6 +74,13 @@ TEST(ScenePlot, ShowsTheJointThatBrokeUpToItsBreak) {
   EXPECT_EQ(figure.panels[0].title,
             "joint 2 at 0.5 of the length, broken: bending about x, extreme fibre");
   EXPECT_EQ(figure.panels[0].curves[0].points.size(), 3U);
+  // About the axis of the cause, not that of the largest strain.
+  chain.events[1].joints[0].cause = BreakCause::Torsion;
+  EXPECT_EQ(joint_figure(std::vector{record}, {}).panels[0].title,
+            "joint 2 at 0.5 of the length, broken: torsion");
+  const Figure both = joint_figure(std::vector{record, record_of(cantilever_text())}, {});
+  EXPECT_EQ(both.panels[0].title, "");
+  EXPECT_EQ(both.panels[0].curves[1].name, "4 segments, joint 0");
   const Figure other = joint_figure(std::vector{record}, 3);
   EXPECT_GT(other.panels[0].curves[0].points.size(), 3U);
 }

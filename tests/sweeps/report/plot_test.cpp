@@ -159,14 +159,15 @@ TEST(CurveChart, NamesCurvesByWhatTheyDifferIn) {
 
 TEST(CurveChart, DrawsTheReferenceThatItsTitleNames) {
   const auto chart_of = [](const std::string& against) {
-    return curve_chart(every_case(record_of("[set]\nsolver.steps = 2\n" + segments_axis("[2, 3]") +
-                                            "[error]\nprobe = 'tip'\ntake = 'curve'\n" + against)));
+    return curve_chart(
+        every_case(record_of("[set]\nsolver.steps = 2\n" + segments_axis("[2, 3, 4]") +
+                             "[error]\nprobe = 'tip'\ntake = 'curve'\n" + against)));
   };
   const Chart chart = chart_of("against = 'finest'\n");
   EXPECT_EQ(chart.subtitle, "tip, curve against finest");
-  ASSERT_EQ(chart.series.size(), 3U);
-  EXPECT_EQ(chart.series[2].name, "reference");
-  EXPECT_EQ(chart.series[2].points, chart.series[1].points);
+  ASSERT_EQ(chart.series.size(), 4U) << "one reference of two cases";
+  EXPECT_EQ(chart.series[3].name, "reference");
+  EXPECT_EQ(chart.series[3].points, chart.series[2].points);
   EXPECT_NE(chart.series[0].look.dashes, chart.series[1].look.dashes);
   EXPECT_EQ(chart_of("").subtitle, "tip, curve");
 }
