@@ -156,14 +156,20 @@ BeamSource simulated_beam(const BeamRequest& request) {
   return source;
 }
 
+/// Whether a format has a world with an up axis and gravity.
+bool has_world(calibrate::EngineFormat format) {
+  using enum calibrate::EngineFormat;
+  return format == Mjcf || format == Agx || format == Chrono;
+}
+
 /// The world that the options ask for.
 /// @throws InputError for what the format has not
 calibrate::EngineWorld world_of(const BeamRequest& request, calibrate::EngineFormat format) {
   using enum calibrate::EngineFormat;
-  const bool has_world = format == Mjcf || format == Agx || format == Chrono;
+  const bool in_world = has_world(format);
   constexpr std::string_view kWithWorld = "goes with --to mjcf, agx or chrono";
-  refuse_option(!request.up.empty() && !has_world, "--up", kWithWorld);
-  refuse_option(!request.gravity.empty() && !has_world, "--gravity", kWithWorld);
+  refuse_option(!request.up.empty() && !in_world, "--up", kWithWorld);
+  refuse_option(!request.gravity.empty() && !in_world, "--gravity", kWithWorld);
   constexpr std::string_view kWithMjcf = "goes with --to mjcf";
   refuse_option(!request.damping.empty() && format != Mjcf, "--damping", kWithMjcf);
   refuse_option(!request.contacts.empty() && format != Mjcf, "--contacts", kWithMjcf);
@@ -209,6 +215,9 @@ std::string beam_text(const BeamRequest& request, ResultKind kind) {
   calibrate::put_into(world, beam);
   for (const std::string& note : calibrate::engine_notes(beam, format)) {
     tell("note: {}\n", note);
+  }
+  if (has_world(format) && beam.gravity == std::array<double, 3>{}) {
+    tell("note: no gravity, as in the scene; --gravity sets it\n");
   }
   if (format == calibrate::EngineFormat::Mjcf && request.damping.empty()) {
     tell("note: --damping sets what times its stiffness damps a joint\n");

@@ -236,6 +236,21 @@ void add_comparison(const Records<Record>& records, const LawComparison& compari
   }
 }
 
+/// Why laws of a target were not fitted, an entry each.
+/// @param name  of the target, before the law; empty: it is said already
+template <typename Record>
+std::string failures_of(const Records<Record>& records, const std::string& name) {
+  std::string text;
+  for (const Record* record : records) {
+    const auto& result = record->result;
+    if (result.status != FitStatus::Failed) continue;
+    std::string failure = name.empty() ? "" : printable(name) + ", ";
+    failure += fmt::format("{}: {}", calibrate::name_of(result.law), printable(result.reason));
+    text += law_entry("failed", failure);
+  }
+  return text;
+}
+
 template <typename Record>
 std::string target_text(const Records<Record>& records, const Ink& ink) {
   const LawComparison comparison = compare_laws(records);
@@ -250,7 +265,7 @@ std::string target_text(const Records<Record>& records, const Ink& ink) {
   std::string text =
       ink.heading(fmt::format("Laws for {}, by {}\n", printable(target_name(*records.front())),
                               calibrate::name_of(comparison.ranked_by))) +
-      table.text(2, kWidth);
+      table.text(2, kWidth) + failures_of(sorted, "");
   if (!comparison.advised) return text;
   text += law_entry(
       "samples",
@@ -298,7 +313,11 @@ std::string targets_text(const std::vector<Records<Record>>& targets, const Repo
   if (shown < targets.size()) {
     table.add_line(fmt::format("… {} left out …", counted(targets.size() - shown, "specimen")));
   }
-  return ink.heading("Misfit by law\n") + table.text(2, kWidth);
+  std::string failures;
+  for (std::size_t t = 0; t < shown; ++t) {
+    failures += failures_of(targets[t], target_name(*targets[t].front()));
+  }
+  return ink.heading("Misfit by law\n") + table.text(2, kWidth) + failures;
 }
 
 template <typename Record>

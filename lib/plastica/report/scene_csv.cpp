@@ -55,6 +55,7 @@ void write_joints_csv(std::ostream& out, const io::SceneRecord& record,
          "angle z [rad],plastic angle x [rad],plastic angle y [rad],plastic angle z [rad],"
          "plastic strain [1],bending stress [Pa]\n";
   if (frames_of(record) == 0) return;
+  check_time(record, "--time", time);
   const std::size_t frame = frame_at(record, time);
   for (std::size_t i = 0; i < chain.joints; ++i) {
     const std::size_t at = frame * chain.joints + i;

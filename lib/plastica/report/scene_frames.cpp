@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "plastica/base/check.hpp"
 #include "plastica/report/format.hpp"
 
 namespace plastica::report {
@@ -18,6 +19,19 @@ std::size_t frame_at(const io::SceneRecord& record, std::optional<double> time) 
     if (distance < std::fabs(time_of_frame(record, nearest) - *time)) nearest = f;
   }
   return nearest;
+}
+
+void check_time(const io::SceneRecord& record, std::string_view option,
+                const std::optional<double>& time) {
+  const std::size_t frames = frames_of(record);
+  if (!time || frames == 0) return;
+  const double first = time_of_frame(record, 0);
+  const double last = time_of_frame(record, frames - 1);
+  const double room = 1e-9 * std::fabs(last);  // what is typed has fewer digits
+  if (*time >= first - room && *time <= last + room) return;
+  throw InputError({}, option, brief(*time) + " s",
+                   fmt::format("must be within the times that are kept, {} to {}",
+                               time_text(first, last), time_text(last, last)));
 }
 
 std::vector<std::size_t> even_frames(const io::SceneRecord& record, std::size_t count, double from,

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "plastica/io/scene_store.hpp"
@@ -24,6 +25,12 @@ inline bool keeps_all_frames(const io::SceneRecord& record) {
 /// The frame next to a time, of two the earlier one; without a time the last one.
 /// @param record  with at least one frame
 std::size_t frame_at(const io::SceneRecord& record, std::optional<double> time = {});
+
+/// Refuses a time that is not within those of the frames.
+/// @param option  by which the user gave it: "--time"
+/// @throws InputError
+void check_time(const io::SceneRecord& record, std::string_view option,
+                const std::optional<double>& time);
 
 /// Frames at even times from one to another, each once: as many as there are if those are fewer.
 /// @param count  >= 1

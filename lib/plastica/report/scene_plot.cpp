@@ -83,6 +83,11 @@ PlotScript make(std::span<const io::SceneRecord> records, const ScenePlotRequest
     throw InputError({}, "--what", what, "must be one of " + names_of(record) + " for this file");
   }
   check_options(request, what);
+  for (const io::SceneRecord& record : records) {
+    check_time(record, "--time", request.time);
+    check_time(record, "--from", request.film_from);
+    check_time(record, "--to", request.film_to);
+  }
   if (records.size() > 1 && (what == "shape" || what == "film" || what == "energy")) {
     throw InputError({}, "--what", what, "is drawn of one file at a time");
   }

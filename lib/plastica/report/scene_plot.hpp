@@ -26,8 +26,9 @@ std::vector<ScenePlotKind> scene_plot_kinds_of(const io::SceneRecord& record);
 
 /// Which picture, of what, and where to.
 struct ScenePlotRequest {
-  std::string what = {};          ///< name of a kind; empty: the first that the file has
-  std::optional<int> joint = {};  ///< of the picture "joint"; empty: that of the largest strain
+  std::string what = {};  ///< name of a kind; empty: the first that the file has
+  std::optional<int> joint =
+      {};  ///< of "joint"; empty: that which broke, else of the largest strain
   /// Of the pictures "load", "history" and "spectrum"; empty: the first displacement.
   std::string probe = {};
   std::string output = {};  ///< as for `draw_picture`

@@ -45,6 +45,20 @@ TEST(LawChoice, GoesOnWithoutALawThatFailed) {
   EXPECT_EQ(records.front().result.law, Law::Voce);
 }
 
+TEST(LawChoice, SaysWhyALawFailed) {
+  const std::vector<FitRecord> records{failure_of(Law::Ideal), fit_of(Law::Linear, 9e6)};
+  const std::string text = laws_report(std::span<const FitRecord>(records));
+  EXPECT_NE(text.find("ideal: no curve"), std::string::npos) << text;
+  // So do tables of many specimens.
+  std::vector<FitRecord> many;
+  for (int i = 0; i < 9; ++i) {
+    many.push_back(failure_of(Law::Ideal, "s" + std::to_string(i)));
+    many.push_back(fit_of(Law::Linear, 9e6, "s" + std::to_string(i)));
+  }
+  const std::string all = laws_report(std::span<const FitRecord>(many));
+  EXPECT_NE(all.find("s8, ideal: no curve"), std::string::npos) << all;
+}
+
 TEST(LawChoice, HoldsResidualsAgainstAStatedNoise) {
   std::vector<FitRecord> records{fit_of(Law::Ideal, 2e6), fit_of(Law::Linear, 1e6)};
   std::vector<FittedParameter>& parameters = records[1].result.parameters;

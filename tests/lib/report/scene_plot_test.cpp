@@ -60,6 +60,21 @@ TEST(ScenePlot, ShowsTheJointOfTheLargestStrainOrTheOneAskedFor) {
   EXPECT_TRUE(has(script_of({record}, {"joint", 2, {}, {}}), "joint 2 at 0.5 of the length"));
 }
 
+TEST(ScenePlot, RefusesATimeThatIsNotThere) {
+  const io::SceneRecord record = record_of(cantilever_text());
+  const double last = record.response.chain.time.back();
+  for (const double time : {-5.0, last + 50.0}) {
+    ScenePlotRequest request{"shape", {}, {}, {}};
+    request.time = time;
+    const std::string message = message_of([&] { script_of({record}, request); });
+    EXPECT_TRUE(has(message, "--time = ") && has(message, "must be within the times that are kept"))
+        << message;
+  }
+  ScenePlotRequest request{"shape", {}, {}, {}};
+  request.time = last;
+  EXPECT_NO_THROW(script_of({record}, request));
+}
+
 TEST(ScenePlot, ShowsTheJointThatBrokeUpToItsBreak) {
   io::SceneRecord record = record_of(cantilever_text());
   ChainHistory& chain = record.response.chain;
