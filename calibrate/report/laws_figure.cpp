@@ -94,6 +94,7 @@ std::string law_text(Law law, double misfit_fraction) {
 
 std::vector<double> in_units(const std::vector<double>& values, double scale) {
   std::vector<double> shown;
+  shown.reserve(values.size());
   for (const double value : values) shown.push_back(value / scale);
   return shown;
 }

@@ -126,7 +126,7 @@ std::vector<std::string> labels_of(std::span<const io::SceneRecord> records) {
     if (count == records.size()) {
       labels.push_back(segments);
     } else {
-      labels.push_back(count == 1 ? name : name + ", " + segments);
+      labels.push_back(count == 1 ? name : fmt::format("{}, {}", name, segments));
     }
   }
   return labels;
