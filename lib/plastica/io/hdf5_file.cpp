@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <stdexcept>
 #include <utility>
 
@@ -130,6 +131,18 @@ hid_t new_text_type() {
   H5Tset_size(type, H5T_VARIABLE);
   H5Tset_cset(type, H5T_CSET_UTF8);
   return type;
+}
+
+hid_t new_transfer(std::size_t count, hid_t type) {
+  constexpr std::size_t kDefaultBytes = std::size_t{1} << 20U;
+  // In the file a text of variable length is its length, an address of 8 bytes and an index: more
+  // than any number takes.
+  constexpr std::size_t kStoredTextBytes = 16;
+  const std::size_t bytes = std::max(H5Tget_size(type), kStoredTextBytes);
+  const hid_t transfer = H5Pcreate(H5P_DATASET_XFER);
+  if (count > 0 && count < kDefaultBytes / bytes)
+    H5Pset_buffer(transfer, count * bytes, nullptr, nullptr);
+  return transfer;
 }
 
 }  // namespace h5

@@ -3,6 +3,7 @@
 // The HDF5 C API is included by the sources of this folder only.
 #include <hdf5.h>
 
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <type_traits>
@@ -27,5 +28,12 @@ std::string innermost_error();
 
 /// A string type of variable length, UTF-8; owned by the caller.
 hid_t new_text_type();
+
+/// How elements are transferred. Those whose type in memory is not that of the file, as of all
+/// texts, HDF5 converts in two buffers of 1 MiB, which it sets to zero for each dataset however
+/// small; these hold what there is to convert, at most 1 MiB.
+/// @param count  elements of `type`, the one in memory
+/// @return a property list, owned by the caller
+hid_t new_transfer(std::size_t count, hid_t type);
 
 }  // namespace plastica::io::h5

@@ -181,8 +181,10 @@ std::vector<T> Hdf5Group::read_array(std::string_view path,
   require_shape(path, shape);
   const Hdf5Handle space(H5Dget_space(dataset.get()));
   std::vector<T> values(count_of(space));
-  if (!values.empty() && H5Dread(dataset.get(), h5::memory_type<T>(), H5S_ALL, H5S_ALL, H5P_DEFAULT,
-                                 values.data()) < 0) {
+  if (values.empty()) return values;
+  const hid_t memory = h5::memory_type<T>();
+  const Hdf5Handle transfer(h5::new_transfer(values.size(), memory));
+  if (H5Dread(dataset.get(), memory, H5S_ALL, H5S_ALL, transfer.get(), values.data()) < 0) {
     fail_to_read(path);
   }
   return values;
@@ -220,7 +222,8 @@ std::vector<std::string> Hdf5Group::read_text_array(std::string_view path,
   const Hdf5Handle space(H5Dget_space(dataset.get()));
   std::vector<std::string> texts;
   const auto read = [&](hid_t memory, void* out) {
-    return H5Dread(dataset.get(), memory, H5S_ALL, H5S_ALL, H5P_DEFAULT, out) >= 0;
+    const Hdf5Handle transfer(h5::new_transfer(count_of(space), memory));
+    return H5Dread(dataset.get(), memory, H5S_ALL, H5S_ALL, transfer.get(), out) >= 0;
   };
   if (!read_strings(type, space, read, texts)) fail_to_read(path);
   return texts;

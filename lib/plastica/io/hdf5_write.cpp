@@ -89,8 +89,11 @@ void Hdf5Group::write_raw(std::string_view path, std::int64_t type, const void* 
   const Hdf5Handle dataset(H5Dcreate2(handle_.get(), full.c_str(), type, space.get(), H5P_DEFAULT,
                                       creation.get(), H5P_DEFAULT));
   if (dataset.get() < 0) fail("create", full);
-  if (count > 0 && H5Dwrite(dataset.get(), type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values) < 0) {
-    fail("write", full);
+  if (count > 0) {
+    const Hdf5Handle transfer(h5::new_transfer(count, type));
+    if (H5Dwrite(dataset.get(), type, H5S_ALL, H5S_ALL, transfer.get(), values) < 0) {
+      fail("write", full);
+    }
   }
   if (!options.units.empty()) set_attribute(full, "units", options.units);
 }
