@@ -6,11 +6,15 @@
 
 #include "calibrate/target/make.hpp"
 #include "tests/calibrate/target/curves.hpp"
+#include "tests/support/sanitized.hpp"
 
 namespace plastica::calibrate {
 namespace {
 
 using plastica::testing::IdealPlastic;
+
+/// Random tests of each kind.
+constexpr unsigned kTests = plastica::testing::kSanitized ? 50 : 500;
 
 /// The k-th random test: properties log-uniform over the ranges that the automatic rules promise.
 IdealPlastic random_test(unsigned k, double noise) {
@@ -47,7 +51,7 @@ void expect_undisturbed(const IdealPlastic& test, unsigned k) {
 }
 
 TEST(IdealPlasticCurve, PassesEveryAutomaticRuleUndisturbed) {
-  for (unsigned k = 0; k < 500; ++k) {
+  for (unsigned k = 0; k < kTests; ++k) {
     const IdealPlastic test = random_test(k, 0.0);
     expect_undisturbed(test, k);
     const Characteristics c =
@@ -64,7 +68,7 @@ TEST(IdealPlasticCurve, PassesEveryAutomaticRuleUndisturbed) {
 }
 
 TEST(IdealPlasticCurve, WithOnePercentNoisePassesEveryAutomaticRuleUndisturbed) {
-  for (unsigned k = 0; k < 500; ++k) {
+  for (unsigned k = 0; k < kTests; ++k) {
     const IdealPlastic test = random_test(k, 0.01);
     expect_undisturbed(test, k);
     const Characteristics c =
