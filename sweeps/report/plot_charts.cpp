@@ -10,7 +10,7 @@
 #include "plastica/base/check.hpp"
 #include "plastica/report/format.hpp"
 #include "plastica/theory/convergence.hpp"
-#include "sweeps/plan/derived_fields.hpp"
+#include "sweeps/plan/refining.hpp"
 #include "sweeps/report/case_rows.hpp"
 #include "sweeps/report/spread.hpp"
 #include "sweeps/trade/setting.hpp"
