@@ -17,6 +17,14 @@ bool is_refined_by_any(const Sweep& sweep, std::initializer_list<std::string_vie
   });
 }
 
+/// Whether an axis has a word among its values.
+bool takes(const Sweep& sweep, std::string_view word) {
+  return std::any_of(sweep.axes.begin(), sweep.axes.end(), [&](const Axis& axis) {
+    return std::find(axis.values.begin(), axis.values.end(), FieldValue(std::string(word))) !=
+           axis.values.end();
+  });
+}
+
 /// Fields that matter to the scene and that no axis refines.
 std::vector<std::string_view> not_refined(const Sweep& sweep, const Setup& setup) {
   std::vector<std::string_view> fields;
@@ -30,8 +38,9 @@ std::vector<std::string_view> not_refined(const Sweep& sweep, const Setup& setup
   if (in_motion && !is_refined_by_any(sweep, {"solver.time_step", "solver.step_error"})) {
     fields.emplace_back("solver.time_step");
   }
-  if (!scene.is_coupon() && scene.yield_model == YieldModel::Fibre &&
-      kind != QuantityKind::NaturalFrequency && !is_refined_by_any(sweep, {"solver.fibres"})) {
+  const bool fibres = scene.yield_model == YieldModel::Fibre || takes(sweep, "fibre");
+  if (!scene.is_coupon() && fibres && kind != QuantityKind::NaturalFrequency &&
+      !is_refined_by_any(sweep, {"solver.fibres"})) {
     fields.emplace_back("solver.fibres");
   }
   return fields;
@@ -68,7 +77,8 @@ std::string paths_of(const Sweep& sweep, const std::vector<std::size_t>& axes) {
   return all;
 }
 
-void add_error_notes(const Sweep& sweep, const ReferenceSets& sets, Comparison& comparison) {
+void add_error_notes(const Sweep& sweep, const CaseTable& cases, const ReferenceSets& sets,
+                     Comparison& comparison) {
   std::set<std::string> refined;
   for (const ReferenceSet& set : sets.sets) {
     std::vector<std::size_t> axes = set.numbers;
@@ -91,7 +101,7 @@ void add_error_notes(const Sweep& sweep, const ReferenceSets& sets, Comparison& 
   }
   for (const std::string& lacks : lacking) {
     comparison.notes.push_back(error_alone(sweep.axes[*sweep.refined].field->path, lacks) +
-                               ": no case is the finest in all");
+                               ": no case is finer than the others in all");
   }
   double off = 0.0;
   for (const auto& error : comparison.reference_error) off = std::max(off, error.value_or(0.0));
@@ -99,10 +109,11 @@ void add_error_notes(const Sweep& sweep, const ReferenceSets& sets, Comparison& 
     comparison.notes.push_back(fmt::format(
         "the reference itself is off by about {:.2g} % (grid convergence index)", 100.0 * off));
   }
-  for (const std::string_view path : not_refined(sweep, sweep.setup)) {
+  const Setup setup = cases.setup(0);
+  for (const std::string_view path : not_refined(sweep, setup)) {
     const Field& field = *find_field_or_null(path);
     comparison.notes.push_back(fmt::format("the error of {} is not in it: it is not refined ({})",
-                                           path, value_text(field, field.get(sweep.setup))));
+                                           path, value_text(field, field.get(setup))));
   }
 }
 

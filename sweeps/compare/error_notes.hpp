@@ -14,6 +14,7 @@ std::string paths_of(const Sweep& sweep, const std::vector<std::size_t>& axes);
 
 /// Adds to `Comparison::notes`: which axes the reference is refined in; which values have a
 /// reference each; what is not in the errors, axes that lack and fields that no axis refines.
-void add_error_notes(const Sweep& sweep, const ReferenceSets& sets, Comparison& comparison);
+void add_error_notes(const Sweep& sweep, const CaseTable& cases, const ReferenceSets& sets,
+                     Comparison& comparison);
 
 }  // namespace plastica::sweeps

@@ -20,7 +20,8 @@ struct Limit {
 
 /// Fits f = f_0 + sum over axes of a_k (h_k/H_k)^p_k, H_k the finest size, by least squares; values
 /// count the less the coarser they are. The orders are searched within 0.3 … 6 (variable
-/// projection); an axis that moves no value by more than rounding has none and is left out.
+/// projection); an axis that moves no value by more than rounding is left out (constant
+/// and order 0).
 /// The uncertainty is three standard errors of f_0 of the fit linearized in all its numbers, or the
 /// change of f_0 without the coarsest sizes, whichever is more.
 /// @param sizes  h of each value along each axis (n x n_axes), > 0

@@ -178,16 +178,56 @@ std::pair<std::vector<double>, std::vector<double>> without_coarsest(
   return kept;
 }
 
-}  // namespace
+/// Whether values that differ in an axis alone are one, but for rounding.
+bool moves_nothing(std::span<const double> sizes, std::size_t axes, std::size_t axis,
+                   std::span<const double> values) {
+  constexpr double kRounding = 1e-13;
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    for (std::size_t j = 0; j < i; ++j) {
+      bool alone = true;
+      for (std::size_t k = 0; k < axes; ++k) {
+        alone = alone && (k == axis || same_size(sizes[i * axes + k], sizes[j * axes + k]));
+      }
+      const double room = kRounding * std::max(std::abs(values[i]), std::abs(values[j]));
+      if (alone && std::abs(values[i] - values[j]) > room) return false;
+    }
+  }
+  return true;
+}
 
-std::optional<Limit> fit_limit(std::span<const double> sizes, std::size_t axes,
-                               std::span<const double> values) {
+std::optional<Limit> fit_finest(std::span<const double> sizes, std::size_t axes,
+                                std::span<const double> values) {
   const auto all = fit_all(sizes, axes, values);
   const auto [fine_sizes, fine_values] = without_coarsest(sizes, axes, values);
   auto fine = fit_all(fine_sizes, axes, fine_values);
   if (!fine) return all;
   if (all) fine->uncertainty = std::max(fine->uncertainty, std::abs(fine->value - all->value));
   return fine;
+}
+
+}  // namespace
+
+std::optional<Limit> fit_limit(std::span<const double> sizes, std::size_t axes,
+                               std::span<const double> values) {
+  std::vector<std::size_t> moving;
+  for (std::size_t k = 0; k < axes; ++k) {
+    if (!moves_nothing(sizes, axes, k, values)) moving.push_back(k);
+  }
+  if (moving.empty() && !values.empty()) {
+    return Limit{values.front(), 0.0, std::vector<double>(axes), std::vector<double>(axes)};
+  }
+  std::vector<double> kept;
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    for (const std::size_t k : moving) kept.push_back(sizes[i * axes + k]);
+  }
+  auto limit = fit_finest(kept, moving.size(), values);
+  if (!limit) return std::nullopt;
+  Limit out{limit->value, limit->uncertainty, std::vector<double>(axes), std::vector<double>(axes)};
+  for (std::size_t m = 0; m < moving.size(); ++m) {
+    out.constant[moving[m]] = limit->constant[m];
+    out.order[moving[m]] = limit->order[m];
+  }
+  return out;
 }
 
 }  // namespace plastica::sweeps

@@ -4,7 +4,8 @@
 #include <cmath>
 #include <limits>
 #include <map>
-#include <unordered_map>
+#include <string_view>
+#include <utility>
 
 #include "plastica/run/path_stops.hpp"
 #include "sweeps/plan/refining.hpp"
@@ -108,7 +109,7 @@ ReferenceSets reference_sets(const Sweep& sweep, const CaseTable& cases,
   all.size.resize(cases.size() * all.axes, kNoSize);
   all.is_finest.resize(cases.size() * all.axes, false);
   std::map<std::vector<std::size_t>, std::size_t> set_at;
-  std::unordered_map<std::string_view, std::size_t> first;
+  std::map<std::pair<std::size_t, std::string_view>, std::size_t> first;
   for (std::size_t i = 0; i < cases.size(); ++i) {
     const std::vector<std::size_t> at = cases.position(i);
     const Setup setup = cases.setup(i);
@@ -122,11 +123,11 @@ ReferenceSets reference_sets(const Sweep& sweep, const CaseTable& cases,
     const auto [place, is_new] = set_at.emplace(std::move(key), all.sets.size());
     if (is_new) all.sets.emplace_back();
     all.set_of[i] = place->second;
-    all.same_as[i] = ids.empty() ? i : first.emplace(ids[i], i).first->second;
+    const std::string_view id = ids.empty() ? std::string_view() : std::string_view(ids[i]);
+    all.same_as[i] = ids.empty() ? i : first.emplace(std::pair(place->second, id), i).first->second;
     if (all.same_as[i] == i) all.sets[place->second].cases.push_back(i);
   }
   for (ReferenceSet& set : all.sets) {
-    if (set.cases.empty()) continue;  // runs of another set alone
     find_axes(sweep, all, set);
     set.finest = finest_of(all, set, results);
   }

@@ -27,7 +27,7 @@ struct ReferenceSet {
 struct ReferenceSets {
   std::vector<ReferenceSet> sets{};
   std::vector<std::size_t> set_of{};   ///< number of each case's set (n_cases)
-  std::vector<std::size_t> same_as{};  ///< first case of the same run (n_cases)
+  std::vector<std::size_t> same_as{};  ///< first case of the same set and run (n_cases)
   std::size_t axes = 0;
   std::vector<double> size{};     ///< h of each case on each axis, see size_on (n_cases x n_axes)
   std::vector<bool> is_finest{};  ///< whether its word is one of the finest (n_cases x n_axes)

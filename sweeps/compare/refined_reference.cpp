@@ -30,7 +30,6 @@ class RefinedComparison {
     const bool finest = of_.sweep.against.kind == AgainstKind::Finest;
     std::vector<bool> done(sets_.sets.size());
     for (std::size_t s = 0; s < sets_.sets.size(); ++s) {
-      if (sets_.sets[s].cases.empty()) continue;
       done[s] = finest ? with_finest(sets_.sets[s]) : with_extrapolated(sets_.sets[s]);
     }
     for (const RefinementGroup& group : of_.groups) {
@@ -42,7 +41,7 @@ class RefinedComparison {
       }
     }
     repeat_same_runs();
-    add_error_notes(of_.sweep, sets_, comparer_.out());
+    add_error_notes(of_.sweep, of_.cases, sets_, comparer_.out());
   }
 
  private:
@@ -170,7 +169,7 @@ class RefinedComparison {
     Comparison& out = comparer_.out();
     for (std::size_t i = 0; i < sets_.same_as.size(); ++i) {
       const std::size_t first = sets_.same_as[i];
-      if (first == i || sets_.set_of[first] != sets_.set_of[i]) continue;
+      if (first == i) continue;
       out.reference[i] = out.reference[first];
       out.error[i] = out.error[first];
       out.reference_curve[i] = out.reference_curve[first];

@@ -215,7 +215,16 @@ ShownNumbers shown_value(const SweepRecord& record, double largest) {
 std::string subtitle_of(const SweepRecord& record) {
   std::string text = record.quantity.name;
   if (!record.against.empty()) text += " against " + record.against;
+  const std::string alone = alone_line(record);
+  if (!alone.empty()) text += ": " + alone;
   return report::printable(text);
+}
+
+std::string alone_line(const SweepRecord& record) {
+  for (const std::string& lacks : record.comparison.lacks) {
+    if (!lacks.empty()) return error_alone(record.axes[*record.refined].field->path, lacks);
+  }
+  return {};
 }
 
 }  // namespace plastica::sweeps

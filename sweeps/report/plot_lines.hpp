@@ -57,7 +57,9 @@ struct ShownNumbers {
 ShownNumbers shown_axis(const Axis& axis);
 /// @param largest  size of the numbers to be shown [SI]
 ShownNumbers shown_value(const SweepRecord& record, double largest);
-/// "tip, end against theory:elastica".
+/// "tip, end against theory:elastica", and what its errors do not have in them.
 std::string subtitle_of(const SweepRecord& record);
+/// Of errors that are those of some axes alone what is not in them; else empty.
+std::string alone_line(const SweepRecord& record);
 
 }  // namespace plastica::sweeps
