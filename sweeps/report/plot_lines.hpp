@@ -59,7 +59,7 @@ ShownNumbers shown_axis(const Axis& axis);
 ShownNumbers shown_value(const SweepRecord& record, double largest);
 /// "tip, end against theory:elastica", and what its errors do not have in them.
 std::string subtitle_of(const SweepRecord& record);
-/// Of errors that are those of some axes alone what is not in them; else empty.
-std::string alone_line(const SweepRecord& record);
+/// What is not in the errors: axes, or how far the reference itself is off; empty: nothing.
+std::string error_limits(const SweepRecord& record);
 
 }  // namespace plastica::sweeps

@@ -226,8 +226,10 @@ PlotScript map_page(const PlotCases& cases) {
   PlotScript script;
   const bool single = panels.size() == 1;
   std::string title = report::cut(title_of(record, map), 90);
-  const std::string alone = map.colors.of_errors ? alone_line(record) : std::string();
-  if (!single && !alone.empty()) title = report::cut(alone, 90);
+  const std::string limits = map.colors.of_errors ? error_limits(record) : std::string();
+  if (!single && limits.starts_with("error of")) {
+    title = report::cut(report::printable(record.name) + ": " + limits, 90);
+  }
   script.begin_panels(panels.size(), single ? std::string() : title, single ? 2 : 1,
                       room_for_legend(names));
   script.command("unset grid");
@@ -238,7 +240,7 @@ PlotScript map_page(const PlotCases& cases) {
     if (!single && !script.at_bottom()) x_axis.label.clear();
     script.command(axis_commands(x_axis, 'x') + axis_commands(y_axis, 'y') + "unset label");
     const std::string name = panel_title(record, map, panels[p]);
-    const std::string below = single && !alone.empty() ? alone : name;
+    const std::string below = single && !limits.empty() ? limits : name;
     script.begin_panel(single ? in_quotes(title) + ".\"\\n\"." + in_quotes(below)
                               : in_quotes(name));
     if (panels[p].size() * panels.size() <= kMaxNumbers) {
@@ -274,7 +276,8 @@ PlotScript map_terminal(const PlotCases& cases) {
   for (const auto& members : panels) {
     const std::string name = panel_title(record, map, members);
     std::string below = fmt::format("{}{}over {}", name, name.empty() ? "" : "; ", y_label);
-    if (map.colors.of_errors && !alone_line(record).empty()) below = alone_line(record);
+    const std::string limits = map.colors.of_errors ? error_limits(record) : std::string();
+    if (!limits.empty() && name.empty()) below = limits + ", over " + y_label;
     script.command(fmt::format("set title {}.\"\\n\".{}",
                                in_quotes(report::cut(title_of(record, map), 76)),
                                in_quotes(report::cut(below, 76))));
