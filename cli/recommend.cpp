@@ -109,7 +109,7 @@ int recommend(const RecommendArguments& arguments) {
     refuse_own_files("--next", arguments.next, arguments.output);
   }
   sweeps::check_settings(record);
-  const auto points = sweeps::trade_points(record, cost);
+  const auto points = sweeps::promised_points(record, cost);
   const sweeps::Recommendation choice = wish.within
                                             ? sweeps::recommend_for_error(points, *wish.within)
                                             : sweeps::recommend_for_budget(points, *wish.budget);

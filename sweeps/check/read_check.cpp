@@ -116,10 +116,16 @@ CheckFile read_check_file(const std::string& path) {
   CheckFile file;
   file.path = path;
   std::map<std::string, std::size_t> known;
+  std::map<std::string, int> names;
   for (const TomlTable& table : document.root().find_tables("claim")) {
     Claim claim;
     claim.where = table.where();
     claim.name = table.at("name").string();
+    const auto [earlier, is_first] = names.emplace(claim.name, claim.where.line);
+    if (!is_first) {
+      throw table.at("name").error("is the name of the claim in line " +
+                                   std::to_string(earlier->second) + ": each has its own");
+    }
     if (const auto scan = table.find_table("stability")) {
       read_stability(*scan, claim);
       read_kind(table, nullptr, claim);

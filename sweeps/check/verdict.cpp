@@ -83,18 +83,37 @@ std::string why(const SweepRecord& record, std::size_t i) {
   return "a case has no value";
 }
 
+/// An order is one along an axis at the finest of the others: where groups at the finest are among
+/// those of the claim, the others have no say.
+void keep_finest_of_others(const Claim& claim, const SweepRecord& record,
+                           std::vector<RefinementGroup>& groups) {
+  if (claim.kind != ClaimKind::Order && claim.kind != ClaimKind::Correlation) return;
+  const auto stops = [&](const RefinementGroup& group) {
+    return !convergence_of(group, record.results, record.comparison).stops_at.empty();
+  };
+  if (std::all_of(groups.begin(), groups.end(), stops)) return;
+  groups.erase(std::remove_if(groups.begin(), groups.end(), stops), groups.end());
+}
+
+/// Why a group has no order.
+std::string no_order(const GroupConvergence& found, const std::string& of) {
+  if (found.stops_at.empty()) return "there is no order" + of;
+  return "there is no order" + of + ": its errors stop at that of " + found.stops_at;
+}
+
 /// Of one group: what claims of order and extrapolation ask for.
 void add_group(const Claim& claim, const SweepRecord& record, const RefinementGroup& group,
                Worst& worst) {
   for (const std::size_t i : group.cases) {
-    if (!usable(record.results[i].status)) worst.add(std::nullopt, why(record, i));
+    const bool unconverged = record.comparison.reason[i].starts_with(kNotConverged);
+    if (unconverged || !usable(record.results[i].status)) worst.add(std::nullopt, why(record, i));
   }
   const GroupConvergence found = convergence_of(group, record.results, record.comparison);
   const std::string of = group.label.empty() ? "" : " of " + group.label;
   if (claim.kind == ClaimKind::Order) {
-    worst.add(found.fit.order, "there is no order" + of);
+    worst.add(found.fit.order, no_order(found, of));
   } else if (claim.kind == ClaimKind::Correlation) {
-    worst.add(found.fit.correlation, "there is no order" + of);
+    worst.add(found.fit.correlation, no_order(found, of));
   } else if (claim.kind == ClaimKind::Gci) {
     worst.add(found.grid ? found.grid->fine_index : std::nullopt, "there is no index" + of);
   } else {
@@ -108,22 +127,29 @@ void add_group(const Claim& claim, const SweepRecord& record, const RefinementGr
   }
 }
 
-/// Whether a case is the finest one of its group that others are compared with.
-bool is_reference_itself(const SweepRecord& record, std::size_t i) {
-  const CaseResult& result = record.results[i];
-  return record.against == "finest" && (result.value || !result.curve.empty()) &&
-         !record.comparison.error[i];
+/// About how far a case is off that is the reference itself, or its run; none of other cases.
+std::optional<double> error_of_reference(const SweepRecord& record, std::size_t i) {
+  const std::string& reason = record.comparison.reason[i];
+  if (reason != kIsReference && reason != kIsRunOfReference) return std::nullopt;
+  return record.comparison.reference_error[i];
+}
+
+/// The size of a case's error, where it is that of all axes.
+void add_error(const SweepRecord& record, std::size_t i, Worst& worst) {
+  const std::string& lacks = record.comparison.lacks[i];
+  if (!lacks.empty()) {
+    worst.add(std::nullopt, error_alone(record.axes[*record.refined].field->path, lacks));
+    return;
+  }
+  const auto& error = record.comparison.error[i];
+  worst.add(error ? std::optional(std::abs(*error)) : error_of_reference(record, i),
+            why(record, i));
 }
 
 void add_case(const Claim& claim, const SweepRecord& record, std::size_t i, Worst& worst) {
   const CaseResult& result = record.results[i];
   switch (claim.kind) {
-    case ClaimKind::Error: {
-      if (is_reference_itself(record, i)) return;
-      const auto& error = record.comparison.error[i];
-      worst.add(error ? std::optional(std::abs(*error)) : std::nullopt, why(record, i));
-      return;
-    }
+    case ClaimKind::Error: add_error(record, i, worst); return;
     case ClaimKind::Value: worst.add(result.value, why(record, i)); return;
     case ClaimKind::EnergyBalance:
       worst.add(usable(result.status) ? std::optional(result.energy_balance_error) : std::nullopt,
@@ -160,7 +186,9 @@ void add_spread(const SweepRecord& record, const RefinementGroup& group, Worst& 
 ClaimVerdict judge(const Claim& claim, const SweepRecord& record) {
   Worst worst(claim);
   std::optional<double> failed;
-  for (const RefinementGroup& group : chosen_groups(claim, record)) {
+  std::vector<RefinementGroup> groups = chosen_groups(claim, record);
+  keep_finest_of_others(claim, record, groups);
+  for (const RefinementGroup& group : groups) {
     switch (claim.kind) {
       case ClaimKind::Order:
       case ClaimKind::Correlation:

@@ -2,7 +2,9 @@
 
 #include <cstddef>
 #include <optional>
+#include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "sweeps/plan/sweep.hpp"
@@ -32,12 +34,39 @@ struct Comparison {
   /// Of a curve its reference at the case's own times [SI]; empty where there is none (n_cases).
   std::vector<std::vector<double>> reference_curve;
   std::vector<std::string> reason;  ///< why a case with a value has no error (n_cases)
+  /// Paths of axes whose error is not in that of a case, "solver.time_step"; empty: it is the error
+  /// of all axes that refine (n_cases).
+  std::vector<std::string> lacks{};
+  /// Paths of axes besides the refined one in which a case is coarser than its reference: along the
+  /// refined axis its error falls to theirs, and shows no order. Empty: in none (n_cases).
+  std::vector<std::string> coarser_in{};
+  /// About how far the reference itself is off, over the scale [1], >= 0; none of a truth, and
+  /// where it cannot be said (n_cases).
+  std::vector<std::optional<double>> reference_error{};
+  /// For the user: what the reference is, and what no error of the sweep has in it.
+  std::vector<std::string> notes{};
 };
 
+/// What `reason` says of a case that others are compared with, and of one that is its run.
+inline constexpr std::string_view kIsReference = "is the finest, the reference of its group";
+inline constexpr std::string_view kIsRunOfReference = "is the run of the finest, its reference";
+/// How `reason` begins where refinement changes what happens.
+inline constexpr std::string_view kNotConverged = "not converged: ";
+
+/// What an error of some axes alone is: "error of beam.segments alone; that of solver.time_step is
+/// not in it".
+/// @param lacks  not empty
+std::string error_alone(std::string_view refined, const std::string& lacks);
+
 /// Compares all cases. Never throws for what one case lacks.
+///
+/// Against "finest" the reference is the case that is finest in all axes that refine, of those of
+/// one problem; against "richardson" what is extrapolated in all of them. Where there is neither,
+/// each group has its own along the refined axis, and `lacks` says so.
+/// @param ids  of the runs: cases with the same are one; empty: none are (n_cases)
 Comparison compare(const Sweep& sweep, const CaseTable& cases,
                    const std::vector<RefinementGroup>& groups,
-                   const std::vector<CaseResult>& results);
+                   const std::vector<CaseResult>& results, std::span<const std::string> ids = {});
 
 /// Refuses a sweep whose closed form does not exist or does not hold for its first case.
 /// @throws InputError

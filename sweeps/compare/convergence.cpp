@@ -13,6 +13,7 @@ GroupConvergence convergence_of(const RefinementGroup& group,
   std::vector<double> values;
   for (const std::size_t k : group.distinct()) {
     const std::size_t i = group.cases[k];
+    if (!comparison.coarser_in[i].empty()) out.stops_at = comparison.coarser_in[i];
     if (comparison.error[i]) {
       sizes.push_back(group.size[k]);
       errors.push_back(*comparison.error[i]);
@@ -22,6 +23,11 @@ GroupConvergence convergence_of(const RefinementGroup& group,
       value_sizes.push_back(group.size[k]);
       values.push_back(*results[i].value);
     }
+  }
+  if (!out.stops_at.empty()) {
+    out.pairwise.resize(sizes.empty() ? 0 : sizes.size() - 1);
+    if (values.size() >= 3) out.grid = theory::grid_convergence(value_sizes, values);
+    return out;
   }
   out.fit = theory::observed_order(sizes, errors);
   out.pairwise = theory::pairwise_orders(sizes, errors);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "plastica/theory/convergence.hpp"
@@ -13,6 +14,9 @@ struct GroupConvergence {
   /// Of the errors against the sweep's reference; without an order where there are none. Errors
   /// against the finest case or the extrapolated value show the order only far from it.
   theory::OrderFit fit;
+  /// Other axes in which the cases are coarser than their reference: errors stop at theirs, so that
+  /// no order is taken. Empty: there are none.
+  std::string stops_at{};
   std::vector<std::size_t> cases;               ///< that have an error, from coarse to fine (n)
   std::vector<std::optional<double>> pairwise;  ///< orders between them (n - 1)
   /// Of the three finest values; none of curves, and of fewer than three values.

@@ -3,7 +3,8 @@
 #include <utility>
 
 #include "sweeps/compare/comparison.hpp"
-#include "sweeps/plan/derived_fields.hpp"
+#include "sweeps/compare/reference_sets.hpp"
+#include "sweeps/plan/refining.hpp"
 
 namespace plastica::sweeps {
 namespace {
@@ -25,13 +26,6 @@ std::string label_of(const Sweep& sweep, const std::vector<std::size_t>& at) {
     label += std::string(axis.field->path) + " = " + value_text(*axis.field, axis.values[at[a]]);
   }
   return label;
-}
-
-double size_of(const Sweep& sweep, const CaseTable& cases, std::size_t index) {
-  const Field& field = *sweep.axes[*sweep.refined].field;
-  // Asked of the setup: a ratio may have been rounded.
-  const double value = std::get<double>(field.get(cases.setup(index)));
-  return refinement_of(field) == Refinement::Count ? 1.0 / value : value;
 }
 
 void sort_by_size(RefinementGroup& group) {
@@ -65,17 +59,19 @@ std::vector<RefinementGroup> refinement_groups(const Sweep& sweep, const CaseTab
   std::map<std::vector<std::size_t>, std::size_t> group_at;
   for (std::size_t i = 0; i < cases.size(); ++i) {
     const std::vector<std::size_t> at = cases.position(i);
+    const Setup setup = cases.setup(i);
     std::vector<std::size_t> key = at;
     for (std::size_t a = 0; a < key.size(); ++a) {
       const auto& values = sweep.axes[a].values;
       // Zipped axes repeat their values.
       const auto same = std::find(values.begin(), values.end(), values[key[a]]);
-      key[a] = moves_along(sweep, a) ? 0 : static_cast<std::size_t>(same - values.begin());
+      const bool along = moves_along(sweep, a) && size_on(sweep.axes[a], setup) > 0.0;
+      key[a] = along ? 0 : 1 + static_cast<std::size_t>(same - values.begin());
     }
     const auto [place, is_new] = group_at.emplace(std::move(key), groups.size());
     if (is_new) groups.push_back({label_of(sweep, at), {}, {}});
     groups[place->second].cases.push_back(i);
-    groups[place->second].size.push_back(size_of(sweep, cases, i));
+    groups[place->second].size.push_back(size_on(sweep.axes[*sweep.refined], setup));
   }
   for (RefinementGroup& group : groups) sort_by_size(group);
   return groups;

@@ -162,17 +162,4 @@ const Field& find_axis_field(std::string_view name, const SourceLocation& where)
   return find_field(name, where);
 }
 
-Refinement refinement_of(const Field& field) {
-  constexpr std::array<std::string_view, 3> kCounts{"beam.segments", "solver.fibres",
-                                                    "solver.steps"};
-  constexpr std::array<std::string_view, 5> kSizes{"beam.segment_depth", "solver.time_step",
-                                                   "solver.step_error", "solver.tolerance",
-                                                   "solver.largest_rotation"};
-  const auto among = [&](const auto& paths) {
-    return std::find(paths.begin(), paths.end(), field.path) != paths.end();
-  };
-  if (among(kCounts)) return Refinement::Count;
-  return among(kSizes) ? Refinement::Size : Refinement::None;
-}
-
 }  // namespace plastica::sweeps

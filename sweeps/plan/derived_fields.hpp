@@ -15,13 +15,4 @@ std::span<const Field> derived_fields();
 /// @throws InputError that says where all are listed
 const Field& find_axis_field(std::string_view name, const SourceLocation& where = {});
 
-/// What a finer discretization does to a field's value.
-enum class Refinement {
-  None,   ///< the field is no measure of fineness
-  Count,  ///< it grows: the size is 1/value
-  Size,   ///< it falls: the size is the value
-};
-
-Refinement refinement_of(const Field& field);
-
 }  // namespace plastica::sweeps

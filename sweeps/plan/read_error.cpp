@@ -4,8 +4,8 @@
 #include "plastica/io/csv_column.hpp"
 #include "plastica/io/read_input.hpp"
 #include "plastica/io/units.hpp"
-#include "sweeps/plan/derived_fields.hpp"
 #include "sweeps/plan/read_axes.hpp"
+#include "sweeps/plan/refining.hpp"
 
 namespace plastica::sweeps {
 namespace {
@@ -168,12 +168,34 @@ void read_against(const TomlTable& table, Sweep& sweep) {
   refuse(table.find("factor"), "goes with reference:FILE");
 }
 
+/// The axes whose values have a reference each though their fields refine.
+void read_apart(const TomlTable& table, Sweep& sweep) {
+  const auto list = table.find("apart");
+  if (!list) return;
+  const AgainstKind kind = sweep.against.kind;
+  if (kind != AgainstKind::Finest && kind != AgainstKind::Richardson) {
+    throw list->error("goes with against = \"finest\" or \"richardson\"");
+  }
+  for (const TomlValue& name : list->array()) {
+    const std::string path = name.new_path(name.string());
+    const auto axis = std::find_if(sweep.axes.begin(), sweep.axes.end(),
+                                   [&](const Axis& a) { return a.field->path == path; });
+    if (axis == sweep.axes.end()) throw name.error("is not the field of an axis");
+    const AxisRole role = role_of(*axis->field);
+    if (role != AxisRole::Number && role != AxisRole::Word) {
+      throw name.error("does not refine: each of its values has a reference of its own anyway");
+    }
+    axis->apart = true;
+  }
+}
+
 /// The axis that refines: as named, or the first that can.
 void read_refined(const TomlTable& table, Sweep& sweep) {
   const auto named = table.find("along");
   for (std::size_t a = 0; a < sweep.axes.size() && !sweep.refined; ++a) {
     const Field& field = *sweep.axes[a].field;
-    const bool varies = sweep.axes[a].values.size() > 1 && !sweep.axes[a].sampled;
+    const Axis& axis = sweep.axes[a];
+    const bool varies = axis.values.size() > 1 && !axis.sampled && !axis.apart;
     if (named ? field.path == named->new_path(named->string())
               : varies && refinement_of(field) != Refinement::None) {
       sweep.refined = a;
@@ -186,6 +208,7 @@ void read_refined(const TomlTable& table, Sweep& sweep) {
   if (named && refinement_of(*sweep.axes[*sweep.refined].field) == Refinement::None) {
     throw named->error("is no measure of how fine a discretization is");
   }
+  if (named && sweep.axes[*sweep.refined].apart) throw named->error("is named in apart, too");
   const AgainstKind kind = sweep.against.kind;
   if ((kind == AgainstKind::Finest || kind == AgainstKind::Richardson) && !sweep.refined) {
     throw table.at("against").error("needs an axis that refines, such as beam.segments");
@@ -202,6 +225,7 @@ void read_error(const TomlTable& root, Sweep& sweep) {
   }
   sweep.quantity = read_quantity(*table, sweep.setup.scene);
   read_against(*table, sweep);
+  read_apart(*table, sweep);
   read_refined(*table, sweep);
   const auto scale = table->find("scale");
   if (!scale) return;

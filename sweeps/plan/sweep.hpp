@@ -24,6 +24,8 @@ struct Axis {
   /// Axes with the same word, and all sampled ones, move together; empty: crossed with the others.
   std::string group{};
   bool sampled = false;  ///< whether a sample has drawn its values
+  /// Whether each value has a reference of its own though the field refines: `error.apart`.
+  bool apart = false;
   SourceLocation where{};
 };
 

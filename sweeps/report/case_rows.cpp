@@ -84,6 +84,18 @@ std::vector<std::string> cells_of(const SweepRecord& record, const std::vector<s
   return cells;
 }
 
+/// What the errors of a block do not have in them.
+std::string alone_note(const SweepRecord& record, const RefinementGroup& group) {
+  if (!record.refined || group.cases.empty()) return "";
+  const std::string& lacks = record.comparison.lacks[group.cases.front()];
+  return lacks.empty() ? "" : error_alone(record.axes[*record.refined].field->path, lacks);
+}
+
+std::string stop_note(const GroupConvergence& convergence) {
+  if (convergence.stops_at.empty()) return "";
+  return "no order: these errors stop at that of " + convergence.stops_at;
+}
+
 std::string fit_note(const theory::OrderFit& fit, std::size_t errors) {
   if (!fit.order) return "";
   std::string line =
@@ -148,7 +160,8 @@ CaseBlock block_of(const SweepRecord& record, const RefinementGroup& group,
         cells_of(record, axes, shown, i,
                  order == order_at.end() ? std::nullopt : std::optional(order->second)));
   }
-  for (std::string note : {fit_note(convergence.fit, convergence.cases.size()),
+  for (std::string note : {alone_note(record, group), stop_note(convergence),
+                           fit_note(convergence.fit, convergence.cases.size()),
                            grid_note(convergence.grid, record.quantity.unit),
                            noise_note(record, group, convergence.grid)}) {
     if (!note.empty()) block.notes.push_back(std::move(note));
@@ -205,8 +218,12 @@ std::vector<std::string> head_lines(const SweepRecord& record) {
   for (const auto& [status, count] : counts) first += fmt::format(", {} {}", count, status);
   std::string compared = record.quantity.name;
   if (!record.against.empty()) compared += " against " + record.against;
-  return {first, "scene     " + report::printable(record.scene_name),
-          "compared  " + report::printable(compared)};
+  std::vector<std::string> lines{first, "scene     " + report::printable(record.scene_name),
+                                 "compared  " + report::printable(compared)};
+  for (const std::string& note : record.comparison.notes) {
+    lines.push_back("error     " + report::printable(note));
+  }
+  return lines;
 }
 
 std::string remark_of(const SweepRecord& record, std::size_t index) {

@@ -37,7 +37,7 @@ void write_cases_csv(std::ostream& out, const SweepRecord& record) {
     }
   }
   out << fmt::format(
-      ",status,reason,level,value [{0}],reference [{0}],error [1],error_reason,"
+      ",status,reason,level,value [{0}],reference [{0}],error [1],error_reason,error_lacks,"
       "standard_error [{0}],segments,iterations,segment_iterations,cutbacks,energy_balance_error "
       "[1],"
       "last_time [s],last_value [{0}],seconds [s]\n",
@@ -46,10 +46,11 @@ void write_cases_csv(std::ostream& out, const SweepRecord& record) {
     const CaseResult& result = record.results[i];
     out << record.ids[i];
     for (std::size_t a = 0; a < record.axes.size(); ++a) out << ',' << cell_of(record.at(i, a));
-    out << fmt::format(",{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", name_of(result.status),
-                       csv_cell(result.reason), level_word(result.level), cell_of(result.value),
-                       cell_of(record.comparison.reference[i]), cell_of(record.comparison.error[i]),
-                       csv_cell(record.comparison.reason[i]), cell_of(result.standard_error),
+    out << fmt::format(",{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n",
+                       name_of(result.status), csv_cell(result.reason), level_word(result.level),
+                       cell_of(result.value), cell_of(record.comparison.reference[i]),
+                       cell_of(record.comparison.error[i]), csv_cell(record.comparison.reason[i]),
+                       csv_cell(record.comparison.lacks[i]), cell_of(result.standard_error),
                        result.segments, result.iterations, result.segment_iterations(),
                        result.cutbacks, result.energy_balance_error, result.last_time,
                        cell_of(result.last_value), result.seconds);

@@ -101,6 +101,8 @@ Json case_of(const SweepRecord& record, std::size_t i) {
           {"reference", number(record.comparison.reference[i])},
           {"error", number(record.comparison.error[i])},
           {"error_reason", text_or_null(record.comparison.reason[i])},
+          {"error_lacks", text_or_null(record.comparison.lacks[i])},
+          {"reference_error", number(record.comparison.reference_error[i])},
           {"standard_error", number(result.standard_error)},
           {"segments", result.segments},
           {"iterations", result.iterations},
@@ -109,6 +111,7 @@ Json case_of(const SweepRecord& record, std::size_t i) {
           {"energy_balance_error", number(result.energy_balance_error)},
           {"last_time", number(result.last_time)},
           {"last_value", number(result.last_value)},
+          {"break_joint", result.break_joint < 0 ? Json(nullptr) : Json(result.break_joint)},
           {"seconds", number(result.seconds)}};
 }
 
@@ -126,6 +129,7 @@ std::string sweep_json(const SweepRecord& record) {
       {"against", text_or_null(record.against)},
       {"error_scale", number(record.error_scale)},
       {"refined", record.refined ? Json(record.axes[*record.refined].field->path) : Json(nullptr)},
+      {"error_notes", record.comparison.notes},
       {"timed_runs", record.timed_runs},
       {"statuses", statuses_of(record)},
       {"axes", axes_of(record)},

@@ -10,7 +10,7 @@
 #include "plastica/base/check.hpp"
 #include "plastica/report/format.hpp"
 #include "plastica/theory/convergence.hpp"
-#include "sweeps/plan/derived_fields.hpp"
+#include "sweeps/plan/refining.hpp"
 #include "sweeps/report/case_rows.hpp"
 #include "sweeps/report/spread.hpp"
 #include "sweeps/trade/setting.hpp"
@@ -64,15 +64,19 @@ ErrorLine error_line(const SweepRecord& record, const CaseLine& line, bool count
   const RefinementGroup& group = record.groups[line.group];
   std::vector<double> sizes;
   std::vector<double> errors;
+  bool stops = false;
   for (std::size_t k = 0; k < group.cases.size(); ++k) {
     const std::size_t i = group.cases[k];
+    stops = stops || !record.comparison.coarser_in[i].empty();
     const bool picked = std::find(line.cases.begin(), line.cases.end(), i) != line.cases.end();
     if (!picked || !record.comparison.error[i]) continue;
     sizes.push_back(group.size[k]);
     errors.push_back(*record.comparison.error[i]);
   }
   ErrorLine out;
-  const theory::OrderFit fit = theory::observed_order(sizes, errors);
+  theory::OrderFit fit;
+  // Errors that stop at those of other axes show no order.
+  if (!stops) fit = theory::observed_order(sizes, errors);
   out.order = fit.order;
   for (std::size_t k = 0; k < sizes.size(); ++k) {
     const bool floor = (fit.order && !fit.used[k]) || errors[k] == 0.0;

@@ -84,6 +84,14 @@ void classify_values(const PlotCases& cases, CaseClasses& out) {
   }
 }
 
+/// What a case without an error is shown as.
+std::string class_without_error(const SweepRecord& record, std::size_t i) {
+  const std::string& reason = record.comparison.reason[i];
+  if (reason.starts_with(kNotConverged)) return "not converged";
+  if (reason == kIsReference || reason == kIsRunOfReference) return "reference";
+  return std::string(name_of(record.results[i].status));
+}
+
 /// A class for each status of the cases that have none yet.
 void classify_statuses(const PlotCases& cases, CaseClasses& out) {
   constexpr std::array<std::string_view, 5> kColors{"#B8B8B8", "#7A1F1F", "#D55E00", "#5A5A5A",
@@ -91,7 +99,7 @@ void classify_statuses(const PlotCases& cases, CaseClasses& out) {
   std::map<std::string, std::size_t> known;
   for (std::size_t i = 0; i < cases.record.cases(); ++i) {
     if (!cases.picked[i] || out.class_of[i]) continue;
-    const std::string name(name_of(cases.record.results[i].status));
+    const std::string name = class_without_error(cases.record, i);
     const auto [place, is_new] = known.emplace(name, out.classes.size());
     if (is_new) {
       const std::size_t k = known.size() - 1;
@@ -128,7 +136,8 @@ CaseClasses classify(const PlotCases& cases) {
   CaseClasses out;
   out.class_of.resize(cases.record.cases());
   out.number.resize(cases.record.cases());
-  if (cases.record.has_errors()) {
+  out.of_errors = cases.record.has_errors();
+  if (out.of_errors) {
     classify_errors(cases, out);
   } else {
     classify_values(cases, out);

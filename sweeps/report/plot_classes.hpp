@@ -18,7 +18,8 @@ struct CaseClass {
 };
 
 struct CaseClasses {
-  std::string what;  ///< that is classified: "size of the error of tip, end [%]"
+  std::string what;        ///< that is classified: "size of the error of tip, end [%]"
+  bool of_errors = false;  ///< whether errors are, else values
   std::vector<CaseClass> classes;
   std::vector<std::optional<std::size_t>> class_of;  ///< of picked cases (n_cases)
   std::vector<std::string> number;  ///< of a case, empty where there is none (n_cases)
@@ -30,7 +31,7 @@ struct CaseClasses {
 std::vector<double> bounds_between(double low, double high);
 
 /// By the size of the error, or where no case has one by the value, in equal steps; a case that has
-/// neither by its status.
+/// neither by its status, or by why it has no error.
 CaseClasses classify(const PlotCases& cases);
 
 }  // namespace plastica::sweeps

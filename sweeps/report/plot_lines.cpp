@@ -214,8 +214,25 @@ ShownNumbers shown_value(const SweepRecord& record, double largest) {
 
 std::string subtitle_of(const SweepRecord& record) {
   std::string text = record.quantity.name;
-  if (!record.against.empty()) text += " against " + record.against;
+  const std::string limits = error_limits(record);
+  // A line has no room for both: what is not in an error comes first.
+  const bool alone = limits.starts_with("error of");
+  if (!record.against.empty() && !alone) text += " against " + record.against;
+  if (!limits.empty()) text += (alone ? ": " : "; ") + limits;
   return report::printable(text);
+}
+
+std::string error_limits(const SweepRecord& record) {
+  const Comparison& comparison = record.comparison;
+  double off = 0.0;
+  for (std::size_t i = 0; i < record.cases(); ++i) {
+    if (!comparison.lacks[i].empty()) {
+      return error_alone(record.axes[*record.refined].field->path, comparison.lacks[i]);
+    }
+    off = std::max(off, comparison.reference_error[i].value_or(0.0));
+  }
+  return off > 0.0 ? fmt::format("the reference is off by about {:.2g} %", 100.0 * off)
+                   : std::string();
 }
 
 }  // namespace plastica::sweeps

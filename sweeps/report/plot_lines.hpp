@@ -57,7 +57,9 @@ struct ShownNumbers {
 ShownNumbers shown_axis(const Axis& axis);
 /// @param largest  size of the numbers to be shown [SI]
 ShownNumbers shown_value(const SweepRecord& record, double largest);
-/// "tip, end against theory:elastica".
+/// "tip, end against theory:elastica", and what its errors do not have in them.
 std::string subtitle_of(const SweepRecord& record);
+/// What is not in the errors: axes, or how far the reference itself is off; empty: nothing.
+std::string error_limits(const SweepRecord& record);
 
 }  // namespace plastica::sweeps

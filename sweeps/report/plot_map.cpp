@@ -225,7 +225,11 @@ PlotScript map_page(const PlotCases& cases) {
   for (const CaseClass& one : map.colors.classes) names.push_back(one.name);
   PlotScript script;
   const bool single = panels.size() == 1;
-  const std::string title = report::cut(title_of(record, map), 90);
+  std::string title = report::cut(title_of(record, map), 90);
+  const std::string limits = map.colors.of_errors ? error_limits(record) : std::string();
+  if (!single && limits.starts_with("error of")) {
+    title = report::cut(report::printable(record.name) + ": " + limits, 90);
+  }
   script.begin_panels(panels.size(), single ? std::string() : title, single ? 2 : 1,
                       room_for_legend(names));
   script.command("unset grid");
@@ -236,7 +240,9 @@ PlotScript map_page(const PlotCases& cases) {
     if (!single && !script.at_bottom()) x_axis.label.clear();
     script.command(axis_commands(x_axis, 'x') + axis_commands(y_axis, 'y') + "unset label");
     const std::string name = panel_title(record, map, panels[p]);
-    script.begin_panel(single ? in_quotes(title) + ".\"\\n\"." + in_quotes(name) : in_quotes(name));
+    const std::string below = single && !limits.empty() ? limits : name;
+    script.begin_panel(single ? in_quotes(title) + ".\"\\n\"." + in_quotes(below)
+                              : in_quotes(name));
     if (panels[p].size() * panels.size() <= kMaxNumbers) {
       add_numbers(script, record, map, panels[p]);
     }
@@ -269,7 +275,9 @@ PlotScript map_terminal(const PlotCases& cases) {
   script.command(axis_commands(axis_of(record, map.x, x), 'x') + axis_commands(y_axis, 'y'));
   for (const auto& members : panels) {
     const std::string name = panel_title(record, map, members);
-    const std::string below = fmt::format("{}{}over {}", name, name.empty() ? "" : "; ", y_label);
+    std::string below = fmt::format("{}{}over {}", name, name.empty() ? "" : "; ", y_label);
+    const std::string limits = map.colors.of_errors ? error_limits(record) : std::string();
+    if (!limits.empty() && name.empty()) below = limits + ", over " + y_label;
     script.command(fmt::format("set title {}.\"\\n\".{}",
                                in_quotes(report::cut(title_of(record, map), 76)),
                                in_quotes(report::cut(below, 76))));

@@ -83,6 +83,12 @@ std::string case_report(const SweepRecord& record, std::size_t index) {
   if (!record.comparison.reason[index].empty()) {
     add("no error", report::printable(record.comparison.reason[index]));
   }
+  const std::string& lacks = record.comparison.lacks[index];
+  if (!lacks.empty()) add("not in it", "the error of " + report::printable(lacks));
+  if (const auto& off = record.comparison.reference_error[index]) {
+    add("reference off by about", fmt::format("{:.2g} %", 100.0 * *off));
+  }
+  if (result.break_joint >= 0) add("breaks at joint", fmt::format("{}", result.break_joint));
   add("segments", fmt::format("{}", result.segments));
   add("iterations", fmt::format("{}", result.iterations));
   add("cut-backs", fmt::format("{}", result.cutbacks));

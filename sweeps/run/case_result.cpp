@@ -117,6 +117,23 @@ Measured take_of(Take take, std::span<const double> time, std::span<const double
   return {values.back(), {}};
 }
 
+namespace {
+
+/// Where a chain broke first, if it did; what the scene cuts is no break.
+void note_break(const Response& response, CaseResult& result) {
+  for (const ChainBreak& event : response.chain.events) {
+    for (const BrokenJoint& joint : event.joints) {
+      if (joint.cause == BreakCause::Cut) continue;
+      result.break_joint = joint.joint;
+      result.break_place = static_cast<double>(joint.joint) /
+                           static_cast<double>(std::max<std::int64_t>(result.segments, 1));
+      return;
+    }
+  }
+}
+
+}  // namespace
+
 CaseResult result_of_run(const BatchRow& row, const Quantity& quantity) {
   const Response& response = row.response;
   CaseResult result;
@@ -133,6 +150,7 @@ CaseResult result_of_run(const BatchRow& row, const Quantity& quantity) {
     result.last_time = is_chain ? response.chain.time[response.samples - 1]
                                 : static_cast<double>(response.samples);
   }
+  if (is_chain) note_break(response, result);
   if (quantity.kind == QuantityKind::Probe) {
     measure_probe(response, quantity, result);
   } else if (is_complete(response.status)) {

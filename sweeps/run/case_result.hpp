@@ -29,7 +29,9 @@ struct CaseResult {
   std::optional<double> last_value{};  ///< of the probe there [SI]
   double energy_balance_error = 0.0;   ///< `Response::energy_balance_error` [1]
   std::optional<double> standard_error{};  ///< of a fitted value, from the noise of the data [SI]
-  double seconds = 0.0;                    ///< CPU time of the run, see BatchCase::timed_runs [s]
+  std::int64_t break_joint = -1;        ///< the first that broke; -1: none did, or it is a coupon
+  std::optional<double> break_place{};  ///< of that joint, joints over segments [1]
+  double seconds = 0.0;                 ///< CPU time of the run, see BatchCase::timed_runs [s]
 
   /// The work of the case, in a measure that no machine changes: segments x iterations.
   std::int64_t segment_iterations() const { return segments * iterations; }

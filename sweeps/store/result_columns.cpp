@@ -136,6 +136,13 @@ void traverse(Columns& column, const std::string& unit) {
   column("energy_balance_error", "1", &CaseResult::energy_balance_error);
 }
 
+/// Those that files before version 3 do not have.
+template <class Columns>
+void traverse_breaks(Columns& column) {
+  column("break_joint", "", &CaseResult::break_joint);
+  column("break_place", "1", &CaseResult::break_place);
+}
+
 std::vector<double> row_of(const io::Ragged<double>& rows, std::size_t i) {
   const auto row = rows.row(i);
   return {row.begin(), row.end()};
@@ -161,6 +168,7 @@ void write_results(Hdf5Group& root, const SweepRecord& record) {
   Hdf5Group cases = root.group("cases");
   Writer writer(cases, record.results);
   traverse(writer, record.quantity.unit);
+  traverse_breaks(writer);
   std::vector<std::int64_t> work;
   for (const CaseResult& result : record.results) work.push_back(result.segment_iterations());
   cases.write("segment_iterations", work, {"1", kDeflate});
@@ -185,6 +193,7 @@ void read_results(const Hdf5Group& root, SweepRecord& record) {
   const Hdf5Group cases = root.open_group("cases");
   Reader reader(cases, record.results);
   traverse(reader, record.quantity.unit);
+  if (cases.exists("break_joint")) traverse_breaks(reader);
   for (const CaseResult& result : record.results) {
     if (result.segments > 0 && result.iterations > kMaxWork / result.segments) {
       io::refuse_value(cases, "iterations", std::to_string(result.iterations),

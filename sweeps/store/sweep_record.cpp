@@ -41,7 +41,7 @@ SweepRecord make_record(const Sweep& sweep, const CaseTable& cases, std::vector<
     record.position.insert(record.position.end(), at.begin(), at.end());
   }
   record.groups = refinement_groups(sweep, cases);
-  record.comparison = compare(sweep, cases, record.groups, results);
+  record.comparison = compare(sweep, cases, record.groups, results, record.ids);
   record.results = std::move(results);
   record.inputs = sweep.inputs;
   return record;

@@ -7,6 +7,7 @@
 
 #include "plastica/io/hdf5.hpp"
 #include "sweeps/plan/derived_fields.hpp"
+#include "sweeps/plan/refining.hpp"
 #include "sweeps/store/sweep_layout.hpp"
 #include "sweeps/store/sweep_rules.hpp"
 
@@ -58,6 +59,7 @@ void write_axes(Hdf5Group& root, const SweepRecord& record) {
     Hdf5Group group = root.group("axes/" + std::to_string(a));
     group.set_attribute(".", "field", axis.field->path);
     group.set_attribute(".", "moves_with", axis.group);
+    if (axis.apart) group.set_attribute(".", "apart", 1);
     write_values(group, "values", *axis.field, axis.values);
     std::vector<FieldValue> of_cases;
     for (std::size_t i = 0; i < record.cases(); ++i) of_cases.push_back(record.at(i, a));
@@ -75,6 +77,7 @@ std::vector<Axis> read_axes(const Hdf5Group& root) {
     Axis axis;
     axis.field = &find_axis_field(group.text_attribute(".", "field"), {root.file(), 0});
     axis.group = group.text_attribute(".", "moves_with");
+    axis.apart = group.has_attribute(".", "apart");
     if (axis.field->kind == FieldKind::Choice) {
       for (std::string& word : group.read_texts("values")) axis.values.emplace_back(word);
     } else {
@@ -113,6 +116,10 @@ void write_comparison(Hdf5Group& root, const SweepRecord& record) {
   root.write("cases/reference", numbers_of(comparison.reference), {record.quantity.unit, kDeflate});
   root.write("cases/error", numbers_of(comparison.error), {"1", kDeflate});
   root.write_texts("cases/error_reason", comparison.reason);
+  root.write_texts("cases/error_lacks", comparison.lacks);
+  root.write_texts("cases/coarser_in", comparison.coarser_in);
+  root.write("cases/reference_error", numbers_of(comparison.reference_error), {"1", kDeflate});
+  root.write_texts("sweep/error_notes", comparison.notes);
   io::Ragged<std::uint64_t> cases;
   io::Ragged<double> sizes;
   std::vector<std::string> labels;
@@ -124,6 +131,42 @@ void write_comparison(Hdf5Group& root, const SweepRecord& record) {
   root.write_texts("groups/label", labels);
   root.write_ragged("groups/cases", cases, {{}, kDeflate});
   root.write_ragged("groups/size", sizes, {{}, kDeflate});
+}
+
+/// Older files took the finest, or the extrapolated, of the refined axis alone.
+void find_what_errors_lack(SweepRecord& record) {
+  Comparison& comparison = record.comparison;
+  comparison.lacks.resize(record.cases());
+  comparison.coarser_in.resize(record.cases());
+  comparison.reference_error.resize(record.cases());
+  if (!record.refined || (record.against != "finest" && record.against != "richardson")) return;
+  const std::string& group = record.axes[*record.refined].group;
+  std::string others;
+  for (std::size_t a = 0; a < record.axes.size(); ++a) {
+    const Axis& axis = record.axes[a];
+    const bool along = a == *record.refined || (!group.empty() && axis.group == group);
+    if (along || axis.values.size() < 2 || role_of(*axis.field) != AxisRole::Number) continue;
+    others += (others.empty() ? "" : ", ") + std::string(axis.field->path);
+  }
+  if (others.empty()) return;
+  comparison.lacks.assign(record.cases(), others);
+  comparison.notes.push_back(error_alone(record.axes[*record.refined].field->path, others) +
+                             ": the file is of an older version; run the sweep again");
+}
+
+void read_what_errors_lack(const Hdf5Group& root, SweepRecord& record) {
+  Comparison& comparison = record.comparison;
+  comparison.lacks = root.read_texts("cases/error_lacks");
+  comparison.coarser_in = root.read_texts("cases/coarser_in");
+  comparison.reference_error =
+      optionals_of(io::read_numbers<double>(root, "cases/reference_error", kSweepRules));
+  comparison.notes = root.read_texts("sweep/error_notes");
+  const std::size_t n = record.cases();
+  if (comparison.lacks.size() != n || comparison.coarser_in.size() != n ||
+      comparison.reference_error.size() != n) {
+    throw InputError({root.file(), 0}, "/cases/error_lacks", "",
+                     "does not go with the number of cases");
+  }
 }
 
 void read_comparison(const Hdf5Group& root, SweepRecord& record) {
@@ -236,10 +279,13 @@ void write_sweep_store(const std::string& path, const SweepRecord& record,
   file.commit();
 }
 
-SweepRecord read_sweep_store(const std::string& path) {
+namespace {
+
+/// @param version  is set to the file's
+SweepRecord read_store(const std::string& path, int& version) {
   const io::Hdf5File file = io::Hdf5File::open(path);
   const Hdf5Group& root = file.root();
-  io::check_schema(root, kSweepSchema, kOldestSweepVersion, kSweepVersion);
+  version = io::check_schema(root, kSweepSchema, kOldestSweepVersion, kSweepVersion);
   SweepRecord record;
   read_head(root, record);
   record.ids = root.read_texts("cases/id");
@@ -251,15 +297,30 @@ SweepRecord read_sweep_store(const std::string& path) {
   read_position(root, record);
   read_results(root, record);
   read_comparison(root, record);
+  if (version < 3) {
+    find_what_errors_lack(record);
+  } else {
+    read_what_errors_lack(root, record);
+  }
   record.inputs = io::read_inputs(root);
   record.meta = io::read_meta(root);
   return record;
 }
 
+}  // namespace
+
+SweepRecord read_sweep_store(const std::string& path) {
+  int version = 0;
+  return read_store(path, version);
+}
+
 EarlierResults earlier_results(const std::string& path) {
-  SweepRecord record = read_sweep_store(path);
+  int version = 0;
+  SweepRecord record = read_store(path, version);
   EarlierResults earlier;
   for (std::size_t i = 0; i < record.cases(); ++i) {
+    // Older files do not say which joint broke.
+    if (version < 3 && record.results[i].status == Status::Broken) continue;
     earlier.insert_or_assign(std::move(record.ids[i]), std::move(record.results[i]));
   }
   return earlier;

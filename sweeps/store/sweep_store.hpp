@@ -10,8 +10,9 @@ namespace plastica::sweeps {
 
 /// The attributes `schema` and `version` of the root of a sweep's file.
 inline constexpr std::string_view kSweepSchema = "plastica/sweep";
-inline constexpr int kSweepVersion = 2;
-/// The oldest that is read: without references of curves.
+inline constexpr int kSweepVersion = 3;
+/// The oldest that is read: without references of curves (2), and without joints that broke and
+/// what errors lack (3), which is told by their axes.
 inline constexpr int kOldestSweepVersion = 1;
 
 /// Writes the result file of a sweep (HDF5; layout: docs/hdf5.md). The same record gives the

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <map>
 #include <tuple>
 
 namespace plastica::sweeps {
@@ -24,6 +25,16 @@ std::optional<std::size_t> first_by(std::span<const TradePoint> points, const Qu
     if (!best || rank(i) < rank(*best)) best = i;
   }
   return best;
+}
+
+/// Whether a point is finer than another in one size at least, and coarser in none.
+bool is_finer(const TradePoint& point, const TradePoint& other) {
+  bool finer = false;
+  for (std::size_t k = 0; k < point.sizes.size(); ++k) {
+    if (point.sizes[k] > other.sizes[k]) return false;
+    finer = finer || point.sizes[k] < other.sizes[k];
+  }
+  return finer;
 }
 
 NoChoice why_none(std::span<const TradePoint> points, NoChoice reason) {
@@ -51,27 +62,18 @@ std::vector<std::size_t> pareto_front(std::span<const TradePoint> points) {
 
 std::vector<double> assured_errors(std::span<const TradePoint> points) {
   std::vector<double> assured(points.size(), kInfinity);
-  std::vector<std::size_t> order;
+  std::map<std::size_t, std::vector<std::size_t>> groups;
   for (std::size_t i = 0; i < points.size(); ++i) {
     if (!ran(points[i])) continue;
     assured[i] = points[i].error;
-    if (points[i].group) order.push_back(i);
+    if (points[i].group) groups[*points[i].group].push_back(i);
   }
-  std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
-    return std::tuple(*points[a].group, points[a].size, a) <
-           std::tuple(*points[b].group, points[b].size, b);
-  });
-  double finer = 0.0;    // largest error of the finer sizes
-  double reached = 0.0;  // and of this size
-  for (std::size_t k = 0; k < order.size(); ++k) {
-    const TradePoint& point = points[order[k]];
-    if (k == 0 || points[order[k - 1]].group != point.group) {
-      finer = reached = 0.0;
-    } else if (points[order[k - 1]].size < point.size) {
-      finer = reached;
+  for (const auto& [group, members] : groups) {
+    for (const std::size_t i : members) {
+      for (const std::size_t j : members) {
+        if (is_finer(points[j], points[i])) assured[i] = std::max(assured[i], points[j].error);
+      }
     }
-    assured[order[k]] = std::max(point.error, finer);
-    reached = std::max(reached, point.error);
   }
   return assured;
 }

@@ -15,9 +15,10 @@ namespace plastica::sweeps {
 struct TradePoint {
   double cost = 0.0;   ///< of any kind and unit, as seconds; not finite: the case failed
   double error = 0.0;  ///< >= 0, of any kind and unit; not finite: the case failed
-  /// Points of a group differ in the size alone. Empty: alone.
+  /// Points of a group differ in the sizes alone. Empty: alone.
   std::optional<std::size_t> group{};
-  double size = 0.0;  ///< h, what is refined; the smaller, the finer
+  /// h of each axis that is refined, as many for all points of a group; the smaller, the finer.
+  std::vector<double> sizes{};
 };
 
 /// The Pareto front: the indices of the points which no other one matches in both cost and error
@@ -25,7 +26,8 @@ struct TradePoint {
 /// several equal ones only the first is.
 std::vector<std::size_t> pareto_front(std::span<const TradePoint> points);
 
-/// The largest error of each point and of all finer ones of its group (n); infinite if it failed.
+/// The largest error of each point and of all of its group that are finer: in one size at least,
+/// and coarser in none (n); infinite if it failed.
 ///
 /// Errors do not always fall with refinement: one that changes its sign is small, for once, at a
 /// coarse size. That is luck, and another load or material will not have it. Failed finer points do

@@ -16,10 +16,9 @@ std::string cost_text(const CaseResult& result, CostKind cost) {
 }
 
 std::string case_text(const SweepRecord& record, CostKind cost, std::size_t index) {
-  const auto& error = record.comparison.error[index];
+  const auto error = promised_error(record, index);
   return fmt::format("{}\n    error {}, {}\n", setting_text(record, index),
-                     error ? percent(std::abs(*error)) : "unknown",
-                     cost_text(record.results[index], cost));
+                     error ? percent(*error) : "unknown", cost_text(record.results[index], cost));
 }
 
 std::string wish_text(CostKind cost, const Wish& wish) {
@@ -28,11 +27,33 @@ std::string wish_text(CostKind cost, const Wish& wish) {
                                    : fmt::format("for {:.6g} segment-iterations", *wish.budget);
 }
 
+/// Why no case has an error that could be promised: what the first says that ran.
+std::string why_nothing(const SweepRecord& record) {
+  for (std::size_t i = 0; i < record.cases(); ++i) {
+    if (!usable(record.results[i].status)) continue;
+    const std::string& lacks = record.comparison.lacks[i];
+    const std::string& reason = record.comparison.reason[i];
+    if (!lacks.empty()) {
+      return fmt::format("nothing can be recommended: {}\n",
+                         error_alone(record.axes[*record.refined].field->path, lacks));
+    }
+    if (!reason.empty()) return fmt::format("nothing can be recommended: {}\n", reason);
+  }
+  return "no case has an error: all failed\n";
+}
+
+/// What is not in a promised error, and what is.
+std::string notes_text(const SweepRecord& record) {
+  std::string text;
+  for (const std::string& note : record.comparison.notes) text += "note: " + note + "\n";
+  return text;
+}
+
 std::string none_text(const SweepRecord& record, CostKind cost, const Wish& wish,
                       const Recommendation& choice) {
   switch (choice.why_none) {
     case NoChoice::NoPoints: return "the sweep has no case\n";
-    case NoChoice::AllFailed: return "no case has an error: all failed\n";
+    case NoChoice::AllFailed: return why_nothing(record);
     default: break;
   }
   return fmt::format("nothing {}; the nearest is\n  {}", wish_text(cost, wish),
@@ -64,7 +85,7 @@ std::string recommendation_text(const SweepRecord& record, CostKind cost, const 
     text += "passed over, since a finer case misses what it meets by luck: " +
             case_text(record, cost, *choice.passed_over);
   }
-  return text;
+  return text + notes_text(record);
 }
 
 }  // namespace plastica::sweeps

@@ -2,15 +2,18 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <optional>
 #include <utility>
 
 #include "plastica/io/scene_file.hpp"
 #include "plastica/io/toml_edit.hpp"
 #include "sweeps/plan/read_axes.hpp"
+#include "sweeps/plan/refining.hpp"
 
 namespace plastica::sweeps {
 namespace {
@@ -83,6 +86,14 @@ Setup setup_of(const SweepRecord& record, const std::string& text, std::size_t i
                    "cannot be written into the scene's file: do it by hand");
 }
 
+/// h of a value as the file has it; NaN where the axis does not refine by it.
+double nominal_size(const Axis& axis, const FieldValue& value) {
+  const Refinement refinement = refinement_of(*axis.field);
+  const auto* number = std::get_if<double>(&value);
+  if (refinement == Refinement::None || number == nullptr) return kFailed;
+  return refinement == Refinement::Count ? 1.0 / *number : *number;
+}
+
 }  // namespace
 
 std::vector<TradePoint> trade_points(const SweepRecord& record, CostKind cost) {
@@ -94,22 +105,44 @@ std::vector<TradePoint> trade_points(const SweepRecord& record, CostKind cost) {
                                                : static_cast<double>(result.segment_iterations());
     points[i].error = usable(result.status) && error ? std::abs(*error) : kFailed;
   }
-  for (std::size_t g = 0; g < record.groups.size(); ++g) {
-    for (std::size_t k = 0; k < record.groups[g].cases.size(); ++k) {
-      points[record.groups[g].cases[k]].group = g;
-      points[record.groups[g].cases[k]].size = record.groups[g].size[k];
+  return points;
+}
+
+std::optional<double> promised_error(const SweepRecord& record, std::size_t index) {
+  const Comparison& comparison = record.comparison;
+  if (!usable(record.results[index].status) || !comparison.lacks[index].empty()) return {};
+  const std::string& reason = comparison.reason[index];
+  const auto& own = comparison.error[index];
+  const auto& of_reference = comparison.reference_error[index];
+  if (reason == kIsReference || reason == kIsRunOfReference) return of_reference;
+  return own ? std::optional(std::abs(*own) + of_reference.value_or(0.0)) : std::nullopt;
+}
+
+std::vector<TradePoint> promised_points(const SweepRecord& record, CostKind cost) {
+  std::vector<TradePoint> points = trade_points(record, cost);
+  std::map<std::vector<std::size_t>, std::size_t> groups;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    points[i].error = promised_error(record, i).value_or(kFailed);
+    std::vector<std::size_t> key;
+    for (std::size_t a = 0; a < record.axes.size(); ++a) {
+      const Axis& axis = record.axes[a];
+      const double size = nominal_size(axis, record.at(i, a));
+      if (axis.values.size() > 1 && size > 0.0) {
+        points[i].sizes.push_back(size);
+      } else {
+        const auto first = std::find(axis.values.begin(), axis.values.end(), record.at(i, a));
+        key.push_back(static_cast<std::size_t>(first - axis.values.begin()));
+      }
     }
+    points[i].group = groups.emplace(std::move(key), groups.size()).first->second;
   }
   return points;
 }
 
 void check_settings(const SweepRecord& record) {
   for (const Axis& axis : record.axes) {
-    const std::string_view path = axis.field->path;
-    const bool setting = path.starts_with("solver.") || path.starts_with("rules.") ||
-                         path == "beam.segments" || path == "beam.segment_depth";
-    if (setting || axis.values.size() == 1) continue;
-    throw InputError({}, path, std::to_string(axis.values.size()) + " values",
+    if (axis.values.size() == 1 || role_of(*axis.field) != AxisRole::Problem) continue;
+    throw InputError({}, axis.field->path, std::to_string(axis.values.size()) + " values",
                      "makes other problems of the scene: a recommendation is for one; fix it by "
                      "[set] in the sweep");
   }

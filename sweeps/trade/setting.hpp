@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -18,8 +19,16 @@ enum class CostKind {
 /// without an error is one that failed.
 std::vector<TradePoint> trade_points(const SweepRecord& record, CostKind cost);
 
+/// The same for a recommendation: the error of a point is what can be promised, that of the case
+/// and that of its reference. A reference has its own; a case whose error is not that of all axes
+/// has none. Points of a group differ in axes that refine by numbers.
+std::vector<TradePoint> promised_points(const SweepRecord& record, CostKind cost);
+
+/// The error that `promised_points` promises of a case [1]; none: nothing.
+std::optional<double> promised_error(const SweepRecord& record, std::size_t index);
+
 /// Refuses a sweep that varies the problem, such as lengths, materials or loads: its cases are no
-/// settings of one scene to choose from. Fields of solver and rules and the number of segments are.
+/// settings of one scene to choose from. What refines, and methods, are: see plan/refining.hpp.
 /// @throws InputError that names the axis
 void check_settings(const SweepRecord& record);
 

@@ -96,12 +96,25 @@ INSTANTIATE_TEST_SUITE_P(
               "sweep.toml: error.against = theory:elastica: …"),
         sweep("UnknownProbe", "'tip'", "'top'",
               "sweep.toml:6: error.probe = top: is not a probe of the scene; it has tip"),
+        sweep("ApartOfATruth", "elastica'", "elastica'\napart = ['beam.segments']",
+              "sweep.toml:8: error.apart = [ 'beam.segments' ]: goes with against = \"finest\" or "
+              "\"richardson\""),
+        sweep("ApartOfNoAxis", "theory:elastica'", "finest'\napart = ['solver.level']",
+              "sweep.toml:8: error.apart[1] = solver.level: is not the field of an axis"),
+        sweep("ApartAndRefined", "theory:elastica'",
+              "finest'\napart = ['beam.segments']\nalong = 'beam.segments'",
+              "sweep.toml:9: error.along = beam.segments: is named in apart, too"),
         sweep("UnknownKey", "[error]", "[eror]", "sweep.toml: error: is missing: it names the …"),
         check(
             "NoSweep", "sweep.toml", "none.toml",
             "check.toml:3: claim[1].sweep = none.toml: is not a file in the folder of check.toml"),
         check("NoLimit", "{ at_least = 1.9 }", "1.9",
               "check.toml:4: claim[1].order = 1.9: must be a table, { key = value, ... }"),
+        check("TwoOfOneName", "[[claim]]\n",
+              "[[claim]]\nname = 'order'\nsweep = 'sweep.toml'\nwork = { at_most = 1 }\n"
+              "[[claim]]\n",
+              "check.toml:6: claim[2].name = order: is the name of the claim in line 1: each has "
+              "its own"),
         check("UnknownClaim", "order = {", "orders = {", "check.toml:1: claim[1]: claims nothing…"),
         called("NoFile", {"sweep", "none.toml"}, "none.toml: …"),
         called("OutputIsInput", {"sweep", "sweep.toml", "-o", "sweep.toml", "--force"},

@@ -38,7 +38,9 @@ AGAINST = 'against = "theory:elastica"\n'
 CURVE = 'take = "curve"\nagainst = "finest"\n'
 CASE_UNITS = {
     "position": None, "status": None, "reason": None, "level": None, "value": "m",
-    "standard_error": "m", "reference": "m", "error": "1", "error_reason": None, "segments": "1",
+    "standard_error": "m", "reference": "m", "error": "1", "error_reason": None,
+    "error_lacks": None, "coarser_in": None, "reference_error": "1", "break_joint": None,
+    "break_place": "1", "segments": "1",
     "iterations": "1", "cutbacks": "1", "segment_iterations": "1", "energy_balance_error": "1",
     "last_time": "s", "last_value": "m", "axes/beam.segments": "1", "axes/rules.hinge_length": "m",
     "axes/rules.end_rule": None,

@@ -65,5 +65,41 @@ INSTANTIATE_TEST_SUITE_P(Sweeps, Recommended,
                                            Asked{"falling_cantilever_step", "1 %"}),
                          [](const auto& asked) { return asked.param.sweep; });
 
+/// The robot's arm with other axes.
+std::string arm_sweep(const std::string& axes) {
+  return std::string("scene = '") + PLASTICA_SOURCE_DIR + "/data/scenes/robot_arm.toml'\n" + axes +
+         "[error]\nprobe = 'gripper'\nagainst = 'finest'\n";
+}
+
+TEST(Recommend, RefusesWhereTheErrorOfAnAxisIsNotInTheNumbers) {
+  const Workplace place;
+  place.write("arm.toml",
+              arm_sweep("[[axis]]\nfield = 'beam.segments'\nvalues = [4, 8]\nzip = 'a'\n"
+                        "[[axis]]\nfield = 'solver.time_step'\nvalues = ['1 ms', '2 ms']\n"
+                        "zip = 'a'\n"));
+  const CommandResult swept = place.run({"sweep", "arm.toml"});
+  ASSERT_EQ(swept.code, 0) << swept.err;
+  EXPECT_NE(swept.out.find("error of beam.segments alone; that of solver.time_step is not in it"),
+            std::string::npos)
+      << swept.out;
+  const CommandResult result = place.run({"recommend", "arm.h5", "--within", "90 %"});
+  EXPECT_EQ(result.code, 1);
+  EXPECT_EQ(result.out,
+            "nothing can be recommended: error of beam.segments alone; that of solver.time_step is "
+            "not in it\n");
+}
+
+TEST(Recommend, SaysWhatIsNotRefined) {
+  const Workplace place;
+  place.write("arm.toml", arm_sweep("[[axis]]\nfield = 'beam.segments'\nvalues = [4, 8, 16]\n"));
+  ASSERT_EQ(place.run({"sweep", "arm.toml", "--quiet"}).code, 0);
+  const CommandResult result = place.run({"recommend", "arm.h5", "--within", "50 %"});
+  EXPECT_EQ(result.code, 0);
+  EXPECT_NE(result.out.find(
+                "note: the error of solver.time_step is not in it: it is not refined (0.001 s)\n"),
+            std::string::npos)
+      << result.out;
+}
+
 }  // namespace
 }  // namespace plastica::testing

@@ -3,40 +3,13 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <limits>
 
 #include "sweeps/compare/convergence.hpp"
 #include "tests/support/message.hpp"
-#include "tests/sweeps/sweep_text.hpp"
+#include "tests/sweeps/made_sweep.hpp"
 
 namespace plastica::sweeps {
 namespace {
-
-/// A sweep with results that are made up.
-class Made {
- public:
-  Made(const std::string& text, const std::vector<double>& values)
-      : sweep(cantilever_sweep(text)), cases(sweep), groups(refinement_groups(sweep, cases)) {
-    for (const double value : values) {
-      CaseResult result;
-      result.status = Status::Completed;
-      if (std::isfinite(value)) result.value = value;
-      results.push_back(std::move(result));
-    }
-  }
-  Comparison compared() const { return compare(sweep, cases, groups, results); }
-
-  Sweep sweep;
-  CaseTable cases;
-  std::vector<RefinementGroup> groups;
-  std::vector<CaseResult> results;
-};
-
-constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
-
-std::string against(const std::string& what) {
-  return "[error]\nprobe = 'tip'\nagainst = '" + what + "'\n";
-}
 
 TEST(RefinementGroups, HoldCasesFromCoarseToFine) {
   const Made made(segments_axis("[16, 4, 8]") +

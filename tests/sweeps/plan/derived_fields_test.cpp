@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "sweeps/plan/refining.hpp"
 #include "tests/support/message.hpp"
 
 namespace plastica::sweeps {

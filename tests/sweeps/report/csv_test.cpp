@@ -28,7 +28,8 @@ TEST(CasesCsv, HasARowForEachCaseWithUnits) {
   const std::string text = cases_of(record);
   EXPECT_EQ(line_of(text, 0),
             "case,beam.segments,rules.end_rule,status,reason,level,value [m],reference [m],"
-            "error [1],error_reason,standard_error [m],segments,iterations,segment_iterations,"
+            "error [1],error_reason,error_lacks,standard_error "
+            "[m],segments,iterations,segment_iterations,"
             "cutbacks,energy_balance_error [1],last_time [s],last_value [m],seconds [s]");
   EXPECT_TRUE(line_of(text, 2).starts_with(record.ids[1] + ",4,equal,completed,,planar,-0."))
       << text;
@@ -47,7 +48,7 @@ TEST(CasesCsv, GivesEveryDigitAndQuotesTexts) {
   EXPECT_EQ(
       line_of(cases_of(record), 1),
       record.ids[0] +
-          ",4,half_joint,rejected,\"a, \"\"b\"\"\",auto,0.30000000000000004,,,,,0,0,0,0,0,0,,0");
+          ",4,half_joint,rejected,\"a, \"\"b\"\"\",auto,0.30000000000000004,,,,,,0,0,0,0,0,0,,0");
 }
 
 TEST(CurvesCsv, HasARowForEachSample) {

@@ -57,6 +57,21 @@ TEST(Classify, SortsErrorsAndNamesFailures) {
   EXPECT_EQ(out.number[4], "");
 }
 
+TEST(Classify, NamesTheReferenceAndWhatDoesNotConverge) {
+  SweepRecord record = grid();
+  for (std::size_t i = 0; i < 6; ++i) record.comparison.error[i] = 0.01;
+  record.comparison.error[1].reset();
+  record.comparison.reason[1] = kIsReference;
+  record.comparison.error[2].reset();
+  record.comparison.reason[2] = std::string(kNotConverged) + "breaks at joint 14, 15, 30";
+  const CaseClasses out = classify(all_of(record));
+  EXPECT_EQ(out.classes.at(out.class_of[1].value()).name, "reference");
+  EXPECT_EQ(out.classes.at(out.class_of[2].value()).name, "not converged");
+  record.comparison.lacks.assign(6, "solver.time_step");
+  const std::string page = map_page(all_of(record)).text();
+  EXPECT_TRUE(has(page, "that of solver.time_step is not in it")) << page;
+}
+
 TEST(Classify, SortsValuesWhereNothingIsCompared) {
   const SweepRecord record = grid("", "[error]\nprobe = 'tip'\n");
   const CaseClasses out = classify(all_of(record));

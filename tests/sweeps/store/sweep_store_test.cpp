@@ -81,6 +81,26 @@ TEST_F(SweepStoreTest, GivesBackTheReferencesOfCurves) {
   EXPECT_TRUE(read.comparison.reference_curve[1].empty()) << "the finest is the reference";
 }
 
+TEST_F(SweepStoreTest, GivesBackWhatErrorsDoNotHaveInThem) {
+  SweepRecord record = record_of(
+      "[[axis]]\nfield = 'beam.segments'\nvalues = [4, 8]\nzip = 'a'\n"
+      "[[axis]]\nfield = 'solver.steps'\nvalues = [20, 10]\nzip = 'a'\n"
+      "[error]\nprobe = 'tip'\nagainst = 'finest'\n");
+  ASSERT_EQ(record.comparison.lacks[0], "solver.steps");
+  record.comparison.reference_error[0] = 0.125;
+  record.comparison.coarser_in[0] = "solver.steps";
+  record.results[0].break_joint = 3;
+  record.results[0].break_place = 0.75;
+  const SweepRecord read = read_back(record);
+  EXPECT_EQ(read.comparison.lacks, record.comparison.lacks);
+  EXPECT_EQ(read.comparison.coarser_in, record.comparison.coarser_in);
+  EXPECT_EQ(read.comparison.reference_error, record.comparison.reference_error);
+  EXPECT_EQ(read.comparison.notes, record.comparison.notes);
+  EXPECT_EQ(read.results[0].break_joint, 3);
+  EXPECT_EQ(read.results[0].break_place, 0.75);
+  EXPECT_EQ(read.results[1].break_joint, -1);
+}
+
 TEST_F(SweepStoreTest, GivesEarlierResultsById) {
   const SweepRecord record = record_of(segments_axis("[4, 8]") + kTipError);
   write_sweep_store(path_, record);

@@ -33,8 +33,9 @@ TEST(ParetoFront, NeverHoldsAPointThatFailed) {
 
 /// Two refinements: group 0 falls steadily; group 1 changes its error's sign at size 0.5.
 Points two_groups() {
-  return {{1.0, 0.40, 0, 1.0},  {2.0, 0.10, 0, 0.5},  {4.0, 0.025, 0, 0.25}, {0.5, 0.30, 1, 1.0},
-          {0.6, 0.001, 1, 0.5}, {0.9, 0.08, 1, 0.25}, {1.5, 0.02, 1, 0.125}};
+  return {{1.0, 0.40, 0, {1.0}},  {2.0, 0.10, 0, {0.5}},  {4.0, 0.025, 0, {0.25}},
+          {0.5, 0.30, 1, {1.0}},  {0.6, 0.001, 1, {0.5}}, {0.9, 0.08, 1, {0.25}},
+          {1.5, 0.02, 1, {0.125}}};
 }
 
 TEST(AssuredErrors, AreTheLargestOfAllFinerPointsOfTheGroup) {
@@ -43,8 +44,12 @@ TEST(AssuredErrors, AreTheLargestOfAllFinerPointsOfTheGroup) {
 }
 
 TEST(AssuredErrors, OfPointsAloneFailedOrEquallyFineAreTheirOwn) {
-  const Points points{{1.0, 0.1},         {2.0, 0.5},          {1.0, 0.1, 3, 1.0},
-                      {1.0, 0.4, 3, 1.0}, {1.0, kNan, 3, 0.5}, {kNan, 0.9, 3, 0.25}};
+  const Points points{{1.0, 0.1},
+                      {2.0, 0.5},
+                      {1.0, 0.1, 3, {1.0}},
+                      {1.0, 0.4, 3, {1.0}},
+                      {1.0, kNan, 3, {0.5}},
+                      {kNan, 0.9, 3, {0.25}}};
   EXPECT_EQ(assured_errors(points),
             (std::vector<double>{0.1, 0.5, 0.1, 0.4, kInfinity, kInfinity}));
 }

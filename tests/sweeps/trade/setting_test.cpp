@@ -26,18 +26,18 @@ plastica::Setup setup_with(const SweepRecord& record, std::size_t index) {
 
 const std::string kSegments = segments_axis("[4, 8, 16]");
 
-TEST(TradePoints, HaveGroupsAndLeaveOutWhatFailed) {
+TEST(PromisedPoints, HaveGroupsAndLeaveOutWhatFailed) {
   const SweepRecord record =
       record_of("[set]\nsolver.steps = 1\nsolver.smallest_step = 1\n" + kSegments +
                 "[[axis]]\nfield = 'solver.max_iterations'\nvalues = [1, 25]\n" + kTipError);
-  const auto points = trade_points(record, CostKind::Work);
+  const auto points = promised_points(record, CostKind::Work);
   ASSERT_EQ(points.size(), 6U);
   EXPECT_TRUE(std::isnan(points[0].error));  // one iteration is not enough
   EXPECT_GT(points[1].error, points[3].error);
   EXPECT_EQ(points[1].cost, static_cast<double>(record.results[1].segment_iterations()));
   EXPECT_EQ(points[1].group, points[5].group);
   EXPECT_NE(points[0].group, points[1].group);
-  EXPECT_DOUBLE_EQ(points[5].size, 1.0 / 16);
+  EXPECT_EQ(points[5].sizes, std::vector{1.0 / 16});
 }
 
 TEST(CheckSettings, RefusesOtherProblemsOfTheScene) {
@@ -94,7 +94,7 @@ TEST(SceneWithSetting, RefusesWhatNoFileCanSay) {
 
 TEST(RecommendationText, NamesTheChoiceAndTheNextCheaper) {
   const SweepRecord record = record_of(kSegments + kTipError);
-  const auto points = trade_points(record, CostKind::Work);
+  const auto points = promised_points(record, CostKind::Work);
   const Wish wish{.within = 0.01};
   const std::string text =
       recommendation_text(record, CostKind::Work, wish, recommend_for_error(points, 0.01));

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "sweeps/compare/comparison.hpp"
+#include "sweeps/compare/reference_sets.hpp"
+
+/// The cases next to the finest of a set, one axis at a time; not installed.
+namespace plastica::sweeps {
+
+/// Whether two axes are one, or move together.
+bool moves_with(const Sweep& sweep, std::size_t axis, std::size_t other);
+
+/// The axes of numbers of a set that move on their own: of those that move together the first.
+std::vector<std::size_t> free_axes(const Sweep& sweep, const ReferenceSet& set);
+
+/// Cases that are the finest but along one axis, and have a value: from the finest on, no two of
+/// one size.
+/// @param set  with a finest case
+std::vector<std::size_t> line_of_finest(const Sweep& sweep, const ReferenceSets& sets,
+                                        const ReferenceSet& set, std::size_t axis,
+                                        const std::vector<CaseResult>& results);
+
+/// What changes between the finest case of a set and the next coarser one along an axis, in words:
+/// "breaks at joint 14, 15, 30" (the finest last); empty: nothing.
+std::string change_of_outcome(const Sweep& sweep, const ReferenceSets& sets,
+                              const ReferenceSet& set, const std::vector<CaseResult>& results);
+
+/// About how far the finest case of a set is off its limit, over the scale of errors [1]: the sum
+/// of what Roache's grid convergence index says along each axis, from the errors of the two next
+/// coarser cases against it (safety factor 1.25), or of one with the assumed order 1 (3). None
+/// where an axis has no second case.
+std::optional<double> error_of_finest(const Sweep& sweep, const ReferenceSets& sets,
+                                      const ReferenceSet& set,
+                                      const std::vector<CaseResult>& results,
+                                      const Comparison& comparison);
+
+}  // namespace plastica::sweeps

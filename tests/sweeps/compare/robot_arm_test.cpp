@@ -1,0 +1,98 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "plastica/run/simulate.hpp"
+#include "sweeps/run/sweep_run.hpp"
+#include "sweeps/trade/setting.hpp"
+#include "tests/support/has.hpp"
+#include "tests/sweeps/sweep_text.hpp"
+
+/// Promises about real motions, against runs finer in both axes and against a closed form.
+namespace plastica::sweeps {
+namespace {
+
+SweepRecord arm_record(const std::string& segments, const std::string& steps,
+                       const std::string& against) {
+  const Sweep sweep = parse_sweep("scene = '../scenes/robot_arm.toml'\n" + segments_axis(segments) +
+                                      "[[axis]]\nfield = 'solver.time_step'\nvalues = " + steps +
+                                      "\n[error]\nprobe = 'gripper'\nagainst = '" + against + "'\n",
+                                  std::string(PLASTICA_SOURCE_DIR) + "/data/sweeps/test.toml");
+  SweepRun run(sweep, {});
+  auto results = run.run();
+  return make_record(sweep, run.cases(), run.ids(), std::move(results));
+}
+
+class RobotArm : public ::testing::TestWithParam<const char*> {};
+
+TEST_P(RobotArm, IsPromisedNoLessThanItsErrorAgainstARunFinerInBoth) {
+  const SweepRecord finer = arm_record("[64]", "['0.125 ms']", "value:-0.14 m");
+  const double truth = finer.results[0].value.value_or(0.0);
+  ASSERT_LT(truth, 0.0);
+  const SweepRecord record =
+      arm_record("[4, 8, 16, 32]", "['4 ms', '2 ms', '1 ms', '0.5 ms']", GetParam());
+  ASSERT_EQ(record.cases(), 16U);
+  for (std::size_t i = 0; i < record.cases(); ++i) {
+    const double error = std::abs((record.results[i].value.value_or(0.0) - truth) / truth);
+    const auto promised = promised_error(record, i);
+    ASSERT_TRUE(promised.has_value()) << i;
+    EXPECT_GE(*promised, error) << setting_text(record, i);
+  }
+  const auto points = promised_points(record, CostKind::Work);
+  for (const double wanted : {0.2, 0.1, 0.05, 0.02}) {
+    const Recommendation choice = recommend_for_error(points, wanted);
+    ASSERT_TRUE(choice.chosen.has_value()) << wanted;
+    const double value = record.results[*choice.chosen].value.value_or(0.0);
+    EXPECT_LE(std::abs((value - truth) / truth), wanted);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(References, RobotArm, ::testing::Values("finest", "richardson"),
+                         [](const auto& what) { return std::string(what.param); });
+
+/// A cantilever that is let go straight under its weight: rms of the tip over the static sag.
+SweepRecord falling_record(const std::string& segments, const std::string& steps,
+                           const std::string& against) {
+  const Sweep sweep = parse_sweep(
+      "scene = '../scenes/falling_cantilever.toml'\n"
+      "[set]\nsolver.rotary_inertia = 'off'\nsolver.duration = '240 ms'\nsolver.steps = 30\n"
+      "material.youngs_modulus = '20 GPa'\n" +
+          segments_axis(segments) + "[[axis]]\nfield = 'solver.time_step'\nvalues = " + steps +
+          "\n[error]\nprobe = 'tip'\ntake = 'curve'\nscale = '2.207 mm'\nagainst = '" + against +
+          "'\n",
+      std::string(PLASTICA_SOURCE_DIR) + "/data/sweeps/test.toml");
+  SweepRun run(sweep, {});
+  auto results = run.run();
+  return make_record(sweep, run.cases(), run.ids(), std::move(results));
+}
+
+TEST(FallingCantilever, IsPromisedNoLessThanItsErrorAgainstTheClosedForm) {
+  const std::string segments = "[4, 8, 16, 32]";
+  const std::string steps = "['8 ms', '4 ms', '2 ms', '1 ms', '0.5 ms']";
+  const SweepRecord finest = falling_record(segments, steps, "finest");
+  const SweepRecord theory = falling_record(segments, steps, "theory:released_cantilever");
+  ASSERT_EQ(finest.cases(), 20U);
+  for (std::size_t i = 0; i < finest.cases(); ++i) {
+    const auto promised = promised_error(finest, i);
+    ASSERT_TRUE(promised.has_value() && theory.comparison.error[i].has_value()) << i;
+    // The closed form is of small displacements: (sag/length)^2 is 5e-6.
+    EXPECT_GE(*promised + 1e-4, std::abs(*theory.comparison.error[i])) << setting_text(finest, i);
+  }
+}
+
+TEST(ArmOfOneStep, HasTheErrorOfTheStepNotInThatOfTheSegmentsWhereOneStepIsThere) {
+  const SweepRecord record = arm_record("[4, 8]", "['4 ms']", "finest");
+  ASSERT_FALSE(record.comparison.notes.empty());
+  EXPECT_EQ(record.comparison.notes.back(),
+            "the error of solver.time_step is not in it: it is not refined (0.004 s)");
+}
+
+TEST(ArmOfOneStep, OfStepsThatAreCutToTheSamplesHasOneRun) {
+  const SweepRecord record = arm_record("[4, 8]", "['16 ms', '8 ms']", "finest");
+  EXPECT_EQ(record.ids[0], record.ids[1]);  // samples are every 4 ms
+  EXPECT_EQ(record.comparison.lacks[0], "solver.time_step");
+  EXPECT_FALSE(promised_error(record, 0).has_value());
+}
+
+}  // namespace
+}  // namespace plastica::sweeps
