@@ -21,6 +21,7 @@ void add_simulate(CLI::App& app, const std::string& command_line, Action& action
 void add_sweep(CLI::App& app, const std::string& command_line, Action& action);
 void add_check(CLI::App& app, Action& action);
 void add_recommend(CLI::App& app, Action& action);
+void add_advise(CLI::App& app, Action& action);
 void add_stability(CLI::App& app, Action& action);
 void add_show(CLI::App& app, Action& action);
 void add_plot(CLI::App& app, Action& action);

@@ -32,6 +32,8 @@ constexpr const char* kFooter =
     "  plastica show fit.h5                   the report\n"
     "  plastica plot fit.h5 -o fit.svg        the picture\n"
     "  plastica simulate scene.toml -o s.h5   what a beam does under its loads\n"
+    "  plastica advise scene.toml --within \"1 %\"\n"
+    "                                         how fine it must be, and what that costs\n"
     "  plastica sweep sweep.toml -o sweep.h5  vary a scene: what accuracy costs\n"
     "  plastica recommend sweep.h5 --within \"1 %\"\n"
     "  plastica check check.toml              check claims on accuracy, for CI\n"
@@ -47,6 +49,7 @@ void add_commands(CLI::App& app, const std::string& command_line, Action& action
   plastica::cli::add_simulate(app, command_line, action);
   plastica::cli::add_sweep(app, command_line, action);
   plastica::cli::add_check(app, action);
+  plastica::cli::add_advise(app, action);
   plastica::cli::add_recommend(app, action);
   plastica::cli::add_stability(app, action);
   plastica::cli::add_show(app, action);

@@ -72,13 +72,7 @@ sweeps::Wish wish_of(const RecommendArguments& arguments, sweeps::CostKind cost)
   }
   sweeps::Wish wish;
   if (!arguments.within.empty()) {
-    if (is_plain_number(arguments.within)) {
-      throw InputError({}, "--within", arguments.within, "needs a unit: \"1 %\"");
-    }
-    wish.within = positive("--within", arguments.within, Dimension::Strain);
-    if (*wish.within >= 1.0) {
-      throw InputError({}, "--within", arguments.within, "must be below 100 %");
-    }
+    wish.within = fraction_of("--within", arguments.within);
   } else {
     wish.budget = positive("--budget", arguments.budget,
                            cost == sweeps::CostKind::Seconds ? Dimension::Time : Dimension::None);

@@ -95,6 +95,16 @@ std::optional<double> seconds_of(std::string_view option, const std::string& tex
   return io::parse_quantity(text, Dimension::Time, {}, option);
 }
 
+double fraction_of(std::string_view option, const std::string& text) {
+  if (text.find_first_not_of("0123456789.eE+-") == std::string::npos) {
+    throw InputError({}, option, text, "needs a unit: \"1 %\"");
+  }
+  const double value = io::parse_quantity(text, Dimension::Strain, {}, option);
+  if (!(value > 0.0)) throw InputError({}, option, text, "must be above 0");
+  if (value >= 1.0) throw InputError({}, option, text, "must be below 100 %");
+  return value;
+}
+
 bool finds_output(bool resume, bool force, const std::string& output) {
   std::error_code ignored;
   return resume && !force && fs::is_regular_file(output, ignored);

@@ -34,6 +34,10 @@ void refuse_option(bool given, std::string_view option, std::string_view rule);
 /// InputError
 std::optional<double> seconds_of(std::string_view option, const std::string& text);
 
+/// The error of an option, "1 %", as a fraction, 0 … 1, both excluded. A bare number is refused: it
+/// might be per cent or not. @throws InputError
+double fraction_of(std::string_view option, const std::string& text);
+
 /// Whether a run that is to go on finds an output, which may be its own, complete.
 bool finds_output(bool resume, bool force, const std::string& output);
 

@@ -11,42 +11,14 @@
 #include <utility>
 
 #include "plastica/io/scene_file.hpp"
-#include "plastica/io/toml_edit.hpp"
 #include "sweeps/plan/read_axes.hpp"
 #include "sweeps/plan/refining.hpp"
+#include "sweeps/trade/written_scene.hpp"
 
 namespace plastica::sweeps {
 namespace {
 
 constexpr double kFailed = std::numeric_limits<double>::quiet_NaN();
-
-/// Where a file may have the value of a field: [section] and [material] may stand in [beam].
-std::string path_in_file(const std::string& text, const Field& field) {
-  const std::string path(field.path);
-  const std::string part = path.substr(0, path.find('.'));
-  const bool of_beam = part == "section" || part == "material";
-  return of_beam && io::has_toml_key(text, "beam." + part) ? "beam." + path : path;
-}
-
-std::string written(const Field& field, const FieldValue& value) {
-  if (const auto* word = std::get_if<std::string>(&value)) return fmt::format("\"{}\"", *word);
-  const double number = std::get<double>(value);
-  const std::string_view unit = si_unit(field.dimension);
-  return unit == "1" ? fmt::format("{}", number) : fmt::format("\"{} {}\"", number, unit);
-}
-
-/// `material = "S355"` becomes a table that further values can join.
-std::string with_table_of_material(const std::string& text, const std::string& path) {
-  const std::string part = path.substr(0, path.rfind('.'));
-  if (!part.ends_with("material") || !io::has_toml_key(text, part)) return text;
-  if (io::has_toml_key(text, part + ".name") || io::has_toml_key(text, path)) return text;
-  const std::string name = io::parse_scene_file(text, "scene").setup.scene.material.name;
-  try {
-    return io::set_toml_value(text, part, fmt::format("{{ name = \"{}\" }}", name));
-  } catch (const InputError&) {
-    return text;  // it is a table already, one without a name
-  }
-}
 
 /// The field that a derived one moves, with the value that it comes to.
 struct Target {
@@ -79,11 +51,6 @@ Setup setup_of(const SweepRecord& record, const std::string& text, std::size_t i
   }
   apply(setup, fields, values);
   return setup;
-}
-
-[[noreturn]] void refuse(const Field& field, const FieldValue& value) {
-  throw InputError({}, field.path, value_text(field, value),
-                   "cannot be written into the scene's file: do it by hand");
 }
 
 /// h of a value as the file has it; NaN where the axis does not refine by it.
@@ -161,30 +128,15 @@ std::string setting_text(const SweepRecord& record, std::size_t index) {
 
 std::string scene_with_setting(const SweepRecord& record, std::size_t index) {
   const std::string& before = record.inputs.at(1).text;
-  std::string text = before;
   const Setup wanted = setup_of(record, before, index);
+  std::vector<std::pair<const Field*, FieldValue>> values;
   for (std::size_t a = 0; a < record.axes.size(); ++a) {
     const FieldValue& value = record.at(index, a);
     const auto target = target_of(record.axes[a], value, wanted);
-    if (!target) refuse(*record.axes[a].field, value);
-    const std::string path = path_in_file(text, *target->field);
-    if (std::holds_alternative<std::monostate>(target->value)) {
-      if (io::has_toml_key(text, path)) refuse(*target->field, value);
-      continue;
-    }
-    try {
-      text = with_table_of_material(text, path);
-      text = io::set_toml_value(text, path, written(*target->field, target->value));
-    } catch (const InputError&) {
-      refuse(*target->field, value);
-    }
+    if (!target) refuse_to_write(*record.axes[a].field, value);
+    values.emplace_back(target->field, target->value);
   }
-  // Whatever the file looks like: it must now say what the case had.
-  const Setup after = io::parse_scene_file(text, "scene").setup;
-  for (const Field& field : fields()) {
-    if (field.get(after) != field.get(wanted)) refuse(field, field.get(wanted));
-  }
-  return text;
+  return scene_with_values(before, values, wanted);
 }
 
 }  // namespace plastica::sweeps

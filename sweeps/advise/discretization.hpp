@@ -1,0 +1,41 @@
+#pragma once
+
+#include <vector>
+
+#include "plastica/model/field.hpp"
+#include "sweeps/plan/refining.hpp"
+
+namespace plastica::sweeps {
+
+/// A number of a scene's discretization, which advice chooses.
+struct FinenessAxis {
+  const Field* field = nullptr;
+  double coarsest = 0.0;  ///< value at which advice begins, and which it never goes beyond
+  double finest = 0.0;    ///< value that it does not pass
+
+  /// What falls as the value gets finer: 1/value of a count, else the value.
+  double size(double value) const;
+  /// The value whose size is `size` times `factor`, within the axis' limits; counts are rounded to
+  /// the finer side.
+  double scaled(double value, double factor) const;
+};
+
+/// A value of each axis, in their order (n_axes).
+using Setting = std::vector<double>;
+
+/// The axes that a scene has: its segments; the time step of a motion with fixed steps, or what a
+/// step may be off with adaptive ones; fibres of a fibre section; the recorded steps of a path at
+/// rest that yields, which advice never makes fewer.
+/// @throws InputError for a coupon, whose run has no such error
+std::vector<FinenessAxis> fineness_axes(const Setup& setup);
+
+/// The scene with a setting.
+Setup setup_at(const Setup& setup, const std::vector<FinenessAxis>& axes, const Setting& setting);
+
+/// The setting as a run takes it: a time step divides the time from one sample to the next.
+Setting taken_setting(const Setup& setup, const std::vector<FinenessAxis>& axes, Setting setting);
+
+/// The setting that a scene's file has.
+Setting own_setting(const Setup& setup, const std::vector<FinenessAxis>& axes);
+
+}  // namespace plastica::sweeps

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "plastica/run/batch.hpp"
+
+namespace plastica::sweeps {
+
+/// A probe that advice looks at.
+struct WatchedProbe {
+  std::size_t probe = 0;  ///< its number in the scene
+  std::string name{};
+  /// Values that never get beyond this are rounding, and are not compared [SI of the probe].
+  double least = 0.0;
+};
+
+/// What a run of a setting came to.
+struct Outcome {
+  Status status = Status::NotRun;
+  std::string reason{};                        ///< why it cannot be used
+  std::vector<double> time{};                  ///< of the samples [s] (n_samples)
+  std::vector<std::vector<double>> history{};  ///< of each watched probe (n_watched x n_samples)
+  std::optional<double> break_time{};          ///< of the first break [s]
+  double break_place = 0.0;                    ///< of it, of the beam's length [1]
+  std::optional<double> limit_load{};          ///< load factor [1]
+  std::int64_t segments = 0;
+  std::int64_t work = 0;  ///< segment-iterations
+  double seconds = 0.0;   ///< CPU time [s]
+};
+
+Outcome outcome_of(const BatchRow& row, const std::vector<WatchedProbe>& watched);
+
+/// How far a run is off a finer one.
+struct Deviation {
+  /// The largest of all quantities [1], >= 0; infinite where the two cannot be compared.
+  double largest = 0.0;
+  std::string quantity{};  ///< whose it is: "tip: history"
+  std::string reason{};    ///< why the two cannot be compared
+};
+
+/// Compares two runs of one scene. Of each watched probe, over the largest size that the finer run
+/// has of it: the largest size and the last value; and the history, the root mean square of its
+/// difference over that of the finer one. Of the first break its time, over that of the finer run,
+/// and of a limit load its factor. Where the one breaks and the other does not, or they break more
+/// than a segment and a half of the coarser apart, they cannot be compared.
+Deviation deviation(const Outcome& coarse, const Outcome& fine,
+                    const std::vector<WatchedProbe>& watched);
+
+}  // namespace plastica::sweeps

@@ -1,0 +1,75 @@
+#include "sweeps/trade/written_scene.hpp"
+
+#include <fmt/format.h>
+
+#include <string_view>
+#include <variant>
+
+#include "plastica/io/scene_file.hpp"
+#include "plastica/io/toml_edit.hpp"
+#include "sweeps/plan/sweep.hpp"
+
+namespace plastica::sweeps {
+namespace {
+
+/// Where a file may have the value of a field: [section] and [material] may stand in [beam].
+std::string path_in_file(const std::string& text, const Field& field) {
+  const std::string path(field.path);
+  const std::string part = path.substr(0, path.find('.'));
+  const bool of_beam = part == "section" || part == "material";
+  return of_beam && io::has_toml_key(text, "beam." + part) ? "beam." + path : path;
+}
+
+std::string written(const Field& field, const FieldValue& value) {
+  if (const auto* word = std::get_if<std::string>(&value)) return fmt::format("\"{}\"", *word);
+  const double number = std::get<double>(value);
+  const std::string_view unit = si_unit(field.dimension);
+  return unit == "1" ? fmt::format("{}", number) : fmt::format("\"{} {}\"", number, unit);
+}
+
+/// `material = "S355"` becomes a table that further values can join.
+std::string with_table_of_material(const std::string& text, const std::string& path) {
+  const std::string part = path.substr(0, path.rfind('.'));
+  if (!part.ends_with("material") || !io::has_toml_key(text, part)) return text;
+  if (io::has_toml_key(text, part + ".name") || io::has_toml_key(text, path)) return text;
+  const std::string name = io::parse_scene_file(text, "scene").setup.scene.material.name;
+  try {
+    return io::set_toml_value(text, part, fmt::format("{{ name = \"{}\" }}", name));
+  } catch (const InputError&) {
+    return text;  // it is a table already, one without a name
+  }
+}
+
+}  // namespace
+
+void refuse_to_write(const Field& field, const FieldValue& value) {
+  throw InputError({}, field.path, value_text(field, value),
+                   "cannot be written into the scene's file: do it by hand");
+}
+
+std::string scene_with_values(const std::string& text,
+                              const std::vector<std::pair<const Field*, FieldValue>>& values,
+                              const Setup& wanted) {
+  std::string filled = text;
+  for (const auto& [field, value] : values) {
+    const std::string path = path_in_file(filled, *field);
+    if (std::holds_alternative<std::monostate>(value)) {
+      if (io::has_toml_key(filled, path)) refuse_to_write(*field, value);
+      continue;
+    }
+    try {
+      filled = with_table_of_material(filled, path);
+      filled = io::set_toml_value(filled, path, written(*field, value));
+    } catch (const InputError&) {
+      refuse_to_write(*field, value);
+    }
+  }
+  // Whatever the file looks like: it must now say what was wanted.
+  const Setup after = io::parse_scene_file(filled, "scene").setup;
+  for (const Field& field : fields()) {
+    if (field.get(after) != field.get(wanted)) refuse_to_write(field, field.get(wanted));
+  }
+  return filled;
+}
+
+}  // namespace plastica::sweeps

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "plastica/model/field.hpp"
+
+namespace plastica::sweeps {
+
+/// The text of a scene's file with values of fields filled in, and all else as it was written.
+/// @param values  fields and what they are to be; an unset one is left as it is
+/// @param wanted  the setup that the text must then be read as
+/// @throws InputError if a value cannot be written there
+std::string scene_with_values(const std::string& text,
+                              const std::vector<std::pair<const Field*, FieldValue>>& values,
+                              const Setup& wanted);
+
+/// Refuses a value that no scene's file can have. @throws InputError
+[[noreturn]] void refuse_to_write(const Field& field, const FieldValue& value);
+
+}  // namespace plastica::sweeps
