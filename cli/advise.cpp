@@ -93,13 +93,19 @@ void add_advise(CLI::App& app, Action& action) {
       ->check(CLI::Range(4, 10'000))
       ->option_text("N")
       ->capture_default_str();
+  sub->add_option("--max-work", arguments->options.max_work,
+                  "Let all runs together take at most N segment-iterations")
+      ->check(CLI::PositiveNumber)
+      ->option_text("N")
+      ->capture_default_str();
   add_threads_option(*sub, arguments->options.threads);
   add_force_option(*sub, arguments->force, "a file that is there");
   add_quiet_option(*sub, arguments->quiet, "no progress");
   sub->footer(
       "Example:\n"
       "  plastica advise scene.toml --within \"1 %\" -o advised.toml\n"
-      "Exit code 1 if no setting is within the error.");
+      "Exit code 1 if no setting is within the error, or none was found within --max-runs\n"
+      "and --max-work.");
   sub->callback([&action, arguments] { action = [arguments] { return advise(*arguments); }; });
 }
 

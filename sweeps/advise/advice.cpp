@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <utility>
 
@@ -19,6 +20,8 @@ constexpr double kSupposedOrder = 1.0;
 constexpr double kHighestOrder = 2.0;
 /// Sizes that differ by less show no order.
 constexpr double kLeastRatio = 1.3;
+/// So many settings may be no better than the best before.
+constexpr int kPatience = 5;
 /// A cheaper setting is tried if it is expected to cost less than this part.
 constexpr double kWorthTrying = 0.7;
 
@@ -49,7 +52,8 @@ class Adviser {
   Setting finer(const Setting& setting, std::size_t axis) const;
   Setting finer_in_all(const Setting& setting) const;
   const Outcome& outcome(const Setting& setting) { return outcomes_.at(setting); }
-  /// Runs the settings that were not run yet. False: the runs are used up, or it was stopped.
+  /// Runs the settings that were not run yet. False: runs or work are used up, or it was stopped;
+  /// `end_` says which.
   bool run_all(std::vector<Setting> settings);
   bool estimate(Candidate& candidate);
   bool verify(Candidate& candidate);
@@ -59,7 +63,9 @@ class Adviser {
   bool judge(Candidate& candidate);
   TriedSetting tried(const Setting& setting);
   void fill(const Candidate& best, Advice& advice);
-  AdviceEnd why_not(const Candidate& last) const;
+  double foreseen_work(const std::vector<Setting>& settings) const;
+  /// Whether refinement has stopped to help: the sum has not fallen for some settings.
+  bool diverges(const Candidate& candidate);
 
   struct SeenChange {
     double size = 0.0;
@@ -75,6 +81,10 @@ class Adviser {
   std::optional<Setting> finest_{};            ///< of the last verification
   double share_ = kShare;
   int runs_ = 0;
+  double work_ = 0.0;  ///< of all runs, segment-iterations
+  AdviceEnd end_ = AdviceEnd::AtFinest;
+  double least_sum_ = std::numeric_limits<double>::infinity();
+  int since_least_ = 0;  ///< settings whose sum was not less
 };
 
 Setting Adviser::coarsest() const {
@@ -97,7 +107,14 @@ Setting Adviser::finer_in_all(const Setting& setting) const {
 
 bool Adviser::run_all(std::vector<Setting> settings) {
   std::erase_if(settings, [&](const Setting& s) { return outcomes_.count(s) > 0; });
-  if (runs_ + static_cast<int>(settings.size()) > options_.max_runs) return false;
+  if (runs_ + static_cast<int>(settings.size()) > options_.max_runs) {
+    end_ = AdviceEnd::TooManyRuns;
+    return false;
+  }
+  if (work_ + foreseen_work(settings) > options_.max_work) {
+    end_ = AdviceEnd::TooMuchWork;
+    return false;
+  }
   std::vector<BatchCase> cases;
   for (const Setting& setting : settings) {
     const Setup at = setup_at(setup_, axes_, setting);
@@ -108,9 +125,14 @@ bool Adviser::run_all(std::vector<Setting> settings) {
     how.progress = [&](std::size_t done) { options_.progress(runs_ + static_cast<int>(done)); };
   }
   const std::vector<BatchRow> rows = run_batch(cases, how);
-  if (options_.stop != nullptr && options_.stop->load()) return false;
+  if (is_raised(options_.stop)) {
+    end_ = AdviceEnd::Interrupted;
+    return false;
+  }
   for (std::size_t i = 0; i < rows.size(); ++i) {
-    outcomes_.emplace(settings[i], outcome_of(rows[i], probes_.watched));
+    const Outcome& made =
+        outcomes_.emplace(settings[i], outcome_of(rows[i], probes_.watched)).first->second;
+    work_ += static_cast<double>(made.work);
   }
   runs_ += static_cast<int>(rows.size());
   return true;
@@ -143,12 +165,20 @@ bool Adviser::estimate(Candidate& candidate) {
   if (!run_all(settings)) return false;
   candidate.errors.clear();
   candidate.sum = 0.0;
+  double largest = 0.0;
   for (std::size_t k = 0; k < axes_.size(); ++k) {
     candidate.errors.push_back(error_along(candidate, k));
     candidate.sum += candidate.errors.back().error;
     const Deviation off =
         deviation(outcome(candidate.setting), outcome(settings[k + 1]), probes_.watched);
     if (!off.reason.empty()) candidate.reason = off.reason;
+    if (candidate.errors.back().error >= largest) candidate.worst = off.quantity;
+    largest = std::max(largest, candidate.errors.back().error);
+    if (off.reason.empty() && off.quantities == 0) {
+      throw InputError({}, "probe", "",
+                       "stays within rounding, whatever is probed: advice needs "
+                       "a probe of something that moves");
+    }
   }
   return true;
 }
@@ -216,10 +246,25 @@ void Adviser::fill(const Candidate& best, Advice& advice) {
   }
 }
 
-AdviceEnd Adviser::why_not(const Candidate& last) const {
-  if (options_.stop != nullptr && options_.stop->load()) return AdviceEnd::Interrupted;
-  const Setting all = finer_in_all(last.setting);
-  return all == last.setting ? AdviceEnd::AtFinest : AdviceEnd::TooManyRuns;
+double Adviser::foreseen_work(const std::vector<Setting>& settings) const {
+  double work = 0.0;
+  for (const Setting& setting : settings) {
+    double least = outcomes_.empty() ? 0.0 : std::numeric_limits<double>::infinity();
+    for (const auto& [ran, of] : outcomes_) {
+      least = std::min(least, static_cast<double>(of.work) * expected_work(ran, setting));
+    }
+    work += least;
+  }
+  return work;
+}
+
+bool Adviser::diverges(const Candidate& candidate) {
+  if (candidate.sum < 0.9 * least_sum_) {
+    least_sum_ = candidate.sum;
+    since_least_ = 0;
+    return false;
+  }
+  return ++since_least_ >= kPatience;
 }
 
 Advice Adviser::run() {
@@ -247,6 +292,10 @@ Advice Adviser::run() {
             setup_, axes_, next_setting(axes_, now.setting, now.errors, share_ * options_.within))};
     if (next.setting == now.setting) next.setting = finer_in_all(now.setting);
     if (best && expected_work(best->setting, next.setting) > kWorthTrying) break;
+    if (!best && diverges(now)) {
+      end_ = AdviceEnd::Diverging;
+      break;
+    }
     if (next.setting == now.setting) break;
     now = std::move(next);
   }
@@ -254,7 +303,7 @@ Advice Adviser::run() {
     advice.end = AdviceEnd::Found;
     fill(*best, advice);
   } else {
-    advice.end = why_not(now);
+    advice.end = end_;
     fill(now, advice);
   }
   if (outcomes_.count(own) > 0) advice.own = tried(own);

@@ -13,11 +13,13 @@
 namespace plastica::sweeps {
 
 struct AdviceOptions {
-  double within = 0.01;             ///< the error that is allowed [1], 0 … 1
-  std::vector<std::string> probes;  ///< names; empty: all of the scene
-  int max_runs = 60;                ///< >= 4
-  int threads = 0;                  ///< 0: as many as the machine has
-  StopFlag stop = nullptr;          ///< may be null
+  double within = 0.01;               ///< the error that is allowed [1], 0 … 1
+  std::vector<std::string> probes{};  ///< names; empty: all of the scene
+  int max_runs = 60;                  ///< >= 4
+  double max_work = 3e8;              ///< of all runs, segment-iterations: about a minute
+                                      ///< >= 4
+  int threads = 0;                    ///< 0: as many as the machine has
+  StopFlag stop = nullptr;            ///< may be null
   /// Called after each run with their number, from any thread, one call at a time.
   std::function<void(int runs)> progress{};
 };
@@ -41,6 +43,8 @@ struct TriedSetting {
 enum class AdviceEnd {
   Found,        ///< the setting is within what was asked for
   TooManyRuns,  ///< none was within it when the runs were used up
+  TooMuchWork,  ///< the next runs would have taken more work than is allowed
+  Diverging,    ///< refinement does not make the error smaller
   AtFinest,     ///< none was within it at the finest values of the axes
   Interrupted,
 };

@@ -22,18 +22,24 @@ std::string error_text(const TriedSetting& one) {
   return std::isfinite(one.error) ? "error " + percent(one.error) : "no error: " + one.reason;
 }
 
+/// Why nothing was found.
+std::string why_nothing(const Advice& advice) {
+  switch (advice.end) {
+    case AdviceEnd::Interrupted: return "interrupted";
+    case AdviceEnd::AtFinest: return "not at the finest there is";
+    case AdviceEnd::TooMuchWork: return "not for the work that is allowed (--max-work)";
+    case AdviceEnd::Diverging: return "refinement does not make the error smaller";
+    case AdviceEnd::TooManyRuns:
+    case AdviceEnd::Found: break;
+  }
+  return "not in the runs that are allowed (--max-runs)";
+}
+
 std::string head(const Advice& advice, const AdviceOptions& options, const std::string& name) {
   const std::string within = percent(options.within);
-  switch (advice.end) {
-    case AdviceEnd::Found: return fmt::format("{}, within {}:\n", name, within);
-    case AdviceEnd::Interrupted:
-      return fmt::format("{}: interrupted; the last setting that was tried:\n", name);
-    case AdviceEnd::AtFinest:
-      return fmt::format("{}: nothing within {}; the finest there is:\n", name, within);
-    case AdviceEnd::TooManyRuns: break;
-  }
-  return fmt::format("{}: nothing within {} in {} runs; the last setting:\n", name, within,
-                     advice.runs);
+  if (advice.end == AdviceEnd::Found) return fmt::format("{}, within {}:\n", name, within);
+  return fmt::format("{}: nothing within {}: {}; the last setting:\n", name, within,
+                     why_nothing(advice));
 }
 
 std::string budget_text(const Advice& advice) {
@@ -69,10 +75,10 @@ std::string advice_text(const Advice& advice, const AdviceOptions& options,
                         const std::string& name) {
   std::string text = head(advice, options, name) + budget_text(advice);
   if (!advice.reason.empty()) text += fmt::format("  not converged: {}\n", advice.reason);
+  if (!advice.worst.empty()) text += fmt::format("  the largest is of {}\n", advice.worst);
   if (advice.end == AdviceEnd::Found) {
     text += fmt::format("  together at most {}; a run that is twice as fine in each is {} off\n",
                         percent(advice.promised), percent(advice.verified));
-    if (!advice.worst.empty()) text += fmt::format("  the largest is of {}\n", advice.worst);
     text += fmt::format("  cost {}\n", cost_text(advice.work, advice.seconds));
   }
   if (advice.next_cheaper) {

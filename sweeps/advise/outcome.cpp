@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 #include <span>
+#include <string_view>
 #include <utility>
 
 #include "plastica/base/status.hpp"
@@ -17,7 +18,7 @@ void note_break(const ChainHistory& chain, Outcome& outcome) {
   for (const ChainBreak& event : chain.events) {
     for (const BrokenJoint& joint : event.joints) {
       if (joint.cause == BreakCause::Cut) continue;
-      outcome.break_time = event.time;
+      outcome.numbers.push_back({"time of the first break", event.time});
       outcome.break_place =
           static_cast<double>(joint.joint) / static_cast<double>(chain.joints - 1);
       return;
@@ -25,65 +26,89 @@ void note_break(const ChainHistory& chain, Outcome& outcome) {
   }
 }
 
+void note_each(std::string_view name, std::span<const double> values, Outcome& outcome) {
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    outcome.numbers.push_back({fmt::format("{} {}", name, i + 1), values[i]});
+  }
+}
+
+void note_numbers(const Response& response, Outcome& outcome) {
+  note_break(response.chain, outcome);
+  if (response.limit) outcome.numbers.push_back({"limit load", response.limit->below});
+  if (response.critical) note_each("critical load", response.critical->factor, outcome);
+  if (response.buckling) note_each("buckling factor", response.buckling->factor, outcome);
+  if (response.vibration) note_each("frequency", response.vibration->frequency, outcome);
+}
+
 Deviation incomparable(std::string reason) {
   return {std::numeric_limits<double>::infinity(), {}, std::move(reason)};
 }
 
-double largest_size(std::span<const double> values) {
-  double largest = 0.0;
-  for (const double value : values) largest = std::max(largest, std::abs(value));
-  return largest;
-}
-
 /// Adds a quantity's deviation if it is the largest so far. What is not finite is the largest.
 void take(Deviation& so_far, double deviation, std::string quantity) {
+  ++so_far.quantities;
   if (deviation <= so_far.largest) return;
   so_far.largest = std::isfinite(deviation) ? deviation : std::numeric_limits<double>::infinity();
   so_far.quantity = std::move(quantity);
 }
 
-/// The values of a history at the samples that the other run has, too.
-/// @param every  which of its samples those are
-std::vector<double> thinned(std::span<const double> values, std::size_t every) {
-  std::vector<double> thin;
-  for (std::size_t i = every - 1; i < values.size(); i += every) thin.push_back(values[i]);
-  return thin;
-}
+/// Samples of two runs that are at one time: n-th of the coarser, n-th of the finer one.
+using Matched = std::vector<std::pair<std::size_t, std::size_t>>;
 
-/// Which samples of the finer run are those of the coarser: every first, second, … one; 0: the two
-/// have other times.
-std::size_t stride(const Outcome& coarse, const Outcome& fine) {
-  if (coarse.time.empty() || fine.time.empty()) return 0;
-  const double first = coarse.time.front();
-  for (std::size_t every = 1; every <= fine.time.size(); ++every) {
-    const double time = fine.time[every - 1];
-    if (std::abs(time - first) <= 1e-9 * std::abs(first)) return every;
-    if (time > first) break;
+Matched matched_samples(const Outcome& coarse, const Outcome& fine) {
+  Matched matched;
+  const double end = coarse.time.empty() ? 0.0 : coarse.time.back();
+  std::size_t k = 0;
+  for (std::size_t i = 0; i < coarse.time.size(); ++i) {
+    while (k < fine.time.size() && fine.time[k] < coarse.time[i] - 1e-9 * end) ++k;
+    if (k == fine.time.size()) break;
+    if (fine.time[k] <= coarse.time[i] + 1e-9 * end) matched.emplace_back(i, k);
   }
-  return 0;
+  return matched;
 }
 
 void compare_probe(const WatchedProbe& probe, std::span<const double> coarse,
-                   std::span<const double> fine_all, std::size_t every, Deviation& so_far) {
-  const double scale = largest_size(fine_all);
-  if (std::max(scale, largest_size(coarse)) <= probe.least) return;
-  const std::vector<double> fine = thinned(fine_all, every);
-  // A path that broke or reached its limit ends a sample earlier in one run than in the other.
-  const std::size_t both = std::min(coarse.size(), fine.size());
+                   std::span<const double> fine, const Matched& matched, Deviation& so_far) {
+  double largest = 0.0;
+  double scale = 0.0;
   double difference = 0.0;
   double squares = 0.0;
-  for (std::size_t i = 0; i < both; ++i) {
-    difference += (coarse[i] - fine[i]) * (coarse[i] - fine[i]);
-    squares += fine[i] * fine[i];
+  for (const auto& [i, k] : matched) {
+    largest = std::max(largest, std::abs(coarse[i]));
+    scale = std::max(scale, std::abs(fine[k]));
+    difference += (coarse[i] - fine[k]) * (coarse[i] - fine[k]);
+    squares += fine[k] * fine[k];
   }
+  if (std::max(scale, largest) <= probe.least) return;
+  const auto [last, last_fine] = matched.back();
   take(so_far, std::sqrt(difference / squares), probe.name + ": history");
-  take(so_far, std::abs(largest_size(coarse) - scale) / scale, probe.name + ": largest");
-  take(so_far, std::abs(coarse[both - 1] - fine[both - 1]) / scale, probe.name + ": last");
+  take(so_far, std::abs(largest - scale) / scale, probe.name + ": largest");
+  take(so_far, std::abs(coarse[last] - fine[last_fine]) / scale, probe.name + ": last");
 }
 
 std::string break_text(const Outcome& outcome) {
-  if (!outcome.break_time) return "does not break";
-  return fmt::format("breaks at {:.4g} of the length", outcome.break_place);
+  if (!outcome.break_place) return "does not break";
+  return fmt::format("breaks at {:.4g} of the length", *outcome.break_place);
+}
+
+/// Why the two are not one outcome, but for its numbers; empty: they are.
+std::string other_outcome(const Outcome& coarse, const Outcome& fine) {
+  const double apart = 1.5 / static_cast<double>(std::min(coarse.segments, fine.segments));
+  if (coarse.break_place.has_value() != fine.break_place.has_value() ||
+      (coarse.break_place && std::abs(*coarse.break_place - *fine.break_place) > apart)) {
+    return fmt::format("it {}, and finer it {}", break_text(coarse), break_text(fine));
+  }
+  if (coarse.status != fine.status) {
+    return fmt::format("it is {}, and finer {}", name_of(coarse.status), name_of(fine.status));
+  }
+  for (std::size_t i = 0; i < std::max(coarse.numbers.size(), fine.numbers.size()); ++i) {
+    const bool in_both = i < std::min(coarse.numbers.size(), fine.numbers.size()) &&
+                         coarse.numbers[i].name == fine.numbers[i].name;
+    if (in_both) continue;
+    const Outcome& more = i < fine.numbers.size() ? fine : coarse;
+    return more.numbers[i].name + " is there in one of two settings alone";
+  }
+  return {};
 }
 
 }  // namespace
@@ -99,7 +124,7 @@ Outcome outcome_of(const BatchRow& row, const std::vector<WatchedProbe>& watched
   }
   if (response.chain.joints == 0) return outcome;
   outcome.segments = static_cast<std::int64_t>(response.chain.joints) - 1;
-  outcome.work = outcome.segments * response.counters.iterations;
+  outcome.work = outcome.segments * std::max(response.counters.iterations, 1);
   outcome.seconds = response.seconds;
   const auto samples = static_cast<std::ptrdiff_t>(response.samples);
   const auto& time = response.chain.time;
@@ -108,8 +133,7 @@ Outcome outcome_of(const BatchRow& row, const std::vector<WatchedProbe>& watched
     const auto& values = response.probes[probe.probe];
     outcome.history.emplace_back(values.begin(), values.begin() + samples);
   }
-  note_break(response.chain, outcome);
-  if (response.limit) outcome.limit_load = response.limit->below;
+  note_numbers(response, outcome);
   return outcome;
 }
 
@@ -118,30 +142,19 @@ Deviation deviation(const Outcome& coarse, const Outcome& fine,
   for (const Outcome* one : {&coarse, &fine}) {
     if (!usable(one->status)) return incomparable(one->reason);
   }
-  const double apart = 1.5 / static_cast<double>(std::min(coarse.segments, fine.segments));
-  const bool both_break = coarse.break_time && fine.break_time;
-  if (coarse.break_time.has_value() != fine.break_time.has_value() ||
-      (both_break && std::abs(coarse.break_place - fine.break_place) > apart)) {
-    return incomparable(
-        fmt::format("it {}, and finer it {}", break_text(coarse), break_text(fine)));
+  if (std::string other = other_outcome(coarse, fine); !other.empty()) {
+    return incomparable(std::move(other));
   }
-  if (coarse.status != fine.status) {
-    return incomparable(
-        fmt::format("it is {}, and finer {}", name_of(coarse.status), name_of(fine.status)));
-  }
-  const std::size_t every = stride(coarse, fine);
-  if (every == 0) return incomparable("the two have no sample at the same time");
+  const Matched matched = matched_samples(coarse, fine);
+  if (matched.empty()) return incomparable("the two have no sample at the same time");
   Deviation found;
   for (std::size_t k = 0; k < watched.size(); ++k) {
-    compare_probe(watched[k], coarse.history[k], fine.history[k], every, found);
+    compare_probe(watched[k], coarse.history[k], fine.history[k], matched, found);
   }
-  if (both_break) {
-    take(found, std::abs(*coarse.break_time - *fine.break_time) / *fine.break_time,
-         "time of the first break");
-  }
-  if (coarse.limit_load && fine.limit_load) {
-    take(found, std::abs(*coarse.limit_load - *fine.limit_load) / std::abs(*fine.limit_load),
-         "limit load");
+  for (std::size_t i = 0; i < fine.numbers.size(); ++i) {
+    const auto& [name, value] = fine.numbers[i];
+    const double off = std::abs(coarse.numbers[i].value - value);
+    if (off > 0.0 || value != 0.0) take(found, off / std::abs(value), name);
   }
   return found;
 }

@@ -18,17 +18,22 @@ struct WatchedProbe {
   double least = 0.0;
 };
 
+/// A number that a run gives once: "time of the first break", "limit load", "buckling factor 1".
+struct OneNumber {
+  std::string name{};
+  double value = 0.0;  ///< [SI]
+};
+
 /// What a run of a setting came to.
 struct Outcome {
   Status status = Status::NotRun;
   std::string reason{};                        ///< why it cannot be used
   std::vector<double> time{};                  ///< of the samples [s] (n_samples)
   std::vector<std::vector<double>> history{};  ///< of each watched probe (n_watched x n_samples)
-  std::optional<double> break_time{};          ///< of the first break [s]
-  double break_place = 0.0;                    ///< of it, of the beam's length [1]
-  std::optional<double> limit_load{};          ///< load factor [1]
+  std::optional<double> break_place{};         ///< of the first break, of the beam's length [1]
+  std::vector<OneNumber> numbers{};            ///< what else the run found
   std::int64_t segments = 0;
-  std::int64_t work = 0;  ///< segment-iterations
+  std::int64_t work = 0;  ///< segment-iterations; of a run without any its segments
   double seconds = 0.0;   ///< CPU time [s]
 };
 
@@ -40,13 +45,15 @@ struct Deviation {
   double largest = 0.0;
   std::string quantity{};  ///< whose it is: "tip: history"
   std::string reason{};    ///< why the two cannot be compared
+  int quantities = 0;      ///< that were compared: 0 where all stays within rounding
 };
 
-/// Compares two runs of one scene. Of each watched probe, over the largest size that the finer run
-/// has of it: the largest size and the last value; and the history, the root mean square of its
-/// difference over that of the finer one. Of the first break its time, over that of the finer run,
-/// and of a limit load its factor. Where the one breaks and the other does not, or they break more
-/// than a segment and a half of the coarser apart, they cannot be compared.
+/// Compares two runs of one scene, at the times of which both have a sample. Of each watched probe,
+/// over the largest size that the finer run has of it: the largest size and the last value; and the
+/// history, the root mean square of its difference over that of the finer one. Of the time of the
+/// first break, a limit load, buckling factors and frequencies the difference over the finer run's.
+/// Where the one breaks and the other does not, or they break more than a segment and a half of the
+/// coarser apart, they cannot be compared.
 Deviation deviation(const Outcome& coarse, const Outcome& fine,
                     const std::vector<WatchedProbe>& watched);
 

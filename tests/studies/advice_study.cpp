@@ -1,0 +1,100 @@
+// Whether `plastica advise` keeps its word: the advised setting of many scenes against a run that
+// is four times finer in every axis. PLASTICA_STUDY=full runs all, =sample a few.
+
+#include <gtest/gtest.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "plastica/io/scene_file.hpp"
+#include "sweeps/advise/advice.hpp"
+#include "sweeps/advise/advice_text.hpp"
+#include "sweeps/advise/watched_probes.hpp"
+
+namespace plastica::studies {
+namespace {
+
+using namespace plastica::sweeps;
+
+struct StudiedScene {
+  std::string name;
+  Setup setup;
+};
+
+/// The shipped scenes of beams.
+std::vector<StudiedScene> shipped_scenes() {
+  std::vector<StudiedScene> scenes;
+  const std::filesystem::path folder = std::string(PLASTICA_SOURCE_DIR) + "/data/scenes";
+  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+    if (entry.path().extension() != ".toml") continue;
+    Setup setup = io::read_scene_file(entry.path().string()).setup;
+    if (!setup.scene.is_coupon()) scenes.push_back({entry.path().stem().string(), setup});
+  }
+  std::ranges::sort(scenes, {}, &StudiedScene::name);
+  return scenes;
+}
+
+/// How far an advised setting is off the run that is four times finer in every axis.
+Deviation true_error(const Setup& setup, const Advice& advice,
+                     const std::vector<WatchedProbe>& watched) {
+  Setting finest = advice.setting;
+  for (std::size_t k = 0; k < finest.size(); ++k) {
+    finest[k] = advice.axes[k].scaled(finest[k], 0.25);
+  }
+  finest = taken_setting(setup, advice.axes, finest);
+  std::vector<BatchCase> cases;
+  for (const Setting& setting : {advice.setting, finest}) {
+    const Setup at = setup_at(setup, advice.axes, setting);
+    cases.push_back({std::to_string(cases.size()), at.scene, at.solver});
+  }
+  const std::vector<BatchRow> rows = run_batch(cases);
+  return deviation(outcome_of(rows[0], watched), outcome_of(rows[1], watched), watched);
+}
+
+TEST(Advice, KeepsItsWord) {
+  const char* study = std::getenv("PLASTICA_STUDY");
+  const bool full = study != nullptr && std::string(study) == "full";
+  int found = 0;
+  int kept = 0;
+  int far = 0;
+  for (const StudiedScene& scene : shipped_scenes()) {
+    for (const double within : {0.05, 0.01, 0.002}) {
+      if (!full && within < 0.05) continue;
+      const AdviceOptions options{.within = within};
+      const Advice advice = advise(scene.setup, options);
+      std::string line = fmt::format("{:<26} {:4.1f} %", scene.name, 100.0 * within);
+      if (advice.end != AdviceEnd::Found) {
+        fmt::print("{}  nothing in {} runs: {} {}\n", line, advice.runs,
+                   setting_text(advice.axes, advice.setting), advice.reason);
+        continue;
+      }
+      const Deviation off =
+          true_error(scene.setup, advice, watched_probes(scene.setup, {}).watched);
+      ++found;
+      kept += off.largest <= within ? 1 : 0;
+      far += off.largest > 2.0 * within ? 1 : 0;
+      fmt::print(
+          "{}  promised {:7.4f} true {:7.4f} {} {} runs {} work x {:.3g}, own {:.4g} % {:.3g} ({}) "
+          "{}\n",
+          line, 100.0 * advice.promised, 100.0 * off.largest,
+          off.largest <= within ? "    " : "MISS", setting_text(advice.axes, advice.setting),
+          advice.runs, static_cast<double>(advice.total_work) / static_cast<double>(advice.work),
+          100.0 * advice.own.error,
+          static_cast<double>(advice.own.work) / static_cast<double>(advice.work), off.quantity,
+          off.reason);
+      std::fflush(stdout);
+    }
+  }
+  fmt::print("{} of {} kept\n", kept, found);
+  EXPECT_GE(kept, 0.98 * found);
+  EXPECT_EQ(far, 0);
+}
+
+}  // namespace
+}  // namespace plastica::studies
