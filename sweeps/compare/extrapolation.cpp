@@ -53,7 +53,11 @@ Extrapolated extrapolate_one(const ReferenceSets& sets, std::vector<std::size_t>
   if (!out.value) {
     out.reason = "nothing can be extrapolated: it takes three values that converge";
   } else if (sizes.size() >= kLeastSizes) {
-    out.uncertainty = theory::grid_convergence(sizes, values).uncertainty;
+    // The index is of the finest value: 1.25 times what it is off the extrapolated one.
+    const auto grid = theory::grid_convergence(sizes, values);
+    const bool monotone = grid.kind == theory::ConvergenceKind::Monotone;
+    const double part = monotone ? (grid.safety_factor - 1.0) / grid.safety_factor : 1.0;
+    if (grid.uncertainty) out.uncertainty = part * *grid.uncertainty;
   }
   return out;
 }

@@ -32,18 +32,21 @@ std::optional<double> order_against_finest(double r2, double e2, double r3, doub
 std::optional<double> error_along(const ReferenceSets& sets, const std::vector<std::size_t>& line,
                                   std::size_t axis, const Comparison& comparison) {
   constexpr double kSafety = 1.25;
-  constexpr double kSafetyOfTwo = 3.0;
+  constexpr double kSafetyOfAssumed = 3.0;
+  constexpr double kMaxOrder = 2.0;  // of all schemes and joints; more is luck
   const auto ratio = [&](std::size_t k) {
     return sets.size_at(line[k], axis) / sets.size_at(line[0], axis);
   };
+  const auto size = [&](std::size_t k) { return std::abs(*comparison.error[line[k]]); };
   if (!comparison.error[line[1]]) return std::nullopt;
-  const double e2 = std::abs(*comparison.error[line[1]]);
-  if (line.size() > 2 && comparison.error[line[2]]) {
-    const double e3 = std::abs(*comparison.error[line[2]]);
-    const auto order = order_against_finest(ratio(1), e2, ratio(2), e3);
-    if (order) return kSafety * e2 / (std::pow(ratio(1), *order) - 1.0);
-  }
-  return kSafetyOfTwo * e2 / (ratio(1) - 1.0);
+  const bool has_third = line.size() > 2 && comparison.error[line[2]];
+  if (!has_third) return kSafetyOfAssumed * size(1) / (ratio(1) - 1.0);
+  const auto order = order_against_finest(ratio(1), size(1), ratio(2), size(2));
+  const double p = order ? std::min(*order, kMaxOrder) : 1.0;
+  // Of a pure power both say the same; a difference that is small by luck is outvoted.
+  const double off =
+      std::max(size(1) / (std::pow(ratio(1), p) - 1.0), size(2) / (std::pow(ratio(2), p) - 1.0));
+  return (order ? kSafety : kSafetyOfAssumed) * off;
 }
 
 /// Whether another case breaks where the finest does, within a segment of the coarser one, or does

@@ -31,8 +31,8 @@ std::string change_of_outcome(const Sweep& sweep, const ReferenceSets& sets,
 
 /// About how far the finest case of a set is off its limit, over the scale of errors [1]: the sum
 /// of what Roache's grid convergence index says along each axis, from the errors of the two next
-/// coarser cases against it (safety factor 1.25), or of one with the assumed order 1 (3). None
-/// where an axis has no second case.
+/// coarser cases against it (safety factor 1.25, order at most 2), or with the order 1 where they
+/// show none, or there is one case (3). None where an axis has no second case.
 std::optional<double> error_of_finest(const Sweep& sweep, const ReferenceSets& sets,
                                       const ReferenceSet& set,
                                       const std::vector<CaseResult>& results,
