@@ -107,7 +107,7 @@ void add_error_notes(const Sweep& sweep, const CaseTable& cases, const Reference
   for (const auto& error : comparison.reference_error) off = std::max(off, error.value_or(0.0));
   if (off > 0.0) {
     comparison.notes.push_back(fmt::format(
-        "the reference itself is off by about {:.2g} % (grid convergence index)", 100.0 * off));
+        "the reference itself is off by about {:.2g} %, an estimate", 100.0 * off));
   }
   const Setup setup = cases.setup(0);
   for (const std::string_view path : not_refined(sweep, setup)) {
