@@ -18,6 +18,7 @@ constexpr std::size_t kLeastSizes = 3;
 std::vector<double> finest_sizes(const ReferenceSets& sets, const std::vector<std::size_t>& cases,
                                  std::size_t axis) {
   std::vector<double> all;
+  all.reserve(cases.size());
   for (const std::size_t i : cases) all.push_back(sets.size_at(i, axis));
   std::sort(all.begin(), all.end());
   all.erase(std::unique(all.begin(), all.end(), same_size), all.end());
