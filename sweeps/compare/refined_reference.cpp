@@ -149,7 +149,7 @@ class RefinedComparison {
     std::vector<double> values;
     for (const std::size_t k : group.distinct()) {
       const CaseResult& result = results_[group.cases[k]];
-      if (!result.value) continue;
+      if (!result.value || !has_outcome(result)) continue;
       sizes.push_back(group.size[k]);
       values.push_back(*result.value);
     }

@@ -68,7 +68,8 @@ std::string none_text(const SweepRecord& record, CostKind cost, const Wish& wish
     default: break;
   }
   return fmt::format("nothing {}; the nearest is\n  {}", wish_text(cost, wish),
-                     case_text(record, cost, *choice.nearest));
+                     case_text(record, cost, *choice.nearest)) +
+         notes_text(record);
 }
 
 }  // namespace

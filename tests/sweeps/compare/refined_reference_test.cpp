@@ -134,6 +134,14 @@ TEST(RefinedReference, IsNoneWhereTheFinestInAllFailed) {
   EXPECT_EQ(found.reference[0], law(16, 0.004));
 }
 
+TEST(RefinedReference, IsNoRunThatIsNotToBeTrusted) {
+  Made made(segments_axis("[4, 8, 16]") + against("finest"), {2.2, 2.0, 1.0});
+  made.results[2].status = Status::NotBalanced;
+  const Comparison found = made.compared();
+  EXPECT_EQ(found.reason[1], kIsReference);
+  EXPECT_NEAR(found.error[0].value_or(0.0), 0.1, 1e-15);
+}
+
 TEST(RefinedReference, TakesCasesOfOneRunForOne) {
   const std::string text =
       "[[axis]]\nfield = 'solver.time_step'\nvalues = ['8 ms', '4 ms', '2 ms', "
