@@ -33,7 +33,8 @@ std::vector<std::size_t> cases_to_fit(const ReferenceSets& sets, const Reference
   for (const std::size_t i : set.cases) {
     const bool finest = std::all_of(set.words.begin(), set.words.end(),
                                     [&](std::size_t a) { return sets.finest_word_at(i, a); });
-    if (results[i].value && has_outcome(results[i]) && finest) kept.push_back(i);
+    const bool alike = !set.finest || end_alike(results[i], results[*set.finest]);
+    if (results[i].value && has_outcome(results[i]) && finest && alike) kept.push_back(i);
   }
   return kept;
 }

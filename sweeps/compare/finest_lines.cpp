@@ -49,24 +49,30 @@ std::optional<double> error_along(const ReferenceSets& sets, const std::vector<s
   return (order ? kSafety : kSafetyOfAssumed) * off;
 }
 
-/// Whether another case breaks where the finest does, within a segment of the coarser one, or does
-/// not, as it does not.
-bool ends_alike(const CaseResult& finest, const CaseResult& other) {
-  if (finest.status != other.status) return false;
-  if (finest.break_place.has_value() != other.break_place.has_value()) return false;
-  if (!finest.break_place) return true;
-  const auto segments =
-      static_cast<double>(std::max<std::int64_t>(std::min(finest.segments, other.segments), 1));
-  const double room = (1.0 + 1e-9) / segments;
-  return std::abs(*finest.break_place - *other.break_place) <= room;
-}
-
 std::string outcome_of(const CaseResult& result) {
   if (result.break_joint >= 0) return fmt::format("{}", result.break_joint);
   return result.status == Status::Completed ? "none" : std::string(name_of(result.status));
 }
 
 }  // namespace
+
+bool end_alike(const CaseResult& one, const CaseResult& other) {
+  if (one.status != other.status) return false;
+  if (one.break_place.has_value() != other.break_place.has_value()) return false;
+  if (!one.break_place) return true;
+  const auto segments =
+      static_cast<double>(std::max<std::int64_t>(std::min(one.segments, other.segments), 1));
+  const double room = (1.0 + 1e-9) / segments;
+  return std::abs(*one.break_place - *other.break_place) <= room;
+}
+
+std::string other_end(const CaseResult& result, const CaseResult& reference) {
+  const auto words = [](const CaseResult& one) {
+    return one.break_joint >= 0 ? fmt::format("breaks at joint {}", one.break_joint)
+                                : fmt::format("ends as {}", name_of(one.status));
+  };
+  return words(result) + ", the reference " + words(reference);
+}
 
 bool moves_with(const Sweep& sweep, std::size_t axis, std::size_t other) {
   const std::string& group = sweep.axes[axis].group;
@@ -116,7 +122,7 @@ std::string change_of_outcome(const Sweep& sweep, const ReferenceSets& sets,
   constexpr std::size_t kShown = 3;
   for (const std::size_t axis : free_axes(sweep, set)) {
     const auto line = line_of_finest(sweep, sets, set, axis, results);
-    if (line.size() < 2 || ends_alike(results[line[0]], results[line[1]])) continue;
+    if (line.size() < 2 || end_alike(results[line[0]], results[line[1]])) continue;
     const bool breaks = results[line[0]].break_joint >= 0 || results[line[1]].break_joint >= 0;
     std::string all;
     for (std::size_t k = std::min(line.size(), kShown); k-- > 0;) {

@@ -24,6 +24,14 @@ std::vector<std::size_t> line_of_finest(const Sweep& sweep, const ReferenceSets&
                                         const ReferenceSet& set, std::size_t axis,
                                         const std::vector<CaseResult>& results);
 
+/// Whether two runs end in the same way: with one status, and if a joint breaks, at one place,
+/// within a segment of the coarser one.
+bool end_alike(const CaseResult& one, const CaseResult& other);
+
+/// How a run ends that does not end as its reference does: "breaks at joint 5, the reference at
+/// joint 0".
+std::string other_end(const CaseResult& result, const CaseResult& reference);
+
 /// What changes between the finest case of a set and the next coarser one along an axis, in words:
 /// "breaks at joint 14, 15, 30" (the finest last); empty: nothing.
 std::string change_of_outcome(const Sweep& sweep, const ReferenceSets& sets,

@@ -234,6 +234,20 @@ TEST(RefinedReference, HasNoErrorsWhereTheJointThatBreaksChanges) {
             "not converged: breaks at joint 7, 15, limit-load as beam.segments is refined");
 }
 
+TEST(RefinedReference, HasNoErrorOfACaseThatEndsOtherwise) {
+  Made made(segments_axis("[8, 16, 32]") + against("finest"), {2.0, 2.1, 2.0});
+  for (const std::size_t i : {1U, 2U}) {
+    made.results[i].status = Status::Broken;
+    made.results[i].segments = i == 1 ? 16 : 32;
+    made.results[i].break_joint = 0;
+    made.results[i].break_place = 0.0;
+  }
+  const Comparison found = made.compared();
+  EXPECT_FALSE(found.error[0].has_value()) << "though its value is that of the reference";
+  EXPECT_EQ(found.reason[0], "ends otherwise: ends as completed, the reference breaks at joint 0");
+  EXPECT_NEAR(found.error[1].value_or(0.0), 0.05, 1e-15);
+}
+
 TEST(RefinedReference, SaysWhatNoAxisRefines) {
   const auto notes = [](const std::string& set) {
     return Made(set + segments_axis("[4, 8]") + against("finest"), {3.0, 2.0}).compared().notes;
