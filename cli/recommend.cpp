@@ -145,7 +145,7 @@ void add_recommend(CLI::App& app, Action& action) {
   sub->footer(
       "Example:\n"
       "  plastica recommend sweep.h5 --within \"1 %\" -o scene.toml\n"
-      "Exit code 1 if no case meets it.");
+      "Exit code 1 if no case meets it, or if no error can be promised.");
   sub->callback([&action, arguments] { action = [arguments] { return recommend(*arguments); }; });
 }
 

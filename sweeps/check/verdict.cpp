@@ -117,6 +117,11 @@ void add_group(const Claim& claim, const SweepRecord& record, const RefinementGr
   } else if (claim.kind == ClaimKind::Gci) {
     worst.add(found.grid ? found.grid->fine_index : std::nullopt, "there is no index" + of);
   } else {
+    const std::string& lacks = record.comparison.lacks[group.cases.back()];
+    if (!lacks.empty()) {
+      worst.add(std::nullopt, error_alone(record.axes[*record.refined].field->path, lacks));
+      return;
+    }
     std::optional<double> error;
     const auto& reference = record.comparison.reference[group.cases.back()];
     if (found.grid && found.grid->extrapolated && reference) {

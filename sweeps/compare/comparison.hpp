@@ -52,6 +52,8 @@ inline constexpr std::string_view kIsReference = "is the finest, the reference o
 inline constexpr std::string_view kIsRunOfReference = "is the run of the finest, its reference";
 /// How `reason` begins where refinement changes what happens.
 inline constexpr std::string_view kNotConverged = "not converged: ";
+/// How it begins of a case that ends in another way than its reference, or breaks elsewhere.
+inline constexpr std::string_view kEndsOtherwise = "ends otherwise: ";
 
 /// What an error of some axes alone is: "error of beam.segments alone; that of solver.time_step is
 /// not in it".

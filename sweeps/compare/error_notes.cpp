@@ -35,8 +35,11 @@ std::vector<std::string_view> not_refined(const Sweep& sweep, const Setup& setup
   }
   const bool in_motion = setup.solver.analysis == Analysis::Dynamics && !scene.is_coupon() &&
                          kind != QuantityKind::NaturalFrequency;
-  if (in_motion && !is_refined_by_any(sweep, {"solver.time_step", "solver.step_error"})) {
-    fields.emplace_back("solver.time_step");
+  // Where steps follow an error, the largest of them refines nothing.
+  const bool adaptive = setup.solver.step_error > 0.0;
+  const std::string_view step = adaptive ? "solver.step_error" : "solver.time_step";
+  if (in_motion && !is_refined_by_any(sweep, {step, "solver.step_error"})) {
+    fields.push_back(step);
   }
   const bool fibres = scene.yield_model == YieldModel::Fibre || takes(sweep, "fibre");
   if (!scene.is_coupon() && fibres && kind != QuantityKind::NaturalFrequency &&
@@ -106,8 +109,8 @@ void add_error_notes(const Sweep& sweep, const CaseTable& cases, const Reference
   double off = 0.0;
   for (const auto& error : comparison.reference_error) off = std::max(off, error.value_or(0.0));
   if (off > 0.0) {
-    comparison.notes.push_back(fmt::format(
-        "the reference itself is off by about {:.2g} % (grid convergence index)", 100.0 * off));
+    comparison.notes.push_back(
+        fmt::format("the reference itself is off by about {:.2g} %, an estimate", 100.0 * off));
   }
   const Setup setup = cases.setup(0);
   for (const std::string_view path : not_refined(sweep, setup)) {

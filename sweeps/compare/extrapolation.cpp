@@ -18,6 +18,7 @@ constexpr std::size_t kLeastSizes = 3;
 std::vector<double> finest_sizes(const ReferenceSets& sets, const std::vector<std::size_t>& cases,
                                  std::size_t axis) {
   std::vector<double> all;
+  all.reserve(cases.size());
   for (const std::size_t i : cases) all.push_back(sets.size_at(i, axis));
   std::sort(all.begin(), all.end());
   all.erase(std::unique(all.begin(), all.end(), same_size), all.end());
@@ -32,7 +33,8 @@ std::vector<std::size_t> cases_to_fit(const ReferenceSets& sets, const Reference
   for (const std::size_t i : set.cases) {
     const bool finest = std::all_of(set.words.begin(), set.words.end(),
                                     [&](std::size_t a) { return sets.finest_word_at(i, a); });
-    if (results[i].value && finest) kept.push_back(i);
+    const bool alike = !set.finest || end_alike(results[i], results[*set.finest]);
+    if (results[i].value && has_outcome(results[i]) && finest && alike) kept.push_back(i);
   }
   return kept;
 }
@@ -53,7 +55,11 @@ Extrapolated extrapolate_one(const ReferenceSets& sets, std::vector<std::size_t>
   if (!out.value) {
     out.reason = "nothing can be extrapolated: it takes three values that converge";
   } else if (sizes.size() >= kLeastSizes) {
-    out.uncertainty = theory::grid_convergence(sizes, values).uncertainty;
+    // The index is of the finest value: 1.25 times what it is off the extrapolated one.
+    const auto grid = theory::grid_convergence(sizes, values);
+    const bool monotone = grid.kind == theory::ConvergenceKind::Monotone;
+    const double part = monotone ? (grid.safety_factor - 1.0) / grid.safety_factor : 1.0;
+    if (grid.uncertainty) out.uncertainty = part * *grid.uncertainty;
   }
   return out;
 }

@@ -24,6 +24,14 @@ std::vector<std::size_t> line_of_finest(const Sweep& sweep, const ReferenceSets&
                                         const ReferenceSet& set, std::size_t axis,
                                         const std::vector<CaseResult>& results);
 
+/// Whether two runs end in the same way: with one status, and if a joint breaks, at one place,
+/// within a segment of the coarser one.
+bool end_alike(const CaseResult& one, const CaseResult& other);
+
+/// How a run ends that does not end as its reference does: "breaks at joint 5, the reference at
+/// joint 0".
+std::string other_end(const CaseResult& result, const CaseResult& reference);
+
 /// What changes between the finest case of a set and the next coarser one along an axis, in words:
 /// "breaks at joint 14, 15, 30" (the finest last); empty: nothing.
 std::string change_of_outcome(const Sweep& sweep, const ReferenceSets& sets,
@@ -31,8 +39,8 @@ std::string change_of_outcome(const Sweep& sweep, const ReferenceSets& sets,
 
 /// About how far the finest case of a set is off its limit, over the scale of errors [1]: the sum
 /// of what Roache's grid convergence index says along each axis, from the errors of the two next
-/// coarser cases against it (safety factor 1.25), or of one with the assumed order 1 (3). None
-/// where an axis has no second case.
+/// coarser cases against it (safety factor 1.25, order at most 2), or with the order 1 where they
+/// show none, or there is one case (3). None where an axis has no second case.
 std::optional<double> error_of_finest(const Sweep& sweep, const ReferenceSets& sets,
                                       const ReferenceSet& set,
                                       const std::vector<CaseResult>& results,

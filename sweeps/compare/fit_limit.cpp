@@ -197,7 +197,7 @@ bool moves_nothing(std::span<const double> sizes, std::size_t axes, std::size_t 
 
 std::optional<Limit> fit_finest(std::span<const double> sizes, std::size_t axes,
                                 std::span<const double> values) {
-  const auto all = fit_all(sizes, axes, values);
+  auto all = fit_all(sizes, axes, values);
   const auto [fine_sizes, fine_values] = without_coarsest(sizes, axes, values);
   auto fine = fit_all(fine_sizes, axes, fine_values);
   if (!fine) return all;

@@ -85,7 +85,7 @@ bool same_size(double a, double b) {
 }
 
 bool has_outcome(const CaseResult& result) {
-  return result.value.has_value() || !result.curve.empty();
+  return usable(result.status) && (result.value.has_value() || !result.curve.empty());
 }
 
 double size_on(const Axis& axis, const Setup& setup) {

@@ -41,7 +41,8 @@ struct ReferenceSets {
 /// Whether two sizes are one, but for rounding.
 bool same_size(double a, double b);
 
-/// Whether a case has something to compare.
+/// Whether a case has something that others may be compared with: a run that is not balanced has
+/// not.
 bool has_outcome(const CaseResult& result);
 
 /// The size of what an axis refines, as a run takes it: a ratio rounded to whole segments, a step

@@ -53,7 +53,7 @@ class RefinedComparison {
     const std::size_t finest = *set.finest;
     if (refuse_unconverged(set)) return true;
     for (const std::size_t i : set.cases) {
-      if (i == finest) continue;
+      if (i == finest || refuse_other_end(i, finest)) continue;
       comparer_.with_case(i, finest);
       note_where_coarser(set, i, finest);
     }
@@ -76,6 +76,7 @@ class RefinedComparison {
         if (results_[i].value) out.reason[i] = found.reason;
         continue;
       }
+      if (set.finest && refuse_other_end(i, *set.finest)) continue;
       comparer_.with_number(i, *found.value);
       if (set.finest) note_where_coarser(set, i, *set.finest);
       const double scale = of_.sweep.error_scale.value_or(std::abs(*found.value));
@@ -94,6 +95,14 @@ class RefinedComparison {
         comparer_.out().reason[i] = std::string(kNotConverged) + change;
       }
     }
+    return true;
+  }
+
+  /// A case that ends otherwise is not a little off: it has no error, however close its value is.
+  bool refuse_other_end(std::size_t i, std::size_t finest) {
+    if (!has_outcome(results_[i]) || end_alike(results_[i], results_[finest])) return false;
+    comparer_.out().reason[i] =
+        std::string(kEndsOtherwise) + other_end(results_[i], results_[finest]);
     return true;
   }
 
@@ -149,7 +158,7 @@ class RefinedComparison {
     std::vector<double> values;
     for (const std::size_t k : group.distinct()) {
       const CaseResult& result = results_[group.cases[k]];
-      if (!result.value) continue;
+      if (!result.value || !has_outcome(result)) continue;
       sizes.push_back(group.size[k]);
       values.push_back(*result.value);
     }

@@ -88,6 +88,7 @@ void classify_values(const PlotCases& cases, CaseClasses& out) {
 std::string class_without_error(const SweepRecord& record, std::size_t i) {
   const std::string& reason = record.comparison.reason[i];
   if (reason.starts_with(kNotConverged)) return "not converged";
+  if (reason.starts_with(kEndsOtherwise)) return "ends otherwise";
   if (reason == kIsReference || reason == kIsRunOfReference) return "reference";
   return std::string(name_of(record.results[i].status));
 }

@@ -277,7 +277,7 @@ PlotScript map_terminal(const PlotCases& cases) {
     const std::string name = panel_title(record, map, members);
     std::string below = fmt::format("{}{}over {}", name, name.empty() ? "" : "; ", y_label);
     const std::string limits = map.colors.of_errors ? error_limits(record) : std::string();
-    if (!limits.empty() && name.empty()) below = limits + ", over " + y_label;
+    if (!limits.empty() && name.empty()) below = fmt::format("{}, over {}", limits, y_label);
     script.command(fmt::format("set title {}.\"\\n\".{}",
                                in_quotes(report::cut(title_of(record, map), 76)),
                                in_quotes(report::cut(below, 76))));

@@ -1,5 +1,6 @@
 #include "sweeps/store/sweep_store.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
@@ -166,6 +167,12 @@ void read_what_errors_lack(const Hdf5Group& root, SweepRecord& record) {
       comparison.reference_error.size() != n) {
     throw InputError({root.file(), 0}, "/cases/error_lacks", "",
                      "does not go with the number of cases");
+  }
+  const bool lacking = std::any_of(comparison.lacks.begin(), comparison.lacks.end(),
+                                   [](const std::string& lacks) { return !lacks.empty(); });
+  if (lacking && !record.refined) {
+    throw InputError({root.file(), 0}, "/cases/error_lacks", "",
+                     "does not go without an axis that refines");
   }
 }
 

@@ -15,10 +15,21 @@ std::string cost_text(const CaseResult& result, CostKind cost) {
   return text;
 }
 
+/// What a promised error is made of, where the reference is one of the cases' own.
+std::string made_of(const SweepRecord& record, std::size_t index) {
+  const auto& own = record.comparison.error[index];
+  const auto& of_reference = record.comparison.reference_error[index];
+  if (!of_reference || !promised_error(record, index)) return "";
+  if (!own) return " (it is the reference itself)";
+  return fmt::format(" ({} and {} of the reference)", percent(std::abs(*own)),
+                     percent(*of_reference));
+}
+
 std::string case_text(const SweepRecord& record, CostKind cost, std::size_t index) {
   const auto error = promised_error(record, index);
-  return fmt::format("{}\n    error {}, {}\n", setting_text(record, index),
-                     error ? percent(*error) : "unknown", cost_text(record.results[index], cost));
+  return fmt::format("{}\n    error {}{}, {}\n", setting_text(record, index),
+                     error ? percent(*error) : "unknown", made_of(record, index),
+                     cost_text(record.results[index], cost));
 }
 
 std::string wish_text(CostKind cost, const Wish& wish) {
@@ -57,7 +68,8 @@ std::string none_text(const SweepRecord& record, CostKind cost, const Wish& wish
     default: break;
   }
   return fmt::format("nothing {}; the nearest is\n  {}", wish_text(cost, wish),
-                     case_text(record, cost, *choice.nearest));
+                     case_text(record, cost, *choice.nearest)) +
+         notes_text(record);
 }
 
 }  // namespace

@@ -94,7 +94,7 @@ std::vector<TradePoint> promised_points(const SweepRecord& record, CostKind cost
     for (std::size_t a = 0; a < record.axes.size(); ++a) {
       const Axis& axis = record.axes[a];
       const double size = nominal_size(axis, record.at(i, a));
-      if (axis.values.size() > 1 && size > 0.0) {
+      if (axis.values.size() > 1 && size > 0.0 && !axis.apart) {
         points[i].sizes.push_back(size);
       } else {
         const auto first = std::find(axis.values.begin(), axis.values.end(), record.at(i, a));

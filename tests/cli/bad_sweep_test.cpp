@@ -97,7 +97,7 @@ INSTANTIATE_TEST_SUITE_P(
         sweep("UnknownProbe", "'tip'", "'top'",
               "sweep.toml:6: error.probe = top: is not a probe of the scene; it has tip"),
         sweep("ApartOfATruth", "elastica'", "elastica'\napart = ['beam.segments']",
-              "sweep.toml:8: error.apart = [ 'beam.segments' ]: goes with against = \"finest\" or "
+              "sweep.toml:8: error.apart = ['beam.segments']: goes with against = \"finest\" or "
               "\"richardson\""),
         sweep("ApartOfNoAxis", "theory:elastica'", "finest'\napart = ['solver.level']",
               "sweep.toml:8: error.apart[1] = solver.level: is not the field of an axis"),

@@ -151,6 +151,24 @@ class OlderFiles(unittest.TestCase):
         self.check_names("sweeps/cantilever_deflection.toml",
                          ("cases/energy_balance_error", "cases/ledger_error"))
 
+    def test_of_sweeps_along_one_axis(self):
+        """Version 2 took its references along the refined axis: its errors lack the others."""
+        run(self.folder, "sweep", str(DATA / "sweeps/robot_arm.toml"), "-o", "fit.h5", "--quiet")
+        self.assertIn("cheapest within 2 %",
+                      run(self.folder, "recommend", "fit.h5", "--within", "2 %"))
+        with copy_of(self.folder) as file:
+            file.attrs["version"] = 2
+            for name in ("cases/error_lacks", "cases/coarser_in", "cases/reference_error",
+                         "cases/break_joint", "cases/break_place", "sweep/error_notes"):
+                del file[name]
+        alone = "error of beam.segments alone; that of solver.time_step is not in it"
+        self.assertIn(alone + ": the file is of an older version; run the sweep again",
+                      run(self.folder, "show", "older.h5"))
+        done = subprocess.run([COMMAND, "recommend", "older.h5", "--within", "2 %"],
+                              cwd=self.folder, capture_output=True, text=True)
+        self.assertEqual((done.returncode, done.stdout),
+                         (1, f"nothing can be recommended: {alone}\n"))
+
     def test_with_old_names(self):
         cyclic = str(DATA / "scenes/hardening_table.toml")
         for version, command, change, found in (

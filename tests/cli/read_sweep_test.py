@@ -69,7 +69,7 @@ class ReadSweep(unittest.TestCase):
 
     def test_says_what_it_is(self):
         self.assertEqual(self.file.attrs["schema"], "plastica/sweep")
-        self.assertEqual(self.file.attrs["version"], 2)
+        self.assertEqual(self.file.attrs["version"], 3)
         head = self.file["sweep"].attrs
         self.assertEqual([head[key] for key in ("name", "quantity_kind", "take", "unit", "dimension",
                                                 "against", "refined_axis")],

@@ -1,11 +1,11 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <fstream>
 
-#include "plastica/run/simulate.hpp"
 #include "sweeps/run/sweep_run.hpp"
 #include "sweeps/trade/setting.hpp"
-#include "tests/support/has.hpp"
+#include "tests/lib/io/scratch_folder.hpp"
 #include "tests/sweeps/sweep_text.hpp"
 
 /// Promises about real motions, against runs finer in both axes and against a closed form.
@@ -77,6 +77,54 @@ TEST(FallingCantilever, IsPromisedNoLessThanItsErrorAgainstTheClosedForm) {
     ASSERT_TRUE(promised.has_value() && theory.comparison.error[i].has_value()) << i;
     // The closed form is of small displacements: (sag/length)^2 is 5e-6.
     EXPECT_GE(*promised + 1e-4, std::abs(*theory.comparison.error[i])) << setting_text(finest, i);
+  }
+}
+
+/// A strip whose root is jerked aside: whether it breaks, and where, hangs on the segments.
+const std::string kJerked = R"(
+[material]
+youngs_modulus = "70 GPa"
+density = "2700 kg/m^3"
+yield_stress = "250 MPa"
+break_strain = "3 %"
+[beam]
+length = "1 m"
+section = { shape = "rectangle", width = "40 mm", height = "4 mm" }
+segments = 16
+[solver]
+analysis = "dynamics"
+scheme = "energy_momentum"
+duration = "60 ms"
+steps = 60
+time_step = "50 us"
+frames = 1
+[[support]]
+at = "start"
+kind = "clamp"
+translation = ["0 m", "0.1 m", "0 m"]
+history = { time = ["0 s", "10 ms", "60 ms"], factor = [0, 1, 1] }
+[[probe]]
+name = "tip"
+kind = "displacement"
+component = "y"
+)";
+
+TEST(JerkedStrip, HasNoErrorsWhereItBreaksWithSomeSegmentsOnly) {
+  const io::ScratchFolder folder;
+  std::ofstream(folder.file("strip.toml")) << kJerked;
+  const Sweep sweep = parse_sweep("scene = 'strip.toml'\n" + segments_axis("[8, 16, 32]") +
+                                      "[error]\nprobe = 'tip'\nagainst = 'finest'\n",
+                                  folder.file("sweep.toml"));
+  SweepRun run(sweep, {});
+  auto results = run.run();
+  const SweepRecord record = make_record(sweep, run.cases(), run.ids(), std::move(results));
+  ASSERT_EQ(record.results[1].status, Status::Completed);
+  ASSERT_EQ(record.results[2].status, Status::Broken);
+  EXPECT_FALSE(record.has_errors());
+  for (std::size_t i = 0; i < 3; ++i) {
+    EXPECT_TRUE(record.comparison.reason[i].starts_with("not converged: breaks at joint "))
+        << record.comparison.reason[i];
+    EXPECT_FALSE(promised_error(record, i).has_value());
   }
 }
 

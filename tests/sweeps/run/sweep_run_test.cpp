@@ -218,6 +218,23 @@ TEST(TakeOf, FindsTheFrequencyOfASine) {
   EXPECT_NEAR(take_of(Take::Frequency, time, values).value.value_or(0.0), 7.0, 1e-3);
 }
 
+TEST(CaseResult, SaysWhichJointBreaks) {
+  const Sweep sweep =
+      parse_sweep("scene = '../scenes/breaking_cantilever.toml'\n" + segments_axis("[10, 20]") +
+                      "[error]\nprobe = 'hinge'\ntake = 'size'\nagainst = 'finest'\n",
+                  std::string(PLASTICA_SOURCE_DIR) + "/data/sweeps/test.toml");
+  SweepRun run(sweep, {});
+  for (const CaseResult& result : run.run()) {
+    EXPECT_EQ(result.status, Status::Broken);
+    EXPECT_EQ(result.break_joint, 0) << "that of the clamp";
+    EXPECT_EQ(result.break_place, 0.0);
+  }
+  const Sweep whole = cantilever_sweep(segments_axis("[10]") + kTipError);
+  const CaseResult intact = SweepRun(whole, {}).run().front();
+  EXPECT_EQ(intact.break_joint, -1);
+  EXPECT_FALSE(intact.break_place.has_value());
+}
+
 TEST(ResultBytes, AreReadBack) {
   CaseResult result;
   result.status = Status::Broken;
@@ -229,11 +246,15 @@ TEST(ResultBytes, AreReadBack) {
   result.segments = 7;
   result.iterations = 9;
   result.last_value = -1.0;
+  result.break_joint = 5;
+  result.break_place = 5.0 / 7.0;
   result.seconds = 0.25;
   const CaseResult read = result_from_bytes(bytes_of(result));
   EXPECT_EQ(bytes_of(read), bytes_of(result));
   EXPECT_EQ(read.curve, result.curve);
   EXPECT_EQ(read.last_value, -1.0);
+  EXPECT_EQ(read.break_joint, 5);
+  EXPECT_EQ(read.break_place, 5.0 / 7.0);
   EXPECT_FALSE(read.standard_error.has_value());
 }
 

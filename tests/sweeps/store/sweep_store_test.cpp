@@ -127,6 +127,15 @@ TEST_F(SweepStoreTest, RefusesResultsThatNoSweepHas) {
             "/groups/size/values = 0: must be above 0");
   EXPECT_EQ(refusal([](SweepRecord& record) { record.groups[1].size.pop_back(); }),
             "/groups: does not go with the number of cases");
+  EXPECT_EQ(refusal([](SweepRecord& record) { record.comparison.lacks.pop_back(); }),
+            "/cases/error_lacks: does not go with the number of cases");
+  EXPECT_EQ(refusal([](SweepRecord& record) {
+              record.comparison.lacks[2] = "solver.time_step";
+              record.refined.reset();
+            }),
+            "/cases/error_lacks: does not go without an axis that refines");
+  EXPECT_EQ(refusal([](SweepRecord& record) { record.comparison.reference_error[0] = -1.0; }),
+            "/cases/reference_error = -1: must be at least 0");
   EXPECT_EQ(refusal([](SweepRecord& record) { record.timed_runs = -1; }),
             "/sweep/timed_runs = -1: must be a number from 0 on");
 }
