@@ -90,6 +90,15 @@ void refuse_option(bool given, std::string_view option, std::string_view rule) {
   if (given) throw InputError({}, option, "", rule);
 }
 
+void check_word(std::string_view option, const std::string& value,
+                const std::vector<std::string>& words) {
+  if (value.empty() || std::ranges::find(words, value) != words.end()) return;
+  std::string rule = fmt::format("must be one of {}", fmt::join(words, ", "));
+  if (const auto nearest = io::nearest_word(value, words))
+    rule += "; did you mean " + *nearest + "?";
+  throw InputError({}, option, value, rule);
+}
+
 std::optional<double> seconds_of(std::string_view option, const std::string& text) {
   if (text.empty()) return std::nullopt;
   return io::parse_quantity(text, Dimension::Time, {}, option);

@@ -80,6 +80,9 @@ FigurePanel panel_of(const SceneFitRecord& record, std::size_t t, const DisplayU
   const SceneTarget& target = record.targets[t];
   FigurePanel panel;
   panel.title = record.targets.size() == 1 ? cut(facts_of(record), 100) : cut(target.name, 34);
+  if (has_several_laws(record.result) && has_target_fits(record)) {
+    panel.title += fmt::format(": {}", phrase_of(record.result.targets[t].law));
+  }
   panel.x_label = label(abscissa_text(target), x_unit);
   if (target.broke) {
     panel.marks = {target.broke->at / x_unit.scale};

@@ -67,6 +67,7 @@ Json fit_of(const SceneFitRecord& record) {
     starts[i]["to"] = numbers(result.starts[i].to);
   }
   Json fit = described_json(&record, kDescribeSceneFit);
+  fit["law"] = laws_text(result);
   fit["usable"] = is_usable(result);
   fit["why_unusable"] = text_or_null(why_unusable(result));
   fit["evaluations"] = result.evaluations();
