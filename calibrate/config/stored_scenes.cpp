@@ -37,7 +37,7 @@ bool is_the_same(const StoredScene& a, const StoredScene& b) {
 std::optional<StoredSceneFit> read_stored_scenes(const std::vector<io::InputText>& inputs) {
   if (inputs.empty()) return std::nullopt;
   const auto document = io::TomlDocument::parse(inputs.front().text, inputs.front().name);
-  const io::TomlTable root = document.root();
+  const io::TomlTable& root = document.root();
   StoredSceneFit stored;
   if (const auto fit = root.find_table("fit")) {
     stored.parameters = read_parameters(*fit, ParameterScope::Scene);

@@ -193,7 +193,7 @@ TEST_F(ExportBeam, ThatCannotBeIsRefusedInOneLine) {
        "--up: goes with --to mjcf, agx or chrono"},
       {{"--to", "agx", "--scene", "scene.toml", "--case", "a", "--contacts", "all"},
        "--contacts: goes with --to mjcf"},
-      {{"--to", "mjcf", "--up", "up"}, "--up = up: must be one of z, y, x, -z, -y, -x"},
+      {{"--to", "mjcf", "--up", "up"}, "--up = up: must be one of x, y, z, -x, -y, -z"},
       {{"--to", "mjcf", "--contacts", "othres"},
        "--contacts = othres: must be one of none, others, all; did you mean others?"},
       {{"--to", "mjcf", "--target", "a"},

@@ -266,7 +266,7 @@ TEST_F(ExportJointFit, GivesASceneFileTheLawOfATarget) {
                                 "[material.hardening]\nlaw = \"linear\"\n"
                                 "tangent_modulus = \"1 GPa\"\n");
   place_.write("other.toml", std::string(kBar) +
-                                 "[material.hardening]\nlaw = \"voce-chaboche\"\n"
+                                 "[material.hardening]\nlaw = \"voce_chaboche\"\n"
                                  "saturation_stress = \"50 MPa\"\nsaturation_rate = 10\n");
   const double modulus = stored("youngs_modulus");
   expect_beam(beam({"--scene", "mine.toml", "--target", "b"}).out, modulus, 5e9, 5);

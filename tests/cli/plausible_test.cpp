@@ -81,7 +81,7 @@ TEST(Plausible, AUnitThatContradictsTheHeaderIsAnError) {
   EXPECT_EQ(result.code, 2);
   EXPECT_EQ(result.err,
             "plastica: stress = GPa: contradicts a.csv, where \"Stress\" is in MPa: correct one of "
-            "them, or let this one go before (override_unit)\n");
+            "them, or let this one go before (override_unit = true, --override-unit)\n");
 }
 
 TEST(Plausible, AnOverriddenUnitIsTakenWithAWarning) {
