@@ -10,6 +10,7 @@
 #include "plastica/base/check.hpp"
 #include "plastica/io/case_journal.hpp"
 #include "plastica/io/durable_file.hpp"
+#include "plastica/io/nearest_word.hpp"
 #include "plastica/io/output_file.hpp"
 #include "plastica/io/read_input.hpp"
 #include "plastica/io/units.hpp"

@@ -237,7 +237,8 @@ std::string population_text(const ScenePopulation& population,
       return with_decimals(value / unit.scale, scatter, mean);
     };
     table.add({short_name(p.path), std::to_string(p.n),
-               with_error(mean, scatter / std::sqrt(static_cast<double>(p.n))),
+               with_error(mean, std::hypot(scatter / std::sqrt(static_cast<double>(p.n)),
+                                           p.sampling_error / unit.scale)),
                number(p.standard_deviation), number(p.rms_error), number(p.specimen_deviation),
                std::string(unit.name)});
   }

@@ -1,5 +1,7 @@
 #include "calibrate/target/import.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
