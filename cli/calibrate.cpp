@@ -236,7 +236,8 @@ void add_calibrate(CLI::App& app, const std::string& command_line, Action& actio
       ->option_text("FILE");
   add_json_option(*sub, arguments->json);
   sub->add_option("--laws", arguments->laws,
-                  "Fit each of these laws and compare them: ideal, linear, voce, chaboche")
+                  "Fit each of these laws and compare them: ideal, linear, voce, chaboche, "
+                  "multilinear")
       ->delimiter(',')
       ->allow_extra_args(false)
       ->option_text("LAW,...");

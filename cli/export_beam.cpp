@@ -14,6 +14,7 @@
 #include "calibrate/store/fit_store.hpp"
 #include "calibrate/store/scene_fit_store.hpp"
 #include "cli/find_record.hpp"
+#include "cli/fit_targets.hpp"
 #include "cli/run_files.hpp"
 #include "cli/tell.hpp"
 #include "plastica/io/scene_file.hpp"
@@ -57,42 +58,6 @@ BeamSource fitted_beam(const BeamRequest& request) {
   return source;
 }
 
-std::string with_segments(const calibrate::StoredScene& scene) {
-  if (!scene.setup || scene.setup->scene.is_coupon()) return scene.name + " (a coupon)";
-  return fmt::format("{} ({} segments)", scene.name, scene.setup->scene.beam.segments);
-}
-
-std::string list_of(const std::vector<calibrate::StoredScene>& scenes) {
-  std::string list;
-  for (const calibrate::StoredScene& scene : scenes) {
-    list += (list.empty() ? "" : ", ") + with_segments(scene);
-  }
-  return list;
-}
-
-/// The scene of a fit that was asked for by its name, or its only one.
-const calibrate::StoredScene& stored_scene(const BeamRequest& request,
-                                           const std::vector<calibrate::StoredScene>& scenes) {
-  if (request.scene.empty() && scenes.size() == 1) return scenes.front();
-  if (request.scene.empty()) {
-    throw InputError({}, "--scene", "",
-                     "must be one of those that the fit went through: " + list_of(scenes));
-  }
-  const auto named = [&](const calibrate::StoredScene& scene) {
-    return scene.name == request.scene;
-  };
-  const auto found = std::ranges::find_if(scenes, named);
-  if (found == scenes.end()) {
-    throw InputError({}, "--scene", request.scene,
-                     "is no file, nor a scene that the fit went through: " + list_of(scenes));
-  }
-  if (std::ranges::count_if(scenes, named) > 1) {
-    throw InputError({}, "--scene", request.scene,
-                     "is several in the fit; take a scene file: " + list_of(scenes));
-  }
-  return *found;
-}
-
 /// With how many segments a fit was made: of the scenes that are beams, each number once.
 std::vector<int> segments_of(const std::vector<calibrate::StoredScene>& scenes,
                              const calibrate::SceneFitRecord& record) {
@@ -112,6 +77,7 @@ BeamSource scene_fitted_beam(const BeamRequest& request) {
   const auto contents = calibrate::read_scene_fit_store(request.file);
   const calibrate::SceneFitRecord& record = record_of(request, contents.records);
   const auto stored = calibrate::read_stored_scenes(contents.inputs);
+  FitTargets targets(contents.records, record, stored ? &*stored : nullptr, request.target);
   // A stored scene goes before a file of its name: it is what was fitted.
   const bool is_stored =
       stored && std::ranges::find(stored->scenes, request.scene, &calibrate::StoredScene::name) !=
@@ -119,15 +85,19 @@ BeamSource scene_fitted_beam(const BeamRequest& request) {
   const bool from_file =
       !request.scene.empty() && !is_stored && std::filesystem::is_regular_file(request.scene);
   if (from_file || !stored) {
-    auto fitted = calibrate::fitted_setup(setup_of(request), record);
+    Setup setup = setup_of(request);
+    const auto law = targets.harden(setup);
+    auto fitted = calibrate::fitted_setup(setup, record, law);
     fitted.notes.emplace_back("What the fit held fixed or tied is the scene's.");
+    if (!request.target.empty()) fitted.notes.push_back("hardening: of " + targets.names());
     return {std::move(fitted.setup), std::move(fitted.notes),
-            segments_of(stored ? stored->scenes : std::vector<calibrate::StoredScene>{}, record)};
+            segments_of(targets.scenes(), record)};
   }
-  const calibrate::StoredScene& scene = stored_scene(request, stored->scenes);
+  const calibrate::StoredScene& scene = targets.take_scene(request.scene);
   if (!scene.setup) throw InputError({}, "--scene", scene.name, scene.why_not);
-  auto fitted = calibrate::fitted_setup(*scene.setup, record, stored->parameters);
-  fitted.notes.push_back("scene: " + scene.name + ", as the fit has it");
+  auto fitted = calibrate::fitted_setup(*scene.setup, record, targets.law(), stored->parameters);
+  fitted.notes.push_back(
+      fmt::format("scene: {}, as the fit has it for {}", scene.name, targets.names()));
   return {std::move(fitted.setup), std::move(fitted.notes), segments_of({scene}, record)};
 }
 

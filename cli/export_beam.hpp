@@ -12,10 +12,11 @@ namespace plastica::cli {
 
 /// What of a beam is asked for.
 struct BeamRequest {
-  std::string file;   ///< of fits, or a simulated scene
-  std::string to;     ///< one of `calibrate::engine_formats()`
-  std::string scene;  ///< the beam of a fit: a file, or the name of one that the fit went through
-  std::string which;  ///< the specimen of a fit; empty: the only one
+  std::string file;    ///< of fits, or a simulated scene
+  std::string to;      ///< one of `calibrate::engine_formats()`
+  std::string scene;   ///< the beam of a fit: a file, or the name of one that the fit went through
+  std::string which;   ///< the specimen of a fit; empty: the only one
+  std::string target;  ///< of a fit through scenes; empty: all, if they went through one scene
   std::optional<int> segments;
   std::string up;        ///< the axis that points up; empty: as in the scene
   std::string gravity;   ///< with its unit, as the next one; empty: the scene's

@@ -10,6 +10,7 @@
 #include "plastica/base/check.hpp"
 #include "plastica/io/case_journal.hpp"
 #include "plastica/io/durable_file.hpp"
+#include "plastica/io/nearest_word.hpp"
 #include "plastica/io/output_file.hpp"
 #include "plastica/io/read_input.hpp"
 #include "plastica/io/units.hpp"
@@ -88,6 +89,15 @@ void refuse_other_format(const std::string& output) {
 
 void refuse_option(bool given, std::string_view option, std::string_view rule) {
   if (given) throw InputError({}, option, "", rule);
+}
+
+void check_word(std::string_view option, const std::string& value,
+                const std::vector<std::string>& words) {
+  if (value.empty() || std::ranges::find(words, value) != words.end()) return;
+  std::string rule = fmt::format("must be one of {}", fmt::join(words, ", "));
+  if (const auto nearest = io::nearest_word(value, words))
+    rule += "; did you mean " + *nearest + "?";
+  throw InputError({}, option, value, rule);
 }
 
 std::optional<double> seconds_of(std::string_view option, const std::string& text) {

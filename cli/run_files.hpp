@@ -41,6 +41,11 @@ double fraction_of(std::string_view option, const std::string& text);
 /// Whether a run that is to go on finds an output, which may be its own, complete.
 bool finds_output(bool resume, bool force, const std::string& output);
 
+/// Refuses a value that is none of an option's words, naming them and the nearest. Empty: not
+/// given.
+void check_word(std::string_view option, const std::string& value,
+                const std::vector<std::string>& words);
+
 /// Refuses an output that another run has made.
 /// @param journal_is_ours  whether the journal has fits of this run
 [[noreturn]] void refuse_other_output(const std::string& output, bool journal_is_ours);

@@ -133,6 +133,8 @@ void add_notes(const std::string& file, const FileGuess& guess, std::vector<Gues
 /// Completes what the options say by what the columns of a file are called.
 void complete(const io::CsvTable& table, TargetSource& source, bool measure_given,
               std::vector<GuessNote>& notes) {
+  const bool gauge_length_given = source.gauge_length.has_value();
+  const bool area_given = source.area.has_value();
   const FileGuess all = guess_file(table, source);
   if (all.blocks.size() > 1) {
     throw InputError({table.file(), 0}, "", "",
@@ -175,6 +177,19 @@ void complete(const io::CsvTable& table, TargetSource& source, bool measure_give
   };
   need(source.elongation, source.gauge_length, Dimension::Length, "--elongation", "--gauge-length");
   need(source.force, source.area, Dimension::Force, "--load", "--area");
+  const auto is_of_no_use = [&](bool given, std::string_view option, std::string_view what,
+                                const auto& column, std::string_view instead) {
+    if (!given) return;
+    add_note({fmt::format("{} is of no use: the {} is read from \"{}\"; {} names the column that "
+                          "it divides",
+                          option, what, column->column, instead),
+              table.file()},
+             notes);
+  };
+  if (!source.elongation) {
+    is_of_no_use(gauge_length_given, "--gauge-length", "strain", source.strain, "--elongation");
+  }
+  if (!source.force) is_of_no_use(area_given, "--area", "stress", source.stress, "--load");
   // Of use to other files only.
   if (!source.elongation) source.gauge_length.reset();
   if (!source.force) source.area.reset();
@@ -219,6 +234,8 @@ std::string parameters_text(const std::vector<std::string>& fixed) {
 TargetSource source_of(const BareFiles& bare) {
   refuse_both(bare.strain, "--strain", bare.elongation, "--elongation");
   refuse_both(bare.stress, "--stress", bare.force, "--load");
+  refuse_both(bare.strain, "--strain", bare.gauge_length, "--gauge-length");
+  refuse_both(bare.stress, "--stress", bare.area, "--area");
   TargetSource source;
   set_word(bare.test, "--test", {"tension", "bending", "torsion"}, source.test);
   set_word(bare.measure, "--measure", {"engineering", "true"}, source.measure);

@@ -93,7 +93,10 @@ class Reader {
     read_options(*fit);
     const auto shared = fit->find("shared");
     const bool together = !shared || shared->boolean();
-    for (const TomlTable& table : root_.find_tables("target")) read_target(table, together);
+    std::size_t number = 0;
+    for (const TomlTable& table : root_.find_tables("target")) {
+      read_target(table, ++number, together);
+    }
     root_.check_unused();
     add_notes(root_.notes());
     return std::move(file_);
@@ -148,7 +151,8 @@ class Reader {
     }
   }
 
-  void read_target(const TomlTable& table, bool together) {
+  /// @param number  of the table, from 1 on
+  void read_target(const TomlTable& table, std::size_t number, bool together) {
     const TargetTable target = read_table(table);
     for (const std::string& path : target_files(table, folder_)) {
       WeightedTarget weighted = target.weighted;
@@ -156,6 +160,7 @@ class Reader {
       source.file = path;
       weighted.target = read_scene_target(source, weighted.setup.scene, std::move(weighted.target));
       file_.read_files.push_back(path);
+      weighted.target.table = number;
       weighted.target.name = names_.add(weighted.target.name);
       if (!together || file_.cases.empty()) {
         const std::string stem = std::filesystem::path(file_.path).stem().string();

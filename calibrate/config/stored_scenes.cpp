@@ -37,14 +37,14 @@ bool is_the_same(const StoredScene& a, const StoredScene& b) {
 std::optional<StoredSceneFit> read_stored_scenes(const std::vector<io::InputText>& inputs) {
   if (inputs.empty()) return std::nullopt;
   const auto document = io::TomlDocument::parse(inputs.front().text, inputs.front().name);
-  const io::TomlTable root = document.root();
+  const io::TomlTable& root = document.root();
   StoredSceneFit stored;
   if (const auto fit = root.find_table("fit")) {
     stored.parameters = read_parameters(*fit, ParameterScope::Scene);
   }
   // Two files may have one name, in two folders.
   std::map<std::string, std::size_t> input_of;
-  std::map<std::size_t, std::vector<StoredScene>> known;
+  std::map<std::size_t, std::vector<std::size_t>> known;
   for (const io::TomlTable& target : root.find_tables("target")) {
     const std::filesystem::path path(target.at("scene").string());
     const auto [at, is_new] =
@@ -54,11 +54,15 @@ std::optional<StoredSceneFit> read_stored_scenes(const std::vector<io::InputText
       return std::nullopt;
     }
     StoredScene scene = read_scene(inputs[index], target);
-    std::vector<StoredScene>& of_file = known[index];
-    if (std::ranges::any_of(of_file, [&](const auto& each) { return is_the_same(each, scene); })) {
+    std::vector<std::size_t>& of_file = known[index];
+    const auto equal = std::ranges::find_if(
+        of_file, [&](std::size_t each) { return is_the_same(stored.scenes[each], scene); });
+    if (equal != of_file.end()) {
+      stored.scene_of_table.push_back(*equal);
       continue;
     }
-    of_file.push_back(scene);
+    of_file.push_back(stored.scenes.size());
+    stored.scene_of_table.push_back(stored.scenes.size());
     stored.scenes.push_back(std::move(scene));
   }
   if (stored.scenes.empty()) return std::nullopt;

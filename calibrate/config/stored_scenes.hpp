@@ -19,8 +19,9 @@ struct StoredScene {
 
 /// What the texts in a result say of its fits through scenes.
 struct StoredSceneFit {
-  std::vector<StoredScene> scenes;    ///< in the order of the targets, equal ones once
-  std::vector<Parameter> parameters;  ///< free, fixed and tied
+  std::vector<StoredScene> scenes;          ///< in the order of the targets, equal ones once
+  std::vector<std::size_t> scene_of_table;  ///< of each [[target]], which of the scenes
+  std::vector<Parameter> parameters;        ///< free, fixed and tied
 };
 
 /// Reads the fit file and the scenes among the inputs of a result of fits through scenes; empty if

@@ -105,7 +105,7 @@ FittedScene fitted_scene(const Scene& scene, const FitRecord& record, const FitO
   return fitted;
 }
 
-FittedSetup fitted_setup(const Setup& setup, const SceneFitRecord& record,
+FittedSetup fitted_setup(const Setup& setup, const SceneFitRecord& record, std::optional<Law> law,
                          std::span<const Parameter> parameters) {
   if (record.result.status != FitStatus::Fitted) {
     throw InputError({}, "--case", record.name, "has no fit: " + record.result.reason);
@@ -115,11 +115,12 @@ FittedSetup fitted_setup(const Setup& setup, const SceneFitRecord& record,
     return lacks_fit(target.misfit_fraction, target.runs_test_p);
   });
   note_doubts(why_unusable(record.result), is_poor, fitted.notes);
-  if (has_one_law(record)) {
-    // The numbers of a law hold with that law.
-    fitted.setup = setup_of(record.result.law, setup);
-  } else {
-    fitted.notes.emplace_back("the fit's targets have several laws: the scene keeps its own");
+  // The numbers of a law hold with that law.
+  if (law) fitted.setup = setup_of(*law, setup);
+  if (!has_one_law(record)) {
+    fitted.notes.push_back(
+        law ? fmt::format("the fit's targets have several laws: this is {}", phrase_of(*law))
+            : "the fit's targets have several laws: the scene keeps its own");
   }
   for (const FittedParameter& parameter : record.result.parameters) {
     if (parameter.verdict() == Verdict::NotIdentified) {
@@ -134,7 +135,8 @@ FittedSetup fitted_setup(const Setup& setup, const SceneFitRecord& record,
         name_of(parameter.verdict())));
   }
   // A comparison leaves those of other laws out, and searches what was tied to them.
-  const auto own = parameters_of(record.result.law, Loading::Cyclic, parameters, parameters);
+  const Law held_by = law.value_or(law_of(fitted.setup.scene.material.hardening, parameters));
+  const auto own = parameters_of(held_by, Loading::Cyclic, parameters, parameters);
   for (const Parameter& held : parameters) {
     const bool of_the_law = std::ranges::find(own, held.field, &Parameter::field) != own.end();
     const bool searched =

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -36,11 +37,13 @@ struct FittedSetup {
 };
 
 /// The same for a fit through scenes, whose parameters may be any fields. The record knows the free
-/// ones alone. Where the fit's targets have several laws the setup keeps its own.
+/// ones alone.
+/// @param law  of the fit's targets that the setup is for: it gets that one, with the numbers of
+///             its own hardening that the fit does not have. Empty: it keeps its own
 /// @param parameters  of the fit, for the fixed and tied ones among them; empty: what the fit held
 ///                    is the setup's
 /// @throws InputError if there is no fit, or a value does not suit the setup
-FittedSetup fitted_setup(const Setup& setup, const SceneFitRecord& record,
+FittedSetup fitted_setup(const Setup& setup, const SceneFitRecord& record, std::optional<Law> law,
                          std::span<const Parameter> parameters = {});
 
 }  // namespace plastica::calibrate

@@ -217,7 +217,17 @@ void add_fitted_curve(const Target& target, const FitOptions& options, FitResult
                               scene.drive.strain.begin() + static_cast<std::ptrdiff_t>(shown));
   result.fitted.stress.assign(response.probes[0].begin(),
                               response.probes[0].begin() + static_cast<std::ptrdiff_t>(shown));
-  if (response.event) result.break_strain_total = response.event->strain;
+  if (!response.event) return;
+  result.break_strain_total = response.event->strain;
+  // A line to the first broken sample would fall before the break.
+  if (observed && response.event->sample + 1 == shown) {
+    const auto add = [](double value, std::vector<double>& values) {
+      values.insert(values.end() - 1, 2, value);
+    };
+    add(response.event->strain, result.fitted.strain);
+    add(response.event->stress, result.fitted.stress);
+    result.fitted.stress.end()[-2] = 0.0;
+  }
 }
 
 }  // namespace

@@ -84,7 +84,7 @@ std::string doubts_on(const LawFit& fit) {
 
 std::string fraction_text(double fraction) { return fmt::format("{:.2g} %", 100.0 * fraction); }
 
-double mean_of(const std::vector<double>& values) {
+double mean_of(std::span<const double> values) {
   return values.empty() ? std::numeric_limits<double>::quiet_NaN()
                         : std::accumulate(values.begin(), values.end(), 0.0) /
                               static_cast<double>(values.size());
@@ -247,6 +247,8 @@ bool are_alike(const ComparedLaw& law, const ComparedLaw& best, RankedBy by) {
 
 }  // namespace
 
+double unseen_misfit(std::span<const double> squares) { return std::sqrt(mean_of(squares)); }
+
 LawComparison compare_laws_over(std::vector<std::vector<LawFit>> targets) {
   for (std::vector<LawFit>& fits : targets) keep_common(fits);
   std::vector<LawFit> sums;
@@ -281,8 +283,8 @@ LawComparison compare_laws(std::vector<LawFit> fits) {
   comparison.is_informed = comparison.samples >= kLeastWorth * static_cast<double>(worth.size());
   for (LawFit& fit : fits) {
     ComparedLaw law{std::move(fit)};
-    law.held_out = std::sqrt(mean_of(law.fit.parts));
-    law.unseen = std::sqrt(mean_of(law.fit.specimens));
+    law.held_out = unseen_misfit(law.fit.parts);
+    law.unseen = unseen_misfit(law.fit.specimens);
     law.aic = law.aicc = law.bic = std::numeric_limits<double>::infinity();
     if (law.fit.fitted) set_criteria(worth, comparison.samples, law);
     comparison.laws.push_back(std::move(law));

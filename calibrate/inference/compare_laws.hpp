@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <limits>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -22,6 +23,10 @@ struct CurveResidual {
   /// z^2 of a prior that the fit was weighed with (modulus_prior.hpp); 0 without one.
   double prior = 0.0;
 };
+
+/// Root of the mean of what is left of parts or specimens that a fit has not seen, as fractions
+/// squared [1]; NaN of none.
+double unseen_misfit(std::span<const double> squares);
 
 /// One law's fit of some curves.
 struct LawFit {

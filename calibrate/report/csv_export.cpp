@@ -15,6 +15,7 @@
 #include "calibrate/report/format.hpp"
 #include "calibrate/report/law_choice.hpp"
 #include "calibrate/report/parameter_columns.hpp"
+#include "calibrate/report/plot_parts.hpp"
 #include "calibrate/report/summary.hpp"
 #include "calibrate/result/describe_fit.hpp"
 #include "calibrate/result/describe_target.hpp"
@@ -100,7 +101,7 @@ void write_curves_csv(std::ostream& out, std::span<const FitRecord> records) {
     const std::string name = plastica::report::csv_cell(label_of(record, compared));
     const Target& target = record.target;
     const Curve& measured = target.corrected.size() > 0 ? target.corrected : target.raw;
-    const Curve& fitted = record.result.fitted;
+    const Curve fitted = report::fitted_with_fall(record.result);
     std::size_t j = 0;
     for (std::size_t i = 0; i < measured.size(); ++i) {
       // The fitted curve has the strains of the corrected one, and its break among or after them.

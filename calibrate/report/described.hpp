@@ -27,6 +27,11 @@ class JsonDescriber {
                   std::string_view /*meaning*/ = {}) {
     object_[std::string(name)] = row_ == nullptr ? Json(nullptr) : value_of(member(*row_));
   }
+  template <typename Function>
+  void derived(std::string_view name, std::string_view units, const Function& function,
+               std::string_view meaning = {}) {
+    (*this)(name, units, function, meaning);
+  }
   template <typename Columns>
   void since(int /*version*/, const Columns& columns) {
     columns(*this);
@@ -100,6 +105,11 @@ class CellDescriber {
     if (!shown.empty()) title += " [" + std::string(shown) + "]";
     names.push_back(std::move(title));
     cells.push_back(row_ == nullptr ? std::string() : text_of(member(*row_)));
+  }
+  template <typename Function>
+  void derived(std::string_view name, std::string_view units, const Function& function,
+               std::string_view meaning = {}) {
+    (*this)(name, units, function, meaning);
   }
   template <typename Columns>
   void since(int /*version*/, const Columns& columns) {

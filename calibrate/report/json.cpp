@@ -60,6 +60,7 @@ Json statistics_of(const std::vector<GroupStatistic>& all) {
                           {"standard_deviation", number(entry.statistic.standard_deviation)}};
     if (!entry.mean_interval) continue;
     object[entry.name]["mean_standard_error"] = number(entry.mean_interval->standard_error);
+    object[entry.name]["mean_sampling_error"] = number(entry.mean_interval->sampling_error);
     object[entry.name]["mean_interval"] = {number(entry.mean_interval->low),
                                            number(entry.mean_interval->high)};
   }

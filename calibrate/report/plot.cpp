@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 
-#include "calibrate/report/interval_figures.hpp"
 #include "calibrate/report/law_choice.hpp"
 #include "calibrate/report/laws_figure.hpp"
 #include "calibrate/report/plot_kinds.hpp"
@@ -15,14 +14,9 @@ namespace {
 
 using report::PlotScript;
 
-constexpr std::array<PlotKind, 6> kPlotKinds = {{
-    {"curve", "one specimen: measured and fitted curve, yield and break (choose it with --case)"},
-    {"overview", "all curves by group, with their mean, the fits and the breaks"},
-    {"parameters", "the fitted parameters of all specimens by group"},
-    {"profile", "rise of the least cost over each parameter, of a fit with profiles (--case)"},
-    {"bootstrap", "resampled values of the parameters and of pairs (--case)"},
-    {"laws", "what each law of a comparison makes of one specimen, and how far off it is (--case)"},
-}};
+using report::kFitPictures;
+
+constexpr auto kPlotKinds = report::listed(kFitPictures);
 
 const FitRecord& find_specimen(std::span<const FitRecord> records, const std::string& name) {
   if (name.empty()) return records.front();
@@ -39,45 +33,29 @@ const FitRecord& find_specimen(std::span<const FitRecord> records, const std::st
 
 PlotScript make(std::span<const FitRecord> all, PlotRequest request) {
   if (all.empty()) throw InputError({}, "plot", request.what, "there is no specimen to draw");
-  std::string what = request.what;
-  if (what == "laws") {
-    report::refuse_law(request);
-    const auto figure = report::laws_figure(all, request.specimen);
-    return request.output == "-" ? plastica::report::figure_terminal(figure)
-                                 : plastica::report::figure_page(figure);
+  const bool terminal = request.output == "-";
+  if (!request.what.empty()) {
+    const report::FitPicture& picture = report::find_picture(kFitPictures, request.what);
+    if (picture.of_laws != nullptr) {
+      report::refuse_law(request);
+      return picture.of_laws(all, request.specimen, terminal);
+    }
   }
   split_label(all, request.specimen, request.law);
   const std::vector<FitRecord> records = of_law(all, request.law);
-  const auto specimen = [&] {
+  const bool is_one = records.size() == 1 || !request.specimen.empty();
+  const report::FitPicture& picture =
+      request.what.empty() ? report::find_picture(kFitPictures, is_one ? "curve" : "overview")
+                           : report::find_picture(kFitPictures, request.what);
+  if (picture.of_one != nullptr) {
     FitRecord record = find_specimen(records, request.specimen);
     record.target.name = label_of(record, compares_laws(all));
-    return record;
-  };
-  if (what.empty()) what = records.size() == 1 || !request.specimen.empty() ? "curve" : "overview";
-  const bool terminal = request.output == "-";
-  if (what == "curve") {
-    const FitRecord record = specimen();
-    return terminal ? report::curve_terminal(record) : report::curve_plot(record);
-  }
-  if (what == "profile" || what == "bootstrap") {
-    const FitRecord record = specimen();
-    const auto shown = report::shown_intervals(record.result, record.name());
-    const auto figure =
-        what == "profile" ? report::profile_figure(shown) : report::bootstrap_figure(shown);
-    return terminal ? plastica::report::figure_terminal(figure)
-                    : plastica::report::figure_page(figure);
-  }
-  if (what != "overview" && what != "parameters") {
-    throw InputError({}, "--what", what,
-                     "must be curve, overview, parameters, profile, bootstrap or laws");
+    return picture.of_one(record, terminal);
   }
   if (!request.specimen.empty()) {
     throw InputError({}, "--case", request.specimen, "goes with pictures of one specimen only");
   }
-  if (what == "overview") {
-    return terminal ? report::overview_terminal(records) : report::overview_plot(records);
-  }
-  return terminal ? report::parameters_terminal(records) : report::parameters_plot(records);
+  return picture.of_all(records, terminal);
 }
 
 }  // namespace

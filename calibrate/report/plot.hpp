@@ -16,7 +16,7 @@ struct PlotKind {
   std::string_view doc;   ///< one line for `--list`
 };
 
-/// All pictures: "curve", "overview", "parameters", "profile", "bootstrap", "laws".
+/// All pictures: "curve", "residuals", "overview", "parameters", "profile", "bootstrap", "laws".
 std::span<const PlotKind> plot_kinds();
 
 /// Which picture, of what, and where to.

@@ -10,12 +10,17 @@
 #include <fmt/format.h>
 
 #include "calibrate/report/format.hpp"
+#include "calibrate/report/interval_figures.hpp"
+#include "calibrate/report/laws_figure.hpp"
 #include "calibrate/report/plot_parts.hpp"
 #include "calibrate/report/summary.hpp"
 #include "plastica/base/check.hpp"
 
 namespace plastica::calibrate::report {
 namespace {
+
+using plastica::report::FigurePanel;
+using plastica::report::Stroke;
 
 constexpr std::size_t kMaxCurves = 60;  // of a panel; more are a blot
 constexpr std::size_t kMaxFalls = 3;    // of a panel's fits
@@ -121,6 +126,71 @@ PlotScript curve_plot(const FitRecord& record) {
   }
   script.end_panel();
   return script;
+}
+
+PlotScript residuals_picture(const FitRecord& record, bool terminal) {
+  const Target& target = record.target;
+  const Curve& measured = target.corrected;
+  const Curve& fitted = record.result.fitted;
+  if (!is_fitted(record) || measured.size() == 0 || fitted.size() < measured.size()) {
+    throw InputError({}, "--what", "residuals", target.name + " was not fitted");
+  }
+  std::vector<std::vector<double>> points;
+  double largest = 0.0;
+  for (std::size_t i = 0; i < measured.size(); ++i) {
+    points.push_back({100.0 * measured.strain[i], measured.stress[i] - fitted.stress[i]});
+    largest = std::max(largest, std::fabs(points.back()[1]));
+  }
+  const FitResult& result = record.result;
+  const double rms = result.noise.value_or(result.misfit_rms);
+  const auto unit =
+      plastica::report::display_unit(Dimension::Stress, std::max(largest, rms), false);
+  for (std::vector<double>& point : points) point[1] /= unit.scale;
+  FigurePanel panel;
+  std::string facts;
+  for (const std::string& fact : facts_of(record)) facts += (facts.empty() ? "" : "   ") + fact;
+  panel.title = cut(facts, terminal ? 36 : 100);
+  panel.x_label = strain_label(target);
+  panel.y_label = fmt::format("stress, measured - fitted [{}]", unit.name);
+  const auto [low, high] = std::ranges::minmax(measured.strain);
+  for (const double side : {rms, -rms}) {
+    panel.curves.push_back({{{100.0 * low, side / unit.scale}, {100.0 * high, side / unit.scale}},
+                            result.noise ? "noise, as stated" : "rms misfit",
+                            kBlue,
+                            Stroke::Line});
+  }
+  panel.curves.push_back({std::move(points), "residual", kDark, Stroke::Points, 7});
+  const auto yield = yield_point(result);
+  if (yield && target.loading == Loading::Monotonic) {
+    panel.marks = {yield->front()};
+    panel.mark_name = "yield, fitted";
+  }
+  return drawn({target.name, {std::move(panel)}}, terminal);
+}
+
+PlotScript curve_picture(const FitRecord& record, bool terminal) {
+  return terminal ? curve_terminal(record) : curve_plot(record);
+}
+
+PlotScript overview_picture(std::span<const FitRecord> records, bool terminal) {
+  return terminal ? overview_terminal(records) : overview_plot(records);
+}
+
+PlotScript parameters_picture(std::span<const FitRecord> records, bool terminal) {
+  return terminal ? parameters_terminal(records) : parameters_plot(records);
+}
+
+PlotScript profile_picture(const FitRecord& record, bool terminal) {
+  return drawn(profile_figure(shown_intervals(record.result, record.name())), terminal);
+}
+
+PlotScript bootstrap_picture(const FitRecord& record, bool terminal) {
+  return drawn(bootstrap_figure(shown_intervals(record.result, record.name())), terminal);
+}
+
+PlotScript laws_picture(std::span<const FitRecord> records, const std::string& specimen,
+                        bool terminal) {
+  return drawn(laws_figure(records, specimen), terminal);
 }
 
 PlotScript overview_plot(std::span<const FitRecord> records) {

@@ -82,8 +82,24 @@ std::optional<std::vector<double>> yield_point(const FitResult& result) {
   return std::nullopt;
 }
 
-Curve fitted_with_break(const FitResult& result) {
+Curve fitted_with_fall(const FitResult& result) {
   Curve curve = result.fitted;
+  if (!result.break_strain_total) return curve;
+  const double strain = *result.break_strain_total;
+  for (std::size_t i = 1; i < curve.size(); ++i) {
+    const bool falls = curve.stress[i] == 0.0 && curve.stress[i - 1] != 0.0;
+    const auto [low, high] = std::minmax(curve.strain[i - 1], curve.strain[i]);
+    if (!falls || !(low < strain && strain < high)) continue;
+    const auto at = static_cast<std::ptrdiff_t>(i);
+    curve.strain.insert(curve.strain.begin() + at, 2, strain);
+    curve.stress.insert(curve.stress.begin() + at, {curve.stress[i - 1], 0.0});
+    break;
+  }
+  return curve;
+}
+
+Curve fitted_with_break(const FitResult& result) {
+  Curve curve = fitted_with_fall(result);
   if (!result.break_strain_total || curve.size() == 0) return curve;
   const double strain = *result.break_strain_total;
   const bool falls = std::any_of(curve.stress.begin() + 1, curve.stress.end(),

@@ -29,7 +29,10 @@ std::string stress_label(const Target& target);  ///< "engineering stress [MPa]"
 
 /// Where the fitted curve leaves the elastic line, as (strain in %, stress in MPa).
 std::optional<std::vector<double>> yield_point(const FitResult& result);
-/// The fitted curve up to its break, and the fall to zero there.
+/// The fitted curve with its fall to zero where the model breaks, also where it does so between two
+/// samples and only these are there.
+Curve fitted_with_fall(const FitResult& result);
+/// The same up to the break, if that lies beyond the samples.
 Curve fitted_with_break(const FitResult& result);
 /// The fitted curve up to its break, without the fall.
 Curve fitted_until_break(const FitResult& result);

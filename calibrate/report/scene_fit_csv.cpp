@@ -35,7 +35,7 @@ void write_scene_fits_csv(std::ostream& out, std::span<const SceneFitRecord> rec
   put_row(out, header);
   for (std::size_t i = 0; i < records.size(); ++i) {
     const SceneFitResult& result = records[i].result;
-    std::vector<std::string> row = {records[i].name, std::string(name_of(result.law)),
+    std::vector<std::string> row = {records[i].name, laws_text(result),
                                     std::string(word_of(result.status)), result.reason};
     parameters.add_cells(fits[i], row);
     const std::vector<double> costs = sorted_costs(result);

@@ -7,6 +7,8 @@
 
 #include <fmt/format.h>
 
+#include "calibrate/report/interval_figures.hpp"
+#include "calibrate/report/laws_figure.hpp"
 #include "calibrate/report/parameter_words.hpp"
 #include "calibrate/report/plot_parts.hpp"
 #include "calibrate/report/scene_fit_bands.hpp"
@@ -80,6 +82,9 @@ FigurePanel panel_of(const SceneFitRecord& record, std::size_t t, const DisplayU
   const SceneTarget& target = record.targets[t];
   FigurePanel panel;
   panel.title = record.targets.size() == 1 ? cut(facts_of(record), 100) : cut(target.name, 34);
+  if (has_several_laws(record.result) && has_target_fits(record)) {
+    panel.title += fmt::format(": {}", phrase_of(record.result.targets[t].law));
+  }
   panel.x_label = label(abscissa_text(target), x_unit);
   if (target.broke) {
     panel.marks = {target.broke->at / x_unit.scale};
@@ -296,6 +301,19 @@ PlotScript correlation_plot(const SceneFitRecord& record, bool terminal) {
   script.add_unnamed(script.add_points(cells), "using 1:2:3 with image");
   script.end_panel();
   return script;
+}
+
+Figure profiles_figure(const SceneFitRecord& record) {
+  return profile_figure(shown_intervals(record.result, record.name));
+}
+
+Figure bootstraps_figure(const SceneFitRecord& record) {
+  return bootstrap_figure(shown_intervals(record.result, record.name));
+}
+
+PlotScript laws_plot(std::span<const SceneFitRecord> records, const std::string& name,
+                     bool terminal) {
+  return drawn(laws_figure(records, name), terminal);
 }
 
 }  // namespace plastica::calibrate::report

@@ -1,7 +1,10 @@
 #pragma once
 
+#include <array>
 #include <span>
+#include <string>
 
+#include "calibrate/report/picture_kind.hpp"
 #include "calibrate/result/scene_fit_record.hpp"
 #include "plastica/report/scene_figure.hpp"
 
@@ -29,5 +32,56 @@ Figure population_figure(std::span<const SceneFitRecord> records);
 /// The correlations of a fit's parameters as a map with their numbers; for a terminal the numbers.
 /// @throws InputError if it has none
 PlotScript correlation_plot(const SceneFitRecord& record, bool terminal);
+
+/// Likelihood intervals and resampled values of one fit (interval_figures.hpp), and what the laws
+/// make of its targets (laws_figure.hpp).
+Figure profiles_figure(const SceneFitRecord& record);
+Figure bootstraps_figure(const SceneFitRecord& record);
+PlotScript laws_plot(std::span<const SceneFitRecord> records, const std::string& name,
+                     bool terminal);
+
+template <auto figure>
+PlotScript draw_one(const SceneFitRecord& record, bool terminal) {
+  return drawn(figure(record), terminal);
+}
+
+using SceneFitPicture = PictureKind<SceneFitRecord>;
+/// All kinds, as `--list` has them, the first one where none is asked for: a new one is a line
+/// here, its figure above, and what that shows in a .cpp.
+inline constexpr std::array kSceneFitPictures{
+    SceneFitPicture{
+        .name = "fit",
+        .doc = "one fit: curves of each target, bands of 95 %, the break (choose it with --case)",
+        .of_one = [](const SceneFitRecord& record,
+                     bool terminal) { return drawn(fit_figure(record, terminal), terminal); }},
+    SceneFitPicture{.name = "residuals",
+                    .doc = "measured minus fitted of each target, and the noise (--case)",
+                    .of_one = draw_one<residuals_figure>},
+    SceneFitPicture{.name = "starts",
+                    .doc = "what the searches found, in rising order of their costs (--case)",
+                    .of_one = draw_one<starts_figure>},
+    SceneFitPicture{.name = "correlation",
+                    .doc = "correlations of the fitted parameters (--case)",
+                    .of_one = correlation_plot},
+    SceneFitPicture{.name = "segments",
+                    .doc = "values over the length of the segments, and where they lead (--case)",
+                    .of_one = draw_one<segments_figure>},
+    SceneFitPicture{
+        .name = "profile",
+        .doc = "rise of the least cost over each parameter, of a fit with profiles (--case)",
+        .of_one = draw_one<profiles_figure>},
+    SceneFitPicture{.name = "bootstrap",
+                    .doc = "resampled values of the parameters and of pairs (--case)",
+                    .of_one = draw_one<bootstraps_figure>},
+    SceneFitPicture{
+        .name = "laws",
+        .doc = "what each law of a comparison makes of the targets, and how far off it is (--case)",
+        .of_laws = laws_plot},
+    SceneFitPicture{
+        .name = "population",
+        .doc = "values and intervals of all fits, with mean and deviation of the specimens",
+        .of_all = [](std::span<const SceneFitRecord> records,
+                     bool terminal) { return drawn(population_figure(records), terminal); }},
+};
 
 }  // namespace plastica::calibrate::report

@@ -67,6 +67,7 @@ Json fit_of(const SceneFitRecord& record) {
     starts[i]["to"] = numbers(result.starts[i].to);
   }
   Json fit = described_json(&record, kDescribeSceneFit);
+  fit["law"] = laws_text(result);
   fit["usable"] = is_usable(result);
   fit["why_unusable"] = text_or_null(why_unusable(result));
   fit["evaluations"] = result.evaluations();
@@ -91,6 +92,7 @@ Json population_of(std::span<const SceneFitRecord> records, double confidence) {
         {"standard_deviation", number(p.standard_deviation)},
         {"rms_error", number(p.rms_error)},
         {"specimen_deviation", number(p.specimen_deviation)},
+        {"mean_sampling_error", number(p.sampling_error)},
         {"mean_interval", {number(p.mean_low), number(p.mean_high)}},
         {"specimen_deviation_interval", {number(p.deviation_low), number(p.deviation_high)}},
         {"unit", si_unit(p.dimension)}};

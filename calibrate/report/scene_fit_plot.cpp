@@ -1,11 +1,9 @@
 #include "calibrate/report/scene_fit_plot.hpp"
 
 #include <algorithm>
-#include <array>
 
 #include <fmt/format.h>
 
-#include "calibrate/report/interval_figures.hpp"
 #include "calibrate/report/law_choice.hpp"
 #include "calibrate/report/laws_figure.hpp"
 #include "calibrate/report/scene_fit_figures.hpp"
@@ -15,20 +13,11 @@
 namespace plastica::calibrate {
 namespace {
 
-using report::Figure;
 using report::PlotScript;
 
-constexpr std::array<PlotKind, 9> kScenePlotKinds = {{
-    {"fit", "one fit: curves of each target, bands of 95 %, the break (choose it with --case)"},
-    {"residuals", "measured minus fitted of each target, and the noise (--case)"},
-    {"starts", "what the searches found, in rising order of their costs (--case)"},
-    {"correlation", "correlations of the fitted parameters (--case)"},
-    {"segments", "values over the length of the segments, and where they lead (--case)"},
-    {"profile", "rise of the least cost over each parameter, of a fit with profiles (--case)"},
-    {"bootstrap", "resampled values of the parameters and of pairs (--case)"},
-    {"laws", "what each law of a comparison makes of the targets, and how far off it is (--case)"},
-    {"population", "values and intervals of all fits, with mean and deviation of the specimens"},
-}};
+using report::kSceneFitPictures;
+
+constexpr auto kScenePlotKinds = report::listed(kSceneFitPictures);
 
 const SceneFitRecord& find_fit(std::span<const SceneFitRecord> records, const std::string& name) {
   if (name.empty()) return records.front();
@@ -44,42 +33,26 @@ const SceneFitRecord& find_fit(std::span<const SceneFitRecord> records, const st
 
 PlotScript make(std::span<const SceneFitRecord> all, PlotRequest request) {
   if (all.empty()) throw InputError({}, "plot", request.what, "there is no fit to draw");
-  const std::string what =
-      request.what.empty() ? std::string(kScenePlotKinds[0].name) : request.what;
-  if (std::ranges::find(kScenePlotKinds, what, &PlotKind::name) == kScenePlotKinds.end()) {
-    throw InputError(
-        {}, "--what", what,
-        "must be fit, residuals, starts, correlation, segments, profile, bootstrap, laws or "
-        "population");
-  }
+  const report::SceneFitPicture& picture =
+      request.what.empty() ? kSceneFitPictures.front()
+                           : report::find_picture(kSceneFitPictures, request.what);
   const bool terminal = request.output == "-";
-  const auto drawn = [&](const Figure& figure) {
-    return terminal ? plastica::report::figure_terminal(figure)
-                    : plastica::report::figure_page(figure);
-  };
-  if (what == "laws") {
+  if (picture.of_laws != nullptr) {
     report::refuse_law(request);
-    return drawn(report::laws_figure(all, request.specimen));
+    return picture.of_laws(all, request.specimen, terminal);
   }
   split_label(all, request.specimen, request.law);
   const std::vector<SceneFitRecord> records = of_law(all, request.law);
-  if (what == "population") {
+  if (picture.of_all != nullptr) {
     if (!request.specimen.empty()) {
-      throw InputError({}, "--case", request.specimen, "does not go with the picture 'population'");
+      throw InputError({}, "--case", request.specimen,
+                       fmt::format("does not go with the picture '{}'", picture.name));
     }
-    return drawn(report::population_figure(records));
+    return picture.of_all(records, terminal);
   }
   SceneFitRecord record = find_fit(records, request.specimen);
   record.name = label_of(record, compares_laws(all));
-  if (what == "correlation") return report::correlation_plot(record, terminal);
-  if (what == "segments") return drawn(report::segments_figure(record));
-  if (what == "profile")
-    return drawn(report::profile_figure(report::shown_intervals(record.result, record.name)));
-  if (what == "bootstrap")
-    return drawn(report::bootstrap_figure(report::shown_intervals(record.result, record.name)));
-  if (what == "starts") return drawn(report::starts_figure(record));
-  if (what == "residuals") return drawn(report::residuals_figure(record));
-  return drawn(report::fit_figure(record, terminal));
+  return picture.of_one(record, terminal);
 }
 
 }  // namespace

@@ -120,6 +120,8 @@ std::string targets_text(const SceneFitRecord& record, const Ink& ink) {
                                         {"", Align::Left},
                                         {"misfit", Align::Right, "% of largest"},
                                         {"runs", Align::Right, "probability"}};
+  const bool several_laws = has_several_laws(record.result);
+  if (several_laws) columns.insert(columns.begin() + 1, {"law", Align::Left});
   if (weighted) columns.push_back({"weight"});
   if (broke) columns.push_back({"break strain", Align::Right, "%"});
   Table table(std::move(columns));
@@ -135,6 +137,7 @@ std::string targets_text(const SceneFitRecord& record, const Ink& ink) {
         std::string(unit.name) + (target.noise ? " (given)" : ""),
         significant(100.0 * of_target.misfit_fraction, 2),
         std::isnan(of_target.runs_test_p) ? "-" : fmt::format("{:.2g}", of_target.runs_test_p)};
+    if (several_laws) cells.insert(cells.begin() + 1, std::string(name_of(of_target.law)));
     if (weighted) cells.push_back(brief(record.weights[p]));
     if (broke) {
       cells.push_back(std::isnan(of_target.break_strain)

@@ -20,6 +20,22 @@ std::string abscissa_text(const SceneTarget& target) {
   return {};
 }
 
+bool has_several_laws(const SceneFitResult& result) {
+  return std::ranges::any_of(result.targets,
+                             [&](const TargetFit& each) { return each.law != result.law; });
+}
+
+std::string laws_text(const SceneFitResult& result) {
+  std::vector<Law> laws{result.law};
+  std::string text(name_of(result.law));
+  for (const TargetFit& each : result.targets) {
+    if (std::ranges::find(laws, each.law) != laws.end()) continue;
+    laws.push_back(each.law);
+    text += fmt::format(", {}", name_of(each.law));
+  }
+  return text;
+}
+
 std::vector<double> sorted_costs(const SceneFitResult& result) {
   std::vector<double> costs;
   for (const SceneStart& start : result.starts) {

@@ -171,11 +171,16 @@ std::string population_intervals_text(const ScenePopulation& population,
                std::string(unit.name)});
   }
   if (table.rows() == 0) return {};
+  const bool is_shared = std::ranges::any_of(
+      population.parameters, [](const PopulationParameter& p) { return p.sampling_error > 0.0; });
   return '\n' + table.text(2, kWidth) +
          wrapped("  ",
-                 fmt::format("mean: Student's t, of {} fits and more bootstrap-t{}; {} resamples",
-                             kFewestToDraw, has_scatter ? "; deviation: percentiles" : "",
-                             kPopulationResamples),
+                 fmt::format("mean: Student's t, of {} fits and more bootstrap-t{}{}; {} resamples",
+                             kFewestToDraw,
+                             is_shared ? ", of breaks between the same two samples also their "
+                                         "place between these"
+                                       : "",
+                             has_scatter ? "; deviation: percentiles" : "", kPopulationResamples),
                  kWidth);
 }
 
@@ -232,7 +237,8 @@ std::string population_text(const ScenePopulation& population,
       return with_decimals(value / unit.scale, scatter, mean);
     };
     table.add({short_name(p.path), std::to_string(p.n),
-               with_error(mean, scatter / std::sqrt(static_cast<double>(p.n))),
+               with_error(mean, std::hypot(scatter / std::sqrt(static_cast<double>(p.n)),
+                                           p.sampling_error / unit.scale)),
                number(p.standard_deviation), number(p.rms_error), number(p.specimen_deviation),
                std::string(unit.name)});
   }

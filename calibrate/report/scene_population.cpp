@@ -47,6 +47,8 @@ class Fits {
   std::size_t size() const { return there_.size() / n_; }
   bool has(std::size_t fit, std::size_t a) const { return there_[fit * n_ + a]; }
   double value(std::size_t fit, std::size_t a) const { return value_[fit * n_ + a]; }
+  /// Half the interval between the samples that a break lies between; 0 of others.
+  double half(std::size_t fit, std::size_t a) const { return sampling_[fit * n_ + a]; }
   /// rho s_a s_b; NaN where not both are determined.
   double noise(std::size_t fit, std::size_t a, std::size_t b) const {
     return noise_[(fit * n_ + a) * n_ + b];
@@ -59,6 +61,8 @@ class Fits {
       at.push_back(index_of(result, like.path));
       there_.push_back(at.back().has_value());
       value_.push_back(at.back() ? result.parameters[*at.back()].value : kNan);
+      sampling_.push_back(at.back() ? std::sqrt(3.0) * result.parameters[*at.back()].sampling_error
+                                    : 0.0);
       const auto material = at.back() ? material_value(result, *at.back()) : std::nullopt;
       material_.push_back(material.value_or(kNan));
       half_.push_back(material ? result.segments->parameters[*at.back()].extrapolated_error : 0.0);
@@ -97,7 +101,7 @@ class Fits {
 
   std::size_t n_;
   std::vector<bool> there_;
-  std::vector<double> value_, noise_, material_, half_;
+  std::vector<double> value_, noise_, material_, half_, sampling_;
   std::vector<bool> is_of_material_;
   std::vector<double> segments_error_;
 };
@@ -181,12 +185,17 @@ void add_intervals(const Fits& fits, double confidence, ScenePopulation& populat
   }
   for (std::size_t a = 0; a < n; ++a) {
     std::vector<double> values;
+    double squares = 0.0;
     for (std::size_t fit = 0; fit < fits.size(); ++fit) {
-      if (std::isfinite(fits.noise(fit, a, a))) values.push_back(fits.value(fit, a));
+      if (!std::isfinite(fits.noise(fit, a, a))) continue;
+      values.push_back(fits.value(fit, a));
+      squares += fits.half(fit, a) * fits.half(fit, a);
     }
     if (values.size() < 2) continue;
+    const double half = std::sqrt(squares / static_cast<double>(values.size()));
     const MeanInterval mean =
-        mean_interval(std::move(values), {kPopulationResamples, 1, confidence});
+        mean_interval(std::move(values), {kPopulationResamples, 1, confidence}, half);
+    parameters[a].sampling_error = mean.sampling_error;
     parameters[a].mean_low = mean.low;
     parameters[a].mean_high = mean.high;
   }

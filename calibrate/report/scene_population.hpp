@@ -26,6 +26,9 @@ struct PopulationParameter {
   /// Of the values, with n - 1: the specimens' scatter and the fits' noise together [SI]; NaN for
   /// n < 2.
   double standard_deviation = 0.0;
+  /// What all breaks alike may be off between their samples, part of the mean's interval
+  /// (mean_interval.hpp) [SI]; 0 of other parameters, and for n < 2.
+  double sampling_error = 0.0;
   double rms_error = 0.0;  ///< root of the mean squared standard error [SI]
   /// Of the specimens alone, the noise taken out [SI], >= 0; NaN for n < 2.
   double specimen_deviation = 0.0;

@@ -59,24 +59,29 @@ struct Collector {
   struct Entry {
     GroupStatistic result;
     std::vector<double> values;
+    double squares = 0.0;  ///< of half the sampling intervals of breaks
   };
   std::vector<Entry> entries;
 
-  void add(std::string_view name, Dimension dimension, double value) {
+  /// @param half  half the interval between the samples that it lies between; 0: it is no break
+  void add(std::string_view name, Dimension dimension, double value, double half) {
     if (!std::isfinite(value)) return;
     auto entry = std::find_if(entries.begin(), entries.end(),
                               [&](const Entry& e) { return e.result.name == name; });
     if (entry == entries.end()) {
-      entry = entries.insert(entries.end(), Entry{{std::string(name), dimension, {}, {}}, {}});
+      entry = entries.insert(entries.end(), Entry{{std::string(name), dimension, {}, {}}, {}, 0.0});
     }
     entry->values.push_back(value);
+    entry->squares += half * half;
   }
 
   std::vector<GroupStatistic> statistics(const SpecimenDraws& draws) && {
     std::vector<GroupStatistic> all;
     for (Entry& entry : entries) {
       if (entry.values.size() > 1) {
-        entry.result.mean_interval = mean_interval(entry.values, draws);
+        const auto n = static_cast<double>(entry.values.size());
+        entry.result.mean_interval =
+            mean_interval(entry.values, draws, std::sqrt(entry.squares / n));
       }
       entry.result.statistic = statistic_of(std::move(entry.values));
       all.push_back(std::move(entry.result));
@@ -84,6 +89,12 @@ struct Collector {
     return all;
   }
 };
+
+double half_of(const CharacteristicEntry& entry, const Characteristics& all) {
+  const bool is_break = entry.value == &Characteristics::break_strain ||
+                        entry.value == &Characteristics::break_strain_plastic;
+  return is_break && all.observed_break ? all.observed_break->half_interval() : 0.0;
+}
 
 GroupSummary summarize(std::span<const FitRecord> records, const std::vector<std::size_t>& members,
                        const SpecimenDraws& draws) {
@@ -98,7 +109,9 @@ GroupSummary summarize(std::span<const FitRecord> records, const std::vector<std
         continue;
       }
       const std::optional<double> value = shown(entry, target.characteristics);
-      if (value) characteristics.add(entry.name, entry.dimension, *value);
+      if (!value) continue;
+      characteristics.add(entry.name, entry.dimension, *value,
+                          half_of(entry, target.characteristics));
     }
   }
   for (const std::size_t i : members) {
@@ -109,7 +122,8 @@ GroupSummary summarize(std::span<const FitRecord> records, const std::vector<std
     if (!is_usable(result)) continue;
     for (const FittedParameter& parameter : result.parameters) {
       if (parameter.role == ParameterRole::Fixed || !parameter.identified) continue;
-      parameters.add(parameter.name(), parameter.dimension, parameter.value);
+      parameters.add(parameter.name(), parameter.dimension, parameter.value,
+                     std::sqrt(3.0) * parameter.sampling_error);
     }
   }
   summary.characteristics = std::move(characteristics).statistics(draws);

@@ -252,6 +252,20 @@ std::string names_text(std::span<const FitRecord> records, const Ink& ink) {
   return unusable.empty() ? text : text + '\n' + ink.bad("No usable fit\n") + unusable;
 }
 
+/// What is wrong with the curve of one is so with all, and would be but a letter in the table.
+std::string shared_warnings(std::span<const FitRecord> records, const Ink& ink) {
+  if (records.size() < 2) return {};
+  std::string text;
+  for (const std::string& warning : records.front().target.warnings) {
+    const bool is_shared = std::ranges::all_of(records, [&](const FitRecord& record) {
+      const std::vector<std::string>& own = record.target.warnings;
+      return std::ranges::find(own, warning) != own.end();
+    });
+    if (is_shared) text += wrapped("  ! ", printable(warning), kWidth);
+  }
+  return text.empty() ? text : '\n' + ink.bad("Warnings of all specimens\n") + text;
+}
+
 }  // namespace
 
 std::string batch_report(std::span<const FitRecord> records, const ReportOptions& options) {
@@ -264,7 +278,7 @@ std::string batch_report(std::span<const FitRecord> records, const ReportOptions
     repaired.push_back({record.target.name, record.target.repairs});
   }
   text += groups_text(records, options, ink) + names_text(records, ink) +
-          repairs_text(repaired, options.specimens_shown, ink);
+          repairs_text(repaired, options.specimens_shown, ink) + shared_warnings(records, ink);
   if (!text.empty()) text += '\n';
   const std::string last =
       fmt::format("fitted {}{}, rejected {}, failed {}\n", counts.fitted,

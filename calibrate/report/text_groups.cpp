@@ -111,14 +111,27 @@ std::string groups_text(std::span<const FitRecord> records, const ReportOptions&
   }
   const bool any =
       std::ranges::any_of(groups, [](const GroupSummary& group) { return group.specimens() > 1; });
+  const auto shares_sampling = [](const GroupStatistic& entry) {
+    return entry.mean_interval && entry.mean_interval->sampling_error > 0.0;
+  };
+  const bool is_shared = std::ranges::any_of(groups, [&](const GroupSummary& group) {
+    return std::ranges::any_of(group.characteristics, shares_sampling) ||
+           std::ranges::any_of(group.parameters, shares_sampling);
+  });
   if (any) {
     text += wrapped(
         "  ",
         drawn ? fmt::format("of the mean: Student's t; of {} values and more bootstrap-t of {}",
                             kFewestToDraw,
                             counted(static_cast<std::size_t>(draws.resamples), "resample"))
-              : "of the mean: Student's t",
+              : std::string("of the mean: Student's t"),
         kWidth);
+    if (is_shared) {
+      text += wrapped("  ",
+                      "of breaks that lie between the same two samples also their place between "
+                      "these, whatever the number of specimens",
+                      kWidth);
+    }
   }
   if (shown < groups.size()) {
     text += fmt::format("\n… {} left out …\n", counted(groups.size() - shown, "group"));

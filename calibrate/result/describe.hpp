@@ -11,7 +11,9 @@
 ///   optional(NAME, MEMBER, DESCRIPTION)   of what not every record has (std::optional): NAME tells
 ///                                     whether it is there;
 ///   only(CONDITION, DESCRIPTION)      of what only those records have for which it holds;
-///   since(VERSION, DESCRIPTION)       of what result files have from a version on.
+///   since(VERSION, DESCRIPTION)       of what result files have from a version on;
+///   derived(NAME, UNITS, FUNCTION, MEANING)   of what follows from the record: it is written, and
+///                                     never read.
 namespace plastica::calibrate {
 
 /// In place of units: those of the record's own dimension.
@@ -39,6 +41,9 @@ inline constexpr auto kDescribeParameter = [](auto& d) {
     "confidence interval of the material's, lower end");
   d("interval_high", kOwnUnits, PLASTICA_MEMBER(interval_high),
     "confidence interval of the material's, upper end");
+  d.derived(
+      "scatter_error", kOwnUnits, [](const auto& row) { return row.scatter_error(); },
+      "how far another test of the same specimen would move it: noise and sampling");
   d("start", kOwnUnits, PLASTICA_MEMBER(start), "where the search began");
   d("lower", kOwnUnits, PLASTICA_MEMBER(lower), "lower bound");
   d("upper", kOwnUnits, PLASTICA_MEMBER(upper), "upper bound");

@@ -54,6 +54,10 @@ inline constexpr auto kDescribeCorrection = [](auto& d) {
 /// Of a SceneTarget, but for its curve.
 inline constexpr auto kDescribeSceneTarget = [](auto& d) {
   d("name", "", PLASTICA_MEMBER(name), "of the target");
+  d.since(9, [](auto& later) {
+    later("table", "", PLASTICA_MEMBER(table),
+          "which [[target]] of the fit file it stands in, from 1 on; 0: not known");
+  });
   d("kind", "", PLASTICA_MEMBER(kind), "what its abscissa is in the scene");
   d("driven", "", PLASTICA_MEMBER(driven), "which support or load follows the abscissa");
   d("abscissa_probe", "", PLASTICA_MEMBER(abscissa_probe), "the scene's probe of the abscissa");

@@ -1,8 +1,8 @@
 #include "calibrate/result/fit_outcome.hpp"
 
-#include <cmath>
-#include <limits>
 #include <stdexcept>
+
+#include "calibrate/inference/compare_laws.hpp"
 
 namespace plastica::calibrate {
 
@@ -15,12 +15,7 @@ std::string_view name_of(FitStatus status) {
   return "unknown";
 }
 
-double FitOutcome::held_out_misfit() const {
-  if (held_out.empty()) return std::numeric_limits<double>::quiet_NaN();
-  double sum = 0.0;
-  for (const double part : held_out) sum += part;
-  return std::sqrt(sum / static_cast<double>(held_out.size()));
-}
+double FitOutcome::held_out_misfit() const { return unseen_misfit(held_out); }
 
 const FittedParameter* FitOutcome::find_parameter(std::string_view name) const {
   for (const FittedParameter& parameter : parameters) {

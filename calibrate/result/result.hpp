@@ -56,8 +56,10 @@ struct FitResult : FitOutcome {
   std::optional<double> unseen;
   std::uint64_t seed = 0;
   std::vector<OptimizerStage> stages;
-  Trace trace;   ///< `correlation` is of its active parameters
-  Curve fitted;  ///< the model at the corrected samples, and at the break if there is one
+  Trace trace;  ///< `correlation` is of its active parameters
+  /// The model at the corrected samples; if the specimen broke also at its first broken sample, and
+  /// where the model breaks between the two, with its stress before and 0 after.
+  Curve fitted;
 
   std::size_t evaluations() const { return trace.costs.size(); }
 };

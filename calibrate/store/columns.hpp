@@ -75,6 +75,12 @@ class ColumnWriter {
     if (!meaning.empty()) group_.set_attribute(name, "meaning", meaning);
   }
 
+  template <typename Function>
+  void derived(std::string_view name, std::string_view units, const Function& function,
+               std::string_view meaning = {}) {
+    (*this)(name, units, function, meaning);
+  }
+
   template <typename Columns>
   void since(int /*version*/, const Columns& columns) {
     columns(*this);
@@ -172,6 +178,9 @@ class ColumnReader {
     ColumnReader<Inner> reader(group_, std::move(inner), rules_, version_);
     columns(reader);
   }
+
+  template <typename Function>
+  void derived(std::string_view, std::string_view, const Function&, std::string_view = {}) {}
 
   template <typename Columns>
   void since(int version, const Columns& columns) {

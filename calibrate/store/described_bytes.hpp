@@ -22,6 +22,8 @@ class DescribedCoder {
   void operator()(std::string_view, std::string_view, const Member& member, std::string_view = {}) {
     coder_(member(row_));
   }
+  template <typename Function>
+  void derived(std::string_view, std::string_view, const Function&, std::string_view = {}) {}
   template <typename Columns>
   void since(int, const Columns& columns) {
     columns(*this);

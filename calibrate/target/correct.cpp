@@ -297,6 +297,14 @@ double shift_strain(Target& target, const ElasticLine& line, const TargetOptions
                        : is_preload ? "the first sample is on the elastic line: no foot"
                                     : "the first sample is not on the elastic line: a foot";
   }
+  const double elastic = line.yield_stress / line.modulus;
+  if (toe.applied && options.toe.mode == Mode::Automatic && toe.amount > elastic) {
+    target.warnings.push_back(fmt::format(
+        "the toe of {:.3g} % is longer than the elastic range of {:.3g} %, as no foot is: it is "
+        "taken for slack of the grips; if they had none, are strain and stress the right columns "
+        "and units?",
+        100.0 * toe.amount, 100.0 * elastic));
+  }
   shift(curve, total);
   if (toe.applied && target.loading == Loading::Monotonic) {
     const std::size_t dropped = drop_before_origin(curve);

@@ -1,5 +1,7 @@
 #include "calibrate/target/import.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -148,10 +150,38 @@ struct Columns {
   std::vector<io::FoundColumn> stress;
 };
 
+bool measures(const std::string& unit, Dimension dimension) {
+  try {
+    io::unit_conversion(unit, dimension);
+    return true;
+  } catch (const InputError&) {
+    return false;
+  }
+}
+
+/// Another unit may go before a file's, but not where the file's are those of each other's column.
+void refuse_swapped(const CsvTable& table, const Plan& plan, const Columns& columns) {
+  const io::FoundColumn& strain = columns.strain;
+  for (const io::FoundColumn& stress : columns.stress) {
+    if (strain.overridden.empty() || stress.overridden.empty()) continue;
+    if (!measures(strain.overridden, plan.stress_is()) ||
+        !measures(stress.overridden, plan.strain_is())) {
+      continue;
+    }
+    throw InputError(
+        {table.file(), 0}, plan.strain_field, table.names()[strain.index],
+        fmt::format("is in {} in the file, and \"{}\" for the {} in {}: the columns are swapped",
+                    strain.overridden, table.names()[stress.index], plan.stress_field,
+                    stress.overridden));
+  }
+}
+
 /// @throws InputError if the file lacks a column or its unit, or has one that does not fit
 Columns columns_of(const Plan& plan, const CsvTable& table) {
-  return {io::find_column(table, named(*plan.strain, plan.strain_field), plan.strain_is()),
-          stress_columns(table, named(*plan.stress, plan.stress_field), plan.stress_is())};
+  Columns columns{io::find_column(table, named(*plan.strain, plan.strain_field), plan.strain_is()),
+                  stress_columns(table, named(*plan.stress, plan.stress_field), plan.stress_is())};
+  refuse_swapped(table, plan, columns);
+  return columns;
 }
 
 /// Raw curve of one specimen, in SI.

@@ -146,7 +146,7 @@ void process_target(Target& target, const TargetOptions& options) {
   if (target.status != TargetStatus::Ready) return;
   std::string reason = why_implausible(target, options);
   if (!reason.empty()) return refuse_implausible(target, std::move(reason), options);
-  warn_of_softness(target);
+  warn_of_softness(target, options);
 }
 
 Target make_target(std::string name, Curve raw, const TargetOptions& options) {

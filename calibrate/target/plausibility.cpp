@@ -78,7 +78,8 @@ std::string likely_cause(const Judged& curve, const TargetOptions& options) {
   for (double give = 1.5; give < 60.0; give *= 1.2) {
     if (is_usual({curve.modulus * give, curve.strength, curve.strain, curve.yields}, options)) {
       return causes + (causes.empty() ? "" : " or: ") +
-             "the strain may be crosshead travel, in which the machine gives way";
+             "the strain may be crosshead travel, in which the machine gives way, or its gauge "
+             "length too short";
     }
   }
   return !causes.empty() ? causes : "are the units of strain and stress right?";
@@ -172,10 +173,21 @@ std::string why_implausible(const Target& target, const TargetOptions& options) 
   return beyond.empty() ? beyond : beyond + "; " + likely_cause(*curve, options);
 }
 
-void warn_of_softness(Target& target) {
+void warn_of_softness(Target& target, const TargetOptions& options) {
   constexpr double kSoft = 0.5e9;
   const auto curve = judged(target);
-  if (!curve || curve->modulus >= kSoft) return;
+  if (!curve) return;
+  // Of metals magnesium is the softest that carries so much, with 45 GPa.
+  constexpr double kSoftMetal = 30e9;
+  const bool is_measured = target.characteristics.modulus_method != "given";
+  const bool is_strong = curve->strength > options.plausible.strong_stress && curve->yields;
+  if (is_measured && is_strong && !options.expected_modulus && curve->modulus < kSoftMetal) {
+    target.warnings.push_back(fmt::format(
+        "Young's modulus is less than {}, below that of every structural metal: is the strain "
+        "crosshead travel, in which the machine gives way, or its gauge length too short?",
+        stress_text(kSoftMetal)));
+  }
+  if (curve->modulus >= kSoft) return;
   target.warnings.push_back(fmt::format(
       "Young's modulus of {}, as of a rubber: are the units of strain and stress right?",
       stress_text(curve->modulus)));

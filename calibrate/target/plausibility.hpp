@@ -20,8 +20,10 @@ namespace plastica::calibrate {
 /// (E 40 to 420 GPa, yield strain 0.02 to 1.5 %), or be near the expected modulus.
 std::string why_implausible(const Target& target, const TargetOptions& options);
 
-/// Warns of a tension curve that passes, but is as soft as rubber (E below 0.5 GPa).
-void warn_of_softness(Target& target);
+/// Warns of a tension curve that passes, but is as soft as rubber (E below 0.5 GPa), or yields as
+/// late as metals do (above `strong_stress`) and is softer than each of them (E below 30 GPa,
+/// measured, where none is expected).
+void warn_of_softness(Target& target, const TargetOptions& options);
 
 /// What the gate asks, in a line: for people who want to know or change the bounds.
 std::string plausible_text(const TargetOptions& options);

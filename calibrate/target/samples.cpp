@@ -42,7 +42,7 @@ void warn_of_unit(const io::CsvTable& table, const io::FoundColumn& column,
                   std::vector<std::string>& warnings) {
   if (column.overridden.empty()) return;
   warnings.push_back("\"" + table.names()[column.index] + "\" is not taken in its file's unit, " +
-                     column.overridden + ", as you say (override_unit)");
+                     column.overridden + ", as you say (override_unit = true, --override-unit)");
 }
 
 void drop_missing(const Samples& samples, std::size_t reported) {

@@ -41,6 +41,8 @@ constexpr bool is_driven(Abscissa kind) { return kind >= Abscissa::Support; }
 /// it makes.
 struct SceneTarget {
   std::string name;
+  /// Which [[target]] of the fit file it stands in, from 1 on; 0: not known.
+  std::size_t table = 0;
   Abscissa kind = Abscissa::Probe;
   std::size_t driven = 0;  ///< which support or load follows
   /// SI (n_samples); any path if the scene is driven by it, else never falling.

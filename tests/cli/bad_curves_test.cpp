@@ -66,6 +66,14 @@ INSTANTIATE_TEST_SUITE_P(
                 "--stress = Stress:mm: \"mm\" is not a unit of stress (examples: Pa, MPa, ksi)"),
         options("StrainAndElongation", {"--strain", "Strain", "--elongation", "Strain"},
                 "--elongation = Strain: cannot go with --strain"),
+        options("StrainAndGaugeLength", {"--strain", "Strain", "--gauge-length", "50 mm"},
+                "--gauge-length = 50 mm: cannot go with --strain"),
+        options("StressAndArea", {"--stress", "Stress", "--area", "12 mm^2"},
+                "--area = 12 mm^2: cannot go with --stress"),
+        options(
+            "SwappedColumns", {"--strain", "Stress:%", "--stress", "Strain:MPa", "--override-unit"},
+            "a.csv: strain = Stress: is in MPa in the file, and \"Strain\" for the stress in %: "
+            "the columns are swapped"),
         options("LoadWithoutArea", {"--load", "Stress:N"},
                 "a.csv: --load = Stress: needs --area to become a strain or stress"),
         options("NegativeArea", {"--load", "Stress:N", "--area", "-3 mm^2"},

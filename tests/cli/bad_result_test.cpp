@@ -71,7 +71,7 @@ TEST(BadRequest, OfAResultIsRefusedInOneLine) {
       {{"show", "x.h5", "--case", "b"}, "x.h5: --case = b: must be a specimen of the file: a"},
       {{"plot", "x.h5", "--case", "b"}, "--case = b: is not a specimen of this file; it has a"},
       {{"plot", "x.h5", "--what", "pie"},
-       "--what = pie: must be curve, overview, parameters, profile, bootstrap or laws"},
+       "--what = pie: must be curve, residuals, overview, parameters, profile, bootstrap or laws"},
       {{"plot", "x.h5", "--what", "overview", "--case", "a"},
        "--case = a: goes with pictures of one specimen only"},
       {{"plot", "x.h5", "-o", "x.gif"},
@@ -84,11 +84,8 @@ TEST(BadRequest, OfAResultIsRefusedInOneLine) {
       {{"export", "x.h5", "--to", "xls"},
        "--to = xls: must be one of csv, json, markdown, latex, mjcf, agx, chrono, opensees"},
       {{"export", "x.h5", "--what", "all"},
-       "--what: all not in "
-       "{specimens,fits,targets,curves,probes,joints,energies,events,fragments,spectrum,cases,beam}"
-       " "
-       "(see "
-       "plastica export --help)"},
+       "--what = all: must be one of specimens, fits, targets, curves, probes, joints, energies, "
+       "events, fragments, spectrum, cases, beam"},
       {{"export", "x.h5", "--to", "latex"}, "--to latex: is for sweeps; this is a result of fits"},
       {{"export", "x.h5", "--what", "curves", "-o", "y.json"}, "--what: goes with --to csv"},
       {{"export", "x.h5", "--to", "csv", "-o", "y.json"},

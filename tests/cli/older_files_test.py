@@ -189,6 +189,28 @@ class OlderFiles(unittest.TestCase):
                     self.assertEqual(give_old_names(file), found)
                 self.assertEqual(run(self.folder, "show", "older.h5"), now)
 
+    def test_of_joint_fits_that_do_not_say_which_table_a_target_stands_in(self):
+        bar = (DATA / "scenes/bend_test.toml").read_text()
+        (self.folder / "bend_test.toml").write_text(bar)
+        (self.folder / "half.toml").write_text(bar)
+        (self.folder / "bend_test.csv").write_text((DATA / "targets/bend_test.csv").read_text())
+        fit = (DATA / "fits/bend_test.toml").read_text()
+        fit = fit.replace("../scenes/", "").replace("../targets/", "")
+        start = fit.index("[[target]]")
+        other = fit[start:].replace("bend_test.toml", "half.toml")
+        (self.folder / "fit.toml").write_text(fit + "\n" + other)
+        run(self.folder, "calibrate", "fit.toml", "--quiet")
+        with h5py.File(self.folder / "fit.h5") as file:
+            second = file["targets/name"].asstr()[1]
+            self.assertEqual(list(file["targets/table"][:]), [1, 2])
+        beam = ("--what", "beam", "--target", second)
+        now = run(self.folder, "export", "fit.h5", *beam)
+        self.assertIn("as the fit has it for target", now)
+        with copy_of(self.folder) as file:
+            file.attrs["version"] = 8
+            del file["targets/table"]
+        self.assertEqual(run(self.folder, "export", "older.h5", *beam), now)
+
     def test_of_an_older_version_are_refused(self):
         run(self.folder, "calibrate", str(DATA / "fits/demo.toml"), "-o", "fit.h5", "--quiet")
         with copy_of(self.folder) as file:

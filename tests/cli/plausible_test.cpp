@@ -81,7 +81,7 @@ TEST(Plausible, AUnitThatContradictsTheHeaderIsAnError) {
   EXPECT_EQ(result.code, 2);
   EXPECT_EQ(result.err,
             "plastica: stress = GPa: contradicts a.csv, where \"Stress\" is in MPa: correct one of "
-            "them, or let this one go before (override_unit)\n");
+            "them, or let this one go before (override_unit = true, --override-unit)\n");
 }
 
 TEST(Plausible, AnOverriddenUnitIsTakenWithAWarning) {
@@ -93,6 +93,41 @@ TEST(Plausible, AnOverriddenUnitIsTakenWithAWarning) {
   EXPECT_NE(result.out.find("! \"Stress\" is not taken in its file's unit, GPa, as you say"),
             std::string::npos)
       << result.out;
+}
+
+TEST(Plausible, AGaugeLengthThatDividesNothingIsSaid) {
+  const Workplace place;
+  place.write("a.csv", steel(kSteelHeader));
+  const CommandResult result = place.run({"calibrate", "a.csv", "--gauge-length", "50 mm"});
+  EXPECT_EQ(result.code, 0);
+  EXPECT_NE(result.err.find("a.csv: --gauge-length is of no use: the strain is read from "),
+            std::string::npos)
+      << result.err;
+}
+
+// A steel of 20 GPa: its gauge length is ten times too short.
+TEST(Plausible, AGaugeLengthTenTimesTooShortIsNamed) {
+  const Workplace place;
+  place.write("a.csv", steel("Elongation [mm],Force [N]", 50.0, 120.0));
+  const auto with_gauge = [&](const char* length) {
+    return place
+        .run({"calibrate", "a.csv", "--gauge-length", length, "--area", "120 mm^2", "--force"})
+        .out;
+  };
+  const std::string warning = "below that of every structural metal";
+  const std::string out = with_gauge("5 mm");
+  EXPECT_NE(out.find(warning), std::string::npos) << out;
+  EXPECT_NE(out.find("gauge length"), std::string::npos) << out;
+  EXPECT_EQ(with_gauge("50 mm").find(warning), std::string::npos);
+  // Of several specimens it is no letter in a table alone.
+  place.write("b.csv", place.read("a.csv"));
+  const std::string of_both = place
+                                  .run({"calibrate", "a.csv", "b.csv", "--gauge-length", "5 mm",
+                                        "--area", "120 mm^2", "--force"})
+                                  .out;
+  const std::size_t heading = of_both.find("\nWarnings of all specimens\n");
+  ASSERT_NE(heading, std::string::npos) << of_both;
+  EXPECT_NE(of_both.find("structural metal", heading), std::string::npos) << of_both;
 }
 
 TEST(Plausible, StressesAThousandTimesTooLarge) {

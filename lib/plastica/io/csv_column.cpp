@@ -38,7 +38,7 @@ FoundColumn column_at(const CsvTable& table, std::size_t index, const NamedColum
     if (column.override_unit) return {index, given, true, own};
     throw InputError(column.where, column.key, *column.unit,
                      fmt::format("contradicts {}, where \"{}\" is in {}: correct one of them, or "
-                                 "let this one go before (override_unit)",
+                                 "let this one go before (override_unit = true, --override-unit)",
                                  table.file(), table.names()[index], own));
   }
   const std::string& unit = table.units()[index];

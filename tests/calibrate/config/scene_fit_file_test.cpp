@@ -70,6 +70,7 @@ TEST_F(SceneFitFileTest, ReadsTargetsThatShareTheirParameters) {
   ASSERT_EQ(file.cases[0].targets.size(), 2U);
   const WeightedTarget& a = file.cases[0].targets[0];
   EXPECT_EQ(a.target.name, "a");
+  EXPECT_EQ(a.target.table, 1U);
   EXPECT_EQ(a.target.kind, Abscissa::Support);
   EXPECT_EQ(a.target.driven, 1U);
   EXPECT_EQ(a.target.abscissa, (std::vector<double>{0.0, 1e-3, 2e-3, 1e-3}));

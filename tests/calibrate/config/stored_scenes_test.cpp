@@ -37,6 +37,7 @@ TEST(StoredScenes, AreListedOnceIfTheyAreEqual) {
   ASSERT_EQ(fit->scenes.size(), 2U);
   EXPECT_EQ(fit->scenes[0].setup->scene.beam.segments, 4);
   EXPECT_EQ(fit->scenes[1].setup->scene.beam.segments, 8);
+  EXPECT_EQ(fit->scene_of_table, (std::vector<std::size_t>{0, 0, 1}));
 }
 
 TEST(StoredScenes, OfOneNameInTwoFoldersAreTwo) {
@@ -47,6 +48,7 @@ TEST(StoredScenes, OfOneNameInTwoFoldersAreTwo) {
   ASSERT_EQ(fit->scenes.size(), 2U);
   EXPECT_EQ(fit->scenes[0].setup->scene.beam.length, 1.0);
   EXPECT_EQ(fit->scenes[1].setup->scene.beam.length, 3.0);
+  EXPECT_EQ(fit->scene_of_table, (std::vector<std::size_t>{0, 1, 0}));
 }
 
 TEST(StoredScenes, ComeWithTheParametersOfTheFit) {

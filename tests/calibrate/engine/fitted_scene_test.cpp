@@ -148,7 +148,8 @@ calibrate::SceneFitRecord scene_fit(calibrate::Verdict of_the_hinge) {
 
 TEST(FittedSetup, HasTheNumbersOfAFitThroughScenes) {
   const plastica::Setup setup{rich_scene(), {}};
-  const auto fitted = fitted_setup(setup, scene_fit(calibrate::Verdict::AtBound));
+  const auto fitted =
+      fitted_setup(setup, scene_fit(calibrate::Verdict::AtBound), calibrate::Law::Ideal);
   EXPECT_EQ(fitted.setup.scene.material.yield_stress, 310e6);
   EXPECT_EQ(fitted.setup.scene.regions[0].material.yield_stress, 310e6);
   EXPECT_EQ(fitted.setup.scene.hinge_length, 0.05);
@@ -159,8 +160,8 @@ TEST(FittedSetup, HasTheNumbersOfAFitThroughScenes) {
 }
 
 TEST(FittedSetup, KeepsWhatTheFitDoesNotKnow) {
-  const auto fitted =
-      fitted_setup({rich_scene(), {}}, scene_fit(calibrate::Verdict::NotIdentified));
+  const auto fitted = fitted_setup({rich_scene(), {}}, scene_fit(calibrate::Verdict::NotIdentified),
+                                   calibrate::Law::Ideal);
   EXPECT_FALSE(fitted.setup.scene.hinge_length);
   EXPECT_EQ(fitted.notes.back(),
             "rules.hinge_length is not identified by the fit: the scene's own stays");
@@ -182,8 +183,8 @@ TEST(FittedSetup, HasWhatTheFitHeldToo) {
   held[2].factor = 1e7;
   set(3, "solver.damping_time", ParameterRole::Tied);
   held[3].tied_to = &find_field("rules.hinge_length");
-  const auto fitted =
-      fitted_setup({rich_scene(), {}}, scene_fit(calibrate::Verdict::NotIdentified), held);
+  const auto fitted = fitted_setup({rich_scene(), {}}, scene_fit(calibrate::Verdict::NotIdentified),
+                                   calibrate::Law::Ideal, held);
   EXPECT_EQ(fitted.setup.scene.material.density, 2700.0);
   EXPECT_EQ(fitted.setup.scene.material.shear_yield_stress, 155e6);
   EXPECT_EQ(fitted.setup.scene.material.shear_modulus, 27e9);
@@ -205,14 +206,32 @@ TEST(FittedSetup, LeavesOutWhatAnotherLawOfAComparisonHeld) {
   held[1].role = ParameterRole::Tied;
   held[1].tied_to = held[0].field;
   held[1].factor = 0.01;
-  const auto fitted = fitted_setup({rich_scene(), {}}, record, held);
+  const auto fitted = fitted_setup({rich_scene(), {}}, record, record.result.law, held);
   EXPECT_EQ(fitted.setup.scene.material.hardening.backstress_modulus[0], 0.0);
   EXPECT_EQ(fitted.setup.scene.material.yield_stress, 310e6);
   EXPECT_EQ(fitted.notes.size(), 3U);
   record.result.law = calibrate::Law::Chaboche;
-  EXPECT_EQ(fitted_setup({rich_scene(), {}}, record, held)
+  EXPECT_EQ(fitted_setup({rich_scene(), {}}, record, record.result.law, held)
                 .setup.scene.material.hardening.backstress_modulus[0],
             20e9);
+}
+
+// What the first target's law does not have is still held of another target's.
+TEST(FittedSetup, HasWhatTheFitHeldOfTheLawThatItIsFor) {
+  auto record = scene_fit(calibrate::Verdict::Identified);
+  record.result.targets.resize(2);
+  record.result.targets[1].law = calibrate::Law::Linear;
+  std::vector<calibrate::Parameter> held(1);
+  held[0].field = &find_field("tangent_modulus");
+  held[0].role = ParameterRole::Fixed;
+  held[0].value = 3e9;
+  const auto linear =
+      fitted_setup({rich_scene(), {}}, record, calibrate::Law::Linear, held).setup.scene;
+  EXPECT_EQ(linear.material.hardening.law, HardeningLaw::Linear);
+  EXPECT_EQ(linear.material.hardening.tangent_modulus, 3e9);
+  const auto ideal = fitted_setup({rich_scene(), {}}, record, calibrate::Law::Ideal, held);
+  EXPECT_EQ(ideal.setup.scene.material.hardening.law, HardeningLaw::Ideal);
+  EXPECT_EQ(ideal.notes[1], "the fit's targets have several laws: this is ideal plasticity");
 }
 
 TEST(FittedSetup, NeedsAFit) {
@@ -220,7 +239,7 @@ TEST(FittedSetup, NeedsAFit) {
   record.result.status = calibrate::FitStatus::Failed;
   record.result.reason = "no search found a start";
   EXPECT_EQ(message_of([&] {
-              fitted_setup({rich_scene(), {}}, record);
+              fitted_setup({rich_scene(), {}}, record, calibrate::Law::Ideal);
             }),
             "--case = bend: has no fit: no search found a start");
 }

@@ -35,11 +35,15 @@ TEST(Fit, RecoversAnIdealPlasticCurve) {
   EXPECT_EQ(result.misfit_word, "close");
   EXPECT_TRUE(result.warnings.empty());
   EXPECT_EQ(result.samples, 120U);
-  // The fitted curve has the target's samples and, after the break, carries nothing.
-  ASSERT_EQ(result.fitted.size(), 121U);
+  // The fitted curve has the target's samples, falls at the break and carries nothing after it.
+  ASSERT_EQ(result.fitted.size(), 123U);
   EXPECT_NEAR(result.fitted.stress[119], 317e6, tolerance(400.0));
-  EXPECT_EQ(result.fitted.strain[120], 0.0508);
-  EXPECT_EQ(result.fitted.stress[120], 0.0);
+  EXPECT_NEAR(result.fitted.strain[120], 0.0504, tolerance(1e-9));
+  EXPECT_NEAR(result.fitted.stress[120], 317e6, tolerance(400.0));
+  EXPECT_EQ(result.fitted.strain[121], result.fitted.strain[120]);
+  EXPECT_EQ(result.fitted.stress[121], 0.0);
+  EXPECT_EQ(result.fitted.strain[122], 0.0508);
+  EXPECT_EQ(result.fitted.stress[122], 0.0);
 }
 
 TEST(Fit, FindsAShortPlateauInNoise) {

@@ -89,5 +89,37 @@ TEST(HeldBreak, AloneIsFoundWithoutASearch) {
   EXPECT_NEAR(fit.parameter("break_strain").value, 0.10005 - kYield / kE, 1e-12);
 }
 
+// Last intact at 10 %, broken at 12 %: the fit breaks half way, with the stress that the line
+// S + E_t (strain - S/E) has there.
+TEST(FittedCurve, FallsAtTheBreakWithTheStressThatTheModelHasThere) {
+  constexpr double kTangent = 2e9;
+  Curve curve;
+  for (int i = 0; i <= 1000; ++i) {
+    const double strain = 1e-4 * i;
+    curve.strain.push_back(strain);
+    curve.stress.push_back(std::min(kE * strain, kYield + kTangent * (strain - kYield / kE)));
+  }
+  curve.strain.push_back(0.12);
+  curve.stress.push_back(0.0);
+  FitOptions options = options_with(break_strain());
+  options.setup.scene.material.hardening.law = HardeningLaw::Linear;
+  Parameter tangent;
+  tangent.field = &find_field("tangent_modulus");
+  options.parameters.push_back(tangent);
+  const Target target = make_target("bar", std::move(curve));
+  const FitResult fit = fit_target(target, options);
+  ASSERT_EQ(fit.status, FitStatus::Fitted) << fit.reason;
+  ASSERT_TRUE(fit.break_strain_total);
+  EXPECT_NEAR(*fit.break_strain_total, 0.11, 1e-6);
+  const std::size_t n = fit.fitted.size();
+  ASSERT_EQ(n, target.corrected.size() + 3);
+  EXPECT_EQ(fit.fitted.strain[n - 3], *fit.break_strain_total);
+  EXPECT_EQ(fit.fitted.strain[n - 2], *fit.break_strain_total);
+  const double stress = kYield + kTangent * (*fit.break_strain_total - kYield / kE);
+  EXPECT_NEAR(fit.fitted.stress[n - 3] / stress, 1.0, 1e-5);
+  EXPECT_EQ(fit.fitted.stress[n - 2], 0.0);
+  EXPECT_EQ(fit.fitted.strain[n - 1], 0.12);
+}
+
 }  // namespace
 }  // namespace plastica::calibrate

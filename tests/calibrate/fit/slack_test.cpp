@@ -56,6 +56,18 @@ TEST(Slack, BeforeTheLoadDoesNotMoveTheModulus) {
   }
 }
 
+// Of a yield strain of 0.15 %.
+TEST(Slack, LongerThanTheElasticRangeIsWarnedOf) {
+  const auto warned = [](double slack) {
+    const Target target = make_target("gripped", gripped(slack, 0.0));
+    return std::ranges::any_of(target.warnings, [](const std::string& text) {
+      return has(text, "is longer than the elastic range");
+    });
+  };
+  EXPECT_TRUE(warned(2e-3));
+  EXPECT_FALSE(warned(1e-3));
+}
+
 TEST(Slack, IsSaidWithTheSamplesThatItCosts) {
   const Target target = make_target("gripped", gripped(1e-3, 0.0));
   const auto toe = std::ranges::find(target.corrections, "toe", &Correction::kind);

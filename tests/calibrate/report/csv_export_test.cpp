@@ -43,6 +43,15 @@ TEST(SpecimenTable, IsReadBackBitForBit) {
   EXPECT_NEAR(table.number(0, *table.find("held_out")), 0.02, 1e-15);
 }
 
+// Worked by hand: 3-4-5.
+TEST(SpecimenTable, HasWhatAnotherTestOfTheSameSpecimenWouldMove) {
+  FitRecord record = fitted_record();
+  parameter_of(record, "break_strain").noise_error = 3e-4;
+  parameter_of(record, "break_strain").sampling_error = 4e-4;
+  const io::CsvTable table = io::CsvTable::parse(specimens_of({record}), "t.csv");
+  EXPECT_NEAR(table.number(0, *table.find("fit.break_strain.scatter_error")), 5e-4, 1e-18);
+}
+
 TEST(SpecimenTable, LeavesEmptyWhatASpecimenDoesNotHave) {
   FitRecord record = fitted_record();
   parameter_of(record, "yield_stress").standard_error = std::numeric_limits<double>::quiet_NaN();
@@ -74,6 +83,21 @@ TEST(CurveTable, PairsMeasuredAndFittedSamples) {
             "bar,0.001,70000000,69000000\n"
             "bar,0.002,130000000,131000000\n"
             "bar,0.0025,,0\n");
+}
+
+TEST(CurveTable, FallsWhereTheModelBreaks) {
+  FitRecord record = rejected_record("bar", "");
+  record.target.corrected = {{0.0, 0.001, 0.002}, {0.0, 70e6, 130e6}};
+  record.result.fitted = {{0.0, 0.001, 0.002, 0.003}, {0.0, 70e6, 131e6, 0.0}};
+  record.result.break_strain_total = 0.0025;
+  EXPECT_EQ(curves_of({record}),
+            "specimen,strain [1],stress_measured [Pa],stress_fitted [Pa]\n"
+            "bar,0,0,0\n"
+            "bar,0.001,70000000,70000000\n"
+            "bar,0.002,130000000,131000000\n"
+            "bar,0.0025,,131000000\n"
+            "bar,0.0025,,0\n"
+            "bar,0.003,,0\n");
 }
 
 TEST(CurveTable, PutsABreakBetweenSamplesInItsPlace) {

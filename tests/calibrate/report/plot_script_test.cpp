@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <sstream>
 
@@ -39,6 +40,35 @@ TEST(PlotScript, OfOneSpecimenShowsCurveFitYieldAndBreak) {
   }
   EXPECT_TRUE(has(script, "\n10.425 280 \n10.425 0 \n") || has(script, "\n10.425 280\n10.425 0\n"))
       << "the fall at the break, in % and MPa";
+}
+
+// The record's noise is 1.5 MPa sin(12.9898 i) on top of its fit.
+TEST(PlotScript, OfResidualsShowsMeasuredMinusFitted) {
+  const std::string script = plot_script(std::vector{fitted_record()}, {.what = "residuals"});
+  EXPECT_TRUE(has(script, "stress, measured - fitted [MPa]"));
+  EXPECT_TRUE(has(script, "'rms misfit'"));
+  EXPECT_TRUE(has(script, "'yield, fitted'"));
+  std::istringstream lines(script);
+  std::size_t found = 0;
+  for (std::string line; std::getline(lines, line);) {
+    double strain = 0.0, residual = 0.0;
+    std::istringstream row(line);
+    if (!(row >> strain >> residual)) continue;
+    const double i = std::round(strain / 0.05);
+    if (std::fabs(residual - 1.5 * std::sin(12.9898 * i)) < 1e-5) ++found;
+  }
+  EXPECT_EQ(found, 209U);
+  EXPECT_EQ(message_of({rejected_record("a", "x")}, {.what = "residuals"}),
+            "--what = residuals: a was not fitted");
+}
+
+// Samples at 0.2 and 0.3 %: a line between them would fall before the model breaks at 0.28 %.
+TEST(PlotScript, DrawsTheFallWhereTheModelBreaks) {
+  FitRecord record = fitted_record();
+  record.result.fitted = {{0.0, 0.001, 0.002, 0.003}, {0.0, 70e6, 140e6, 0.0}};
+  record.result.break_strain_total = 0.0028;
+  const std::string script = plot_script(std::vector{record}, {});
+  EXPECT_TRUE(has(script, "\n0.2 140 \n0.28 140 \n0.28 0 \n0.3 0 \n")) << script;
 }
 
 TEST(PlotScript, OfManySpecimensHasAPanelPerGroupAndTheMean) {
@@ -129,8 +159,9 @@ TEST(PlotScript, ForATerminalLetsNoTextOfAUserLeaveItsQuotes) {
 
 TEST(PlotScript, SaysWhatThereIsToDraw) {
   const std::vector<FitRecord> records = {fitted_record("a"), fitted_record("b")};
-  EXPECT_EQ(message_of(records, {.what = "pie"}),
-            "--what = pie: must be curve, overview, parameters, profile, bootstrap or laws");
+  EXPECT_EQ(
+      message_of(records, {.what = "pie"}),
+      "--what = pie: must be curve, residuals, overview, parameters, profile, bootstrap or laws");
   EXPECT_EQ(message_of(records, {.specimen = "c"}),
             "--case = c: is not a specimen of this file; it has a, b");
   EXPECT_EQ(message_of(records, {.what = "overview", .specimen = "a"}),
@@ -138,7 +169,7 @@ TEST(PlotScript, SaysWhatThereIsToDraw) {
   EXPECT_EQ(message_of({}, {}), "plot: there is no specimen to draw");
   EXPECT_EQ(message_of({rejected_record("a", "x")}, {.what = "parameters"}),
             "--what = parameters: there is no fitted specimen");
-  ASSERT_EQ(plot_kinds().size(), 6U);
+  ASSERT_EQ(plot_kinds().size(), 7U);
   EXPECT_EQ(plot_kinds()[0].name, "curve");
 }
 

@@ -108,7 +108,7 @@ TEST(SceneFitCsv, HasARowPerFitWithAllParametersThatAnyHas) {
   const SegmentsError record_of_a =
       lone_scene_record("a", 2e11, 3e8).result.segments->parameters[0];
   ASSERT_EQ(rows.size(), 4U);
-  constexpr std::size_t kEach = 19;
+  constexpr std::size_t kEach = 20;
   for (const auto& row : rows) EXPECT_EQ(row.size(), 4U + 3U * kEach + 7U);
   const auto column = [&](const std::string& title) {
     return static_cast<std::size_t>(std::ranges::find(rows[0], title) - rows[0].begin());

@@ -154,6 +154,18 @@ TEST(SceneFitText, SaysWhyAFitFailed) {
   EXPECT_TRUE(has_line(text, "  reason      no curve at the start"));
 }
 
+// Two equal breaks between the same samples: what each may be off, the mean may be, too.
+TEST(SceneFitsText, SaysWhatBreaksShareInTheErrorOfTheirMean) {
+  std::vector records{lone_scene_record("a", 2e11, 3e8), lone_scene_record("b", 2e11, 3e8)};
+  EXPECT_FALSE(has(scene_fits_report(records), "their place between these"));
+  for (SceneFitRecord& record : records) record.result.parameters[1].sampling_error = 3e6;
+  std::string text = scene_fits_report(records);
+  text.erase(0, text.find("\nPopulation\n"));
+  EXPECT_TRUE(has(text, "300.0 ± 3.0")) << text;
+  std::ranges::replace(text, '\n', ' ');
+  EXPECT_TRUE(has(text, "of breaks between the same two samples")) << text;
+}
+
 TEST(SceneFitsText, ShowsFitsPopulationAndFailures) {
   std::vector<SceneFitRecord> records = specimens();
   records[1].result.parameters[1].judgement->verdict = Verdict::Weak;

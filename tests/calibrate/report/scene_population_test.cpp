@@ -43,6 +43,17 @@ TEST(ScenePopulation, TakesTheMeanSquaredErrorsOutOfTheVariances) {
   EXPECT_NEAR(p.correlation(0, 1), 1.0, 1e-12);
 }
 
+TEST(ScenePopulation, LeavesOpenWhereBreaksLieBetweenTheSameSamples) {
+  std::vector records{specimen(90.0, 4.0), specimen(100.0, 4.0)};
+  for (SceneFitRecord& record : records) {
+    record.result.parameters[1].sampling_error = 0.3 / std::sqrt(3.0);
+  }
+  const ScenePopulation p = scene_population(records);
+  EXPECT_NEAR(p.parameters[1].sampling_error, 0.3 / std::sqrt(3.0), 1e-15);
+  EXPECT_NEAR(p.parameters[1].mean_high, 4.0 + 0.95 * 0.3, 1e-9);
+  EXPECT_EQ(p.parameters[0].sampling_error, 0.0);
+}
+
 /// Values with N/2, N and 2N segments that fall by a fourth each: the continuous beam's is known.
 void set_segments(SceneFitRecord& record, std::size_t parameter, double material, double off) {
   FittedParameter& p = record.result.parameters[parameter];

@@ -137,5 +137,21 @@ TEST(Summary, HasIntervalsOfMeansWhereThereAreTwo) {
   EXPECT_FALSE(find(summarize_groups(records).front().parameters, "yield_stress")->mean_interval);
 }
 
+TEST(Summary, LeavesOpenWhereBreaksLieBetweenTheSameSamples) {
+  std::vector<FitRecord> records = {fitted_record("a"), fitted_record("b")};
+  for (FitRecord& record : records) {
+    parameter_of(record, "break_strain").sampling_error = 0.00025 / std::sqrt(3.0);
+  }
+  const GroupSummary group = summarize_groups(records).front();
+  const auto half = [](const GroupStatistic* entry) {
+    return 0.5 * (entry->mean_interval->high - entry->mean_interval->low);
+  };
+  EXPECT_NEAR(half(find(group.parameters, "break_strain")), 0.95 * 0.00025, 1e-9);
+  // The samples of both lie at 10.4 and 10.45 %.
+  EXPECT_NEAR(half(find(group.characteristics, "break_strain")), 0.95 * 0.00025, 1e-9);
+  EXPECT_NEAR(half(find(group.characteristics, "break_strain_plastic")), 0.95 * 0.00025, 1e-9);
+  EXPECT_EQ(half(find(group.parameters, "yield_stress")), 0.0);
+}
+
 }  // namespace
 }  // namespace plastica::calibrate

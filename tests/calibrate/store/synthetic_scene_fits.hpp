@@ -18,8 +18,8 @@ inline auto members(const SceneBreak& v) {
 }
 inline auto members(const SceneTarget& v) {
   // Where the user's words stood is not stored, and warnings are with the fit's.
-  const auto& [a, b, c, d, e, f, g, h, i, j, k, l, m, repairs, warnings, where, other_where] = v;
-  return std::tie(a, b, c, d, e, f, g, h, i, j, k, l, m, repairs);
+  const auto& [a, b, c, d, e, f, g, h, i, j, k, l, m, n, repairs, warnings, where, other_where] = v;
+  return std::tie(a, b, c, d, e, f, g, h, i, j, k, l, m, n, repairs);
 }
 inline auto members(const TargetFit& v) {
   const auto& [a, b, c, d, e, f, g, h, i, j, k, l] = v;
@@ -56,6 +56,7 @@ inline SceneFitRecord filled_scene_record(const std::string& name) {
   bent.name = name + ", bent";
   bent.kind = Abscissa::Support;
   bent.driven = 1;
+  bent.table = 2;
   bent.abscissa = {0.0, 0.01, 0.02, 0.03, 0.02};
   bent.ordinate = {-0.0, 95.0, 190.0, 210.0, 120.0};
   bent.ordinate_probe = "force";

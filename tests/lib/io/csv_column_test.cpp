@@ -28,7 +28,7 @@ TEST(CsvColumn, TakesTheSameUnitInOtherWords) {
 TEST(CsvColumn, RefusesAUnitThatContradictsTheTables) {
   EXPECT_EQ(message_from<InputError>([] { found("Stress", "GPa", Dimension::Stress); }),
             "f.toml:3: k = GPa: contradicts a.csv, where \"Stress\" is in MPa: correct one of "
-            "them, or let this one go before (override_unit)");
+            "them, or let this one go before (override_unit = true, --override-unit)");
   EXPECT_THROW(found("Strain", "1", Dimension::Strain), InputError);
   // A length that is taken for a strain.
   EXPECT_THROW(found("Way", "%", Dimension::Strain), InputError);

@@ -247,9 +247,10 @@ TEST_F(SceneFileWithTable, ReadsAColumnBesideTheFile) {
   EXPECT_EQ(read_here("{ table = 'd.csv', column = 2, unit = '1', override_unit = true }")
                 .scene.drive.strain,
             (std::vector<double>{0.0, 0.5, 1.0}));
-  EXPECT_EQ(error_here("{ table = 'd.csv', column = 2, unit = '1' }"),
-            "s.toml:2: drive.strain.column = 1: contradicts d.csv, where \"Strain\" is in %: "
-            "correct one of them, or let this one go before (override_unit)");
+  EXPECT_EQ(
+      error_here("{ table = 'd.csv', column = 2, unit = '1' }"),
+      "s.toml:2: drive.strain.column = 1: contradicts d.csv, where \"Strain\" is in %: "
+      "correct one of them, or let this one go before (override_unit = true, --override-unit)");
 }
 
 TEST_F(SceneFileWithTable, RefusesATableOrColumnThatIsNotThere) {

@@ -1,0 +1,57 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "calibrate/report/plot.hpp"
+#include "plastica/base/check.hpp"
+#include "plastica/report/scene_figure.hpp"
+
+/// Lists of the pictures of results of fits; not installed.
+namespace plastica::calibrate::report {
+
+/// A kind of picture of a file of fits. One of the functions is set; what it draws is for a page,
+/// or for a terminal as characters.
+template <typename Record>
+struct PictureKind {
+  std::string_view name;  ///< "curve"
+  std::string_view doc;   ///< one line for `--list`
+  plastica::report::PlotScript (*of_one)(const Record& record, bool terminal) = nullptr;
+  plastica::report::PlotScript (*of_all)(std::span<const Record> records, bool terminal) = nullptr;
+  /// Of all laws that are compared; empty name: the first target's.
+  plastica::report::PlotScript (*of_laws)(std::span<const Record> records, const std::string& name,
+                                          bool terminal) = nullptr;
+};
+
+/// @throws InputError naming all kinds
+template <typename Record, std::size_t N>
+const PictureKind<Record>& find_picture(const std::array<PictureKind<Record>, N>& kinds,
+                                        const std::string& what) {
+  const auto found = std::ranges::find(kinds, what, &PictureKind<Record>::name);
+  if (found != kinds.end()) return *found;
+  std::string names;
+  for (std::size_t i = 0; i < N; ++i) {
+    names += i == 0 ? "" : i + 1 < N ? ", " : " or ";
+    names += kinds[i].name;
+  }
+  throw InputError({}, "--what", what, "must be " + names);
+}
+
+/// Their names and lines, for `--list`.
+template <typename Record, std::size_t N>
+constexpr std::array<PlotKind, N> listed(const std::array<PictureKind<Record>, N>& kinds) {
+  std::array<PlotKind, N> list{};
+  for (std::size_t i = 0; i < N; ++i) list[i] = {kinds[i].name, kinds[i].doc};
+  return list;
+}
+
+inline plastica::report::PlotScript drawn(const plastica::report::Figure& figure, bool terminal) {
+  return terminal ? plastica::report::figure_terminal(figure)
+                  : plastica::report::figure_page(figure);
+}
+
+}  // namespace plastica::calibrate::report
