@@ -1,0 +1,44 @@
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "tests/cli/command.hpp"
+
+namespace plastica::testing {
+namespace {
+
+class Advise : public ::testing::Test {
+ protected:
+  const std::string scene_ = std::string(PLASTICA_SOURCE_DIR) + "/data/scenes/cantilever.toml";
+  Workplace place_;
+};
+
+TEST_F(Advise, WritesTheSceneWithWhatItAdvises) {
+  const CommandResult advised =
+      place_.run({"advise", scene_, "--within", "1 %", "-o", "advised.toml"});
+  ASSERT_EQ(advised.code, 0) << advised.err;
+  EXPECT_NE(advised.out.find("cantilever.toml, within 1 %:"), std::string::npos) << advised.out;
+  EXPECT_NE(advised.out.find("the file's own: "), std::string::npos);
+  EXPECT_NE(place_.read("advised.toml"), place_.read(scene_));
+  // What it wrote is within the error by itself.
+  const CommandResult again = place_.run({"advise", "advised.toml", "--within", "1 %"});
+  EXPECT_EQ(again.code, 0) << again.err;
+  EXPECT_EQ(place_.run({"simulate", "advised.toml", "-o", "advised.h5"}).code, 0);
+}
+
+TEST_F(Advise, RefusesInOneLine) {
+  const auto refusal = [&](std::vector<std::string> words) {
+    words.insert(words.begin(), {"advise", scene_});
+    const CommandResult result = place_.run(words);
+    EXPECT_EQ(result.code, 2) << result.out;
+    return result.err;
+  };
+  EXPECT_EQ(refusal({"--within", "1"}), "plastica: --within = 1: needs a unit: \"1 %\"\n");
+  EXPECT_EQ(refusal({"--within", "100 %"}), "plastica: --within = 100 %: must be below 100 %\n");
+  EXPECT_EQ(refusal({"--within", "1 %", "--of", "top"}),
+            "plastica: --of = top: is no probe of the scene\n");
+  EXPECT_NE(refusal({"--within", "1 %", "-o", scene_}).find("-o"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace plastica::testing
