@@ -196,7 +196,9 @@ bool Adviser::verify(Candidate& candidate) {
   for (const AxisError& e : candidate.errors) {
     if (e.error > 0.05 * candidate.sum) left = std::max(left, left_of(1.0, e.ratio, e.order));
   }
-  candidate.promised = std::max(candidate.sum, off.largest * left);
+  // Changes are over a finer run's value f_h, not over the limit f: |f_h| <= |f| (1 + error).
+  const double most = std::max(candidate.sum, off.largest * left);
+  candidate.promised = most * (1.0 + most);
   candidate.within = candidate.promised <= options_.within;
   return true;
 }
@@ -217,7 +219,15 @@ double Adviser::expected_work(const Setting& from, const Setting& to) const {
 TriedSetting Adviser::tried(const Setting& setting) {
   const Outcome& of = outcome(setting);
   TriedSetting one{setting, 0.0, {}, of.work, of.seconds};
-  if (finest_) {
+  if (!finest_) return one;
+  bool is_as_fine = true;
+  for (std::size_t k = 0; k < axes_.size(); ++k) {
+    is_as_fine = is_as_fine && axes_[k].size(setting[k]) <= axes_[k].size((*finest_)[k]);
+  }
+  if (is_as_fine) {
+    one.error = std::numeric_limits<double>::infinity();
+    one.reason = "it is as fine as the run that verifies";
+  } else {
     const Deviation off = deviation(of, outcome(*finest_), probes_.watched);
     one.error = off.largest;
     one.reason = off.reason;

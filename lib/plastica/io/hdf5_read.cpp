@@ -70,9 +70,9 @@ std::string Hdf5Group::stored_path(const std::string& full) const {
     const std::size_t end = std::min(full.find('/', begin), full.size());
     const std::string name = full.substr(begin, end - begin);
     const std::string before(old_name(kRenamedStored, name));
-    const bool is_old =
-        !before.empty() && !has_links(path + '/' + name) && has_links(path + '/' + before);
-    path += '/' + (is_old ? before : name);
+    path += '/';
+    const bool is_old = !before.empty() && !has_links(path + name) && has_links(path + before);
+    path += is_old ? before : name;
     begin = end + 1;
   }
   return path;
