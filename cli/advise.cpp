@@ -104,8 +104,8 @@ void add_advise(CLI::App& app, Action& action) {
   sub->footer(
       "Example:\n"
       "  plastica advise scene.toml --within \"1 %\" -o advised.toml\n"
-      "Exit code 1 if no setting is within the error, or none was found within --max-runs\n"
-      "and --max-work.");
+      "Exit code 1 if no setting is within the error, or none was found within\n"
+      "--max-runs and --max-work.");
   sub->callback([&action, arguments] { action = [arguments] { return advise(*arguments); }; });
 }
 

@@ -51,7 +51,8 @@ class Commands:
             self.run("init", kind)
         (folder / "limit.toml").write_text(LIMIT)
         self.run("simulate", "limit.toml", "-o", "scene.h5", "--quiet")
-        sweep = SWEEP + 'against = "theory:elastica"\n'
+        # A recommendation is of one problem: of one hinge length.
+        sweep = SWEEP.replace('["unset", "30 mm"]', '["unset"]') + 'against = "theory:elastica"\n'
         (folder / "own.toml").write_text(sweep)
         self.run("sweep", "own.toml", "-o", "swept.h5", "--quiet")
 
