@@ -33,7 +33,7 @@ constexpr const char* kFooter =
     "  plastica plot fit.h5 -o fit.svg        the picture\n"
     "  plastica simulate scene.toml -o s.h5   what a beam does under its loads\n"
     "  plastica advise scene.toml --within \"1 %\"\n"
-    "                                         how fine it must be, and what that costs\n"
+    "                                         how fine it must be, and its cost\n"
     "  plastica sweep sweep.toml -o sweep.h5  vary a scene: what accuracy costs\n"
     "  plastica recommend sweep.h5 --within \"1 %\"\n"
     "  plastica check check.toml              check claims on accuracy, for CI\n"
