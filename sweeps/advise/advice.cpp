@@ -143,7 +143,10 @@ AxisError Adviser::error_along(const Candidate& candidate, std::size_t axis) {
   AxisError error;
   const double size = axes_[axis].size(candidate.setting[axis]);
   error.ratio = size / axes_[axis].size(made[axis]);
-  if (!(error.ratio > 1.0)) return error;  // it is at its finest
+  if (!(error.ratio > 1.0)) {  // it is at its finest, and nothing says what it is off
+    error.change = error.error = std::numeric_limits<double>::infinity();
+    return error;
+  }
   error.change = deviation(outcome(candidate.setting), outcome(made), probes_.watched).largest;
   error.order = kSupposedOrder;
   for (const SeenChange& before : seen_[axis]) {

@@ -17,7 +17,6 @@ struct AdviceOptions {
   std::vector<std::string> probes{};  ///< names; empty: all of the scene
   int max_runs = 60;                  ///< >= 4
   double max_work = 3e8;              ///< of all runs, segment-iterations: about a minute
-                                      ///< >= 4
   int threads = 0;                    ///< 0: as many as the machine has
   StopFlag stop = nullptr;            ///< may be null
   /// Called after each run with their number, from any thread, one call at a time.
@@ -62,7 +61,7 @@ struct Advice {
   double seconds = 0.0;
   std::optional<TriedSetting> next_cheaper;  ///< the dearest of the cheaper ones that do not do
   TriedSetting own;                          ///< the scene's file as it is
-  std::vector<std::string> left_out;         ///< probes that stay within rounding
+  std::vector<std::string> left_out;         ///< probes that are given, or errors themselves
   int runs = 0;
   double total_seconds = 0.0;   ///< CPU time of all runs
   std::int64_t total_work = 0;  ///< of all runs

@@ -70,7 +70,7 @@ std::vector<FinenessAxis> fineness_axes(const Setup& setup) {
   }
   if (!moves && yields) {
     const double own = number_of(find_field("solver.steps"), setup);
-    axes.push_back(axis_of("solver.steps", own, std::max(own, kMostSteps)));
+    axes.push_back(axis_of("solver.steps", own, std::max(4.0 * own, kMostSteps)));
   }
   return axes;
 }

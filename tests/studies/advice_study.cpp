@@ -70,6 +70,9 @@ TEST(Advice, KeepsItsWord) {
       const Advice advice = advise(scene.setup, options);
       std::string line = fmt::format("{:<26} {:4.1f} %", scene.name, 100.0 * within);
       if (advice.end != AdviceEnd::Found) {
+        // The force of an impact has no limit; the path of the other fails.
+        EXPECT_TRUE(scene.name == "crash_bumper" || scene.name == "report_fig06_twisted")
+            << scene.name;
         fmt::print("{}  nothing in {} runs: {} {}\n", line, advice.runs,
                    setting_text(advice.axes, advice.setting), advice.reason);
         continue;

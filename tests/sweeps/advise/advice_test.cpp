@@ -111,6 +111,11 @@ TEST(Advice, SaysWhereItFindsNothing) {
             std::string::npos);
 }
 
+TEST(Advice, PromisesNothingAtTheFinestThereIs) {
+  // 20 000 segments are 1/(4 N^2) = 6e-10 off, and none are finer.
+  EXPECT_EQ(advise(cantilever(), asked(1e-11)).end, AdviceEnd::AtFinest);
+}
+
 TEST(Advice, RefusesWhatItCannotLookAt) {
   plastica::Setup setup = cantilever();
   EXPECT_EQ(message_of([&] { advise(setup, {.within = 0.01, .probes = {"top"}}); }),
