@@ -13,13 +13,16 @@
 
 #include "calibrate/config/scene_fit_file.hpp"
 #include "calibrate/fit/scene_laws.hpp"
+#include "calibrate/inference/moved_by_segments.hpp"
 #include "calibrate/report/law_choice.hpp"
 #include "calibrate/report/scene_fit_json.hpp"
 #include "calibrate/report/scene_fit_text.hpp"
 #include "calibrate/result/usable.hpp"
+#include "calibrate/search/fit_interrupted.hpp"
 #include "calibrate/search/optimizer.hpp"
 #include "calibrate/store/journaled_scene_fits.hpp"
 #include "calibrate/store/scene_fit_store.hpp"
+#include "cli/chosen_segments.hpp"
 #include "cli/dry_run.hpp"
 #include "cli/exit_code.hpp"
 #include "cli/interrupt.hpp"
@@ -49,15 +52,23 @@ void print_dry_run(const SceneFitFile& file, const std::string& output) {
   for (const SceneFitCase& one : file.cases) {
     for (const calibrate::WeightedTarget& weighted : one.targets) {
       const Model model = prepare(weighted.setup.scene, weighted.setup.solver);
-      say("{}: {} samples, {} segments, {}\n", weighted.target.name,
-          weighted.target.ordinate.size(), weighted.setup.scene.beam.segments, model.level_reason);
+      const std::string segments =
+          file.chooses_segments ? "segments to be found"
+                                : fmt::format("{} segments", weighted.setup.scene.beam.segments);
+      say("{}: {} samples, {}, {}\n", weighted.target.name, weighted.target.ordinate.size(),
+          segments, model.level_reason);
     }
   }
   say("up to {} points of each search, {} {} a fit", file.options.evaluations, file.options.starts,
       file.options.starts == 1 ? "search" : "searches");
   const bool screens = file.options.starts > 1 && file.options.screen > 0;
   say("{}\n", screens ? fmt::format(" after {} screened points", file.options.screen) : "");
-  if (file.options.segments_error) print_repetitions(file.cases);
+  if (file.chooses_segments) {
+    say("segments: by trial fits, until they move no value by more than {:.3g} %\n",
+        100.0 * file.options.segments_within);
+  } else if (file.options.segments_error) {
+    print_repetitions(file.cases);
+  }
 }
 
 /// Tells bad input of any fit before the first one runs.
@@ -83,7 +94,9 @@ void print_report(std::vector<SceneFitRecord>& records, double confidence) {
 }
 
 /// Writes what is asked for beside the result file and prints the report.
-int report(const CalibrateArguments& arguments, calibrate::SceneFitContents& contents) {
+/// @param within  what segments may do to a value, over it [1]; 0: anything
+int report(const CalibrateArguments& arguments, calibrate::SceneFitContents& contents,
+           double within) {
   if (!arguments.json.empty()) {
     io::write_text_file(arguments.json,
                         calibrate::scene_fits_json(contents.records, contents.confidence) + "\n",
@@ -100,7 +113,11 @@ int report(const CalibrateArguments& arguments, calibrate::SceneFitContents& con
   const bool all = std::ranges::all_of(
       calibrate::by_target(contents.records),
       [&](const auto& records) { return std::ranges::any_of(records, usable); });
-  return all ? kDone : kNotAcceptable;
+  const auto moved = [within](const SceneFitRecord& record) {
+    return record.result.segments && calibrate::moved_by_segments(record.result).moved > within;
+  };
+  const bool kept = within == 0.0 || std::ranges::none_of(contents.records, moved);
+  return all && kept ? kDone : kNotAcceptable;
 }
 
 }  // namespace
@@ -123,9 +140,17 @@ int calibrate_scenes(const CalibrateArguments& arguments) {
   }
   const bool found = finds_output(arguments.resume, arguments.force, output);
   check_outputs(file.read_files, output, arguments.json, arguments.force, found);
+  const InterruptGuard interrupt;
+  try {
+    if (const int code = take_chosen_segments(file, arguments, &interrupt.flag()); code != kDone) {
+      return code;
+    }
+  } catch (const calibrate::FitInterrupted&) {
+    tell("plastica: interrupted before the number of segments was found\n");
+    return kInterrupted;
+  }
   calibrate::SceneFitContents contents;
   contents.meta = io::begin_meta(arguments.command_line, arguments.threads);
-  const InterruptGuard interrupt;
   calibrate::JournaledOptions how;
   how.journal = {io::journal_path(output), arguments.resume, arguments.force,
                  contents.meta.instruction_set};
@@ -145,7 +170,7 @@ int calibrate_scenes(const CalibrateArguments& arguments) {
   if (found) {
     contents = calibrate::read_scene_fit_store(output);
     take_complete_output(output, contents.run, batch);
-    return report(arguments, contents);
+    return report(arguments, contents, file.options.segments_within);
   }
   // Another run may have had the journal until now, and have written the output.
   io::check_output_path(output, arguments.force);
@@ -172,7 +197,7 @@ int calibrate_scenes(const CalibrateArguments& arguments) {
   contents.run = batch.run_id();
   calibrate::write_scene_fit_store(output, contents, io::overwrite_if(arguments.force));
   batch.finish();
-  const int code = report(arguments, contents);
+  const int code = report(arguments, contents, file.options.segments_within);
   if (!arguments.quiet) tell("wrote {}\n", output);
   return code;
 }

@@ -16,6 +16,7 @@
 #include "calibrate/config/read_target.hpp"
 #include "calibrate/config/target_files.hpp"
 #include "calibrate/config/unique_names.hpp"
+#include "calibrate/fit/choose_segments.hpp"
 #include "calibrate/trial/scene_drive.hpp"
 #include "plastica/io/read_input.hpp"
 #include "plastica/io/scene_file.hpp"
@@ -30,6 +31,7 @@ using io::TomlValue;
 constexpr int kMaxEvaluations = 1'000'000;
 constexpr int kMaxStarts = 10'000;
 constexpr int kMaxScreened = 1'000'000;
+constexpr int kMaxSegments = 100'000;
 
 /// "strain", "support[2]" or "load[1]", by its number from 1 on.
 void read_drive(const TomlValue& value, SceneTarget& target) {
@@ -97,6 +99,7 @@ class Reader {
     for (const TomlTable& table : root_.find_tables("target")) {
       read_target(table, ++number, together);
     }
+    take_segments();
     root_.check_unused();
     add_notes(root_.notes());
     return std::move(file_);
@@ -139,6 +142,7 @@ class Reader {
     if (const auto segments = fit.find("segments_error")) {
       options.segments_error = segments->boolean();
     }
+    read_segments(fit);
     read_intervals(fit, options.intervals);
     if (const auto tolerance = fit.find("tolerance")) {
       options.tolerance = tolerance->number_within(0.0, 1.0, false);
@@ -148,6 +152,44 @@ class Reader {
       if (options.confidence <= 0.0 || options.confidence >= 1.0) {
         throw confidence->error("must be above 0 % and below 100 %");
       }
+    }
+  }
+
+  /// `segments` of all beams of the fit, a number or "auto", and what they may do to its values.
+  void read_segments(const TomlTable& fit) {
+    SceneFitOptions& options = file_.options;
+    const auto within = fit.find("within");
+    if (within) {
+      options.segments_within = within->quantity(Dimension::None);
+      if (!(options.segments_within > 0.0 && options.segments_within < 1.0)) {
+        throw within->error("must be above 0 % and below 100 %");
+      }
+      if (!options.segments_error) {
+        throw within->error("needs the error of the segments (segments_error)");
+      }
+    }
+    segments_ = fit.find("segments");
+    if (!segments_ || !segments_->is_string()) return;
+    if (segments_->string() != "auto") throw segments_->error("must be \"auto\" or a number");
+    if (!within) {
+      throw segments_->error("needs `within`, what the segments may do to a value: \"0.5 %\"");
+    }
+    file_.chooses_segments = true;
+  }
+
+  /// Gives the beams the fit's number of segments.
+  void take_segments() {
+    if (!segments_) return;
+    const int number =
+        file_.chooses_segments ? 0 : static_cast<int>(segments_->integer(1, kMaxSegments));
+    try {
+      for (SceneFitCase& one : file_.cases) {
+        // Of "auto" it is only asked whether a number can be given at all.
+        std::vector<WeightedTarget> probed = one.targets;
+        set_segments(number, file_.chooses_segments ? probed : one.targets);
+      }
+    } catch (const InputError& error) {
+      throw segments_->error(error.rule());
     }
   }
 
@@ -177,6 +219,7 @@ class Reader {
     SceneTarget& target = weighted.target;
     weighted.setup = read_scene(table.at("scene"));
     io::read_setup(table, weighted.setup);
+    refuse_own_segments(table);
     const TomlTable abscissa = table.at("abscissa").table();
     const TomlTable ordinate = table.at("ordinate").table();
     read_kind(abscissa, target);
@@ -210,6 +253,13 @@ class Reader {
     return read;
   }
 
+  void refuse_own_segments(const TomlTable& target) const {
+    if (!segments_) return;
+    const auto beam = target.find_table("beam");
+    const auto own = beam ? beam->find("segments") : std::nullopt;
+    if (own) throw own->error("contradicts fit.segments, which is for all beams of the fit");
+  }
+
   Setup read_scene(const TomlValue& value) {
     const auto path = std::filesystem::path(folder_) / value.string();
     if (!io::is_file(path)) {
@@ -226,6 +276,7 @@ class Reader {
   TomlTable root_;
   std::string folder_;
   UniqueNames names_;
+  std::optional<TomlValue> segments_;
   SceneFitFile file_;
 };
 

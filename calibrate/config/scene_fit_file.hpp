@@ -16,6 +16,9 @@ struct SceneFitFile {
   std::vector<std::string> read_files;  ///< all that was read, for those who must not write there
   SceneFitOptions options;
   std::vector<SceneFitCase> cases;
+  /// `segments = "auto"`: all beams are to have what `choose_segments` finds for
+  /// `options.segments_within`.
+  bool chooses_segments = false;
   std::vector<std::string> notes{};  ///< old names in the files, each with the new one
 };
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <limits>
 #include <map>
 
 #include "calibrate/config/read_parameters.hpp"
@@ -11,12 +12,15 @@
 namespace plastica::calibrate {
 namespace {
 
-StoredScene read_scene(const io::InputText& input, const io::TomlTable& target) {
+/// @param segments  of all beams of the fit; empty: as scene and target have them
+StoredScene read_scene(const io::InputText& input, const io::TomlTable& target,
+                       std::optional<int> segments) {
   StoredScene scene;
   scene.name = input.name;
   try {
     Setup setup = io::parse_scene_file(input.text, input.name).setup;
     io::read_setup(target, setup);
+    if (segments && !setup.scene.is_coupon()) setup.scene.beam.segments = *segments;
     scene.setup = std::move(setup);
   } catch (const InputError& error) {
     scene.why_not = error.what();
@@ -39,8 +43,11 @@ std::optional<StoredSceneFit> read_stored_scenes(const std::vector<io::InputText
   const auto document = io::TomlDocument::parse(inputs.front().text, inputs.front().name);
   const io::TomlTable& root = document.root();
   StoredSceneFit stored;
+  std::optional<int> segments;
   if (const auto fit = root.find_table("fit")) {
     stored.parameters = read_parameters(*fit, ParameterScope::Scene);
+    const auto number = fit->find("segments");
+    if (number) segments = static_cast<int>(number->integer(1, std::numeric_limits<int>::max()));
   }
   // Two files may have one name, in two folders.
   std::map<std::string, std::size_t> input_of;
@@ -53,7 +60,7 @@ std::optional<StoredSceneFit> read_stored_scenes(const std::vector<io::InputText
     if (index >= inputs.size() || inputs[index].name != path.filename().string()) {
       return std::nullopt;
     }
-    StoredScene scene = read_scene(inputs[index], target);
+    StoredScene scene = read_scene(inputs[index], target, segments);
     std::vector<std::size_t>& of_file = known[index];
     const auto equal = std::ranges::find_if(
         of_file, [&](std::size_t each) { return is_the_same(stored.scenes[each], scene); });

@@ -74,6 +74,8 @@ constexpr std::string_view kSceneFit =
 # screen = 64                     # own values alone, a tenth of the work, where they are near
 # seed   = 1                      # of the points
 # profile = true                  # likelihood intervals; bootstrap = 400: resampled ones
+# segments = "auto"               # as few as move no value by more than
+# within = "0.5 %"
 # segments_error = false          # do not repeat the fit with half and twice the segments
 # shared = false                  # with several targets: a fit of each, in place of one of all
 

@@ -14,6 +14,7 @@
 #include "calibrate/inference/held_out.hpp"
 #include "calibrate/inference/lack_of_fit.hpp"
 #include "calibrate/inference/material_interval.hpp"
+#include "calibrate/inference/moved_by_segments.hpp"
 #include "calibrate/inference/not_a_number.hpp"
 #include "calibrate/inference/scene_errors.hpp"
 #include "calibrate/inference/scene_segments.hpp"
@@ -123,10 +124,24 @@ class SceneFit {
     result_.segments =
         divide_anew({problem_, options_, search_.best().x, result_.parameters, fractions_}, work_);
     if (!result_.segments) return;
+    warn_of_segments();
     const auto unknown = [](const SegmentsError& e) { return e.trend == SegmentsTrend::Unknown; };
     const SceneSegments& made = *result_.segments;
     if (made.note.empty() || !std::ranges::all_of(made.parameters, unknown)) return;
     result_.warnings.push_back("the error of the segments is not known: " + made.note);
+  }
+
+  /// More than was asked for.
+  void warn_of_segments() {
+    const SegmentsTrial trial = moved_by_segments(result_);
+    if (!(options_.segments_within > 0.0) || trial.moved <= options_.segments_within) return;
+    const std::string asked =
+        fmt::format("fit.within asks for {:.3g} %", 100.0 * options_.segments_within);
+    result_.warnings.push_back(
+        std::isfinite(trial.moved)
+            ? fmt::format("{} is moved by the segments by up to {:.2g} % of it: {}",
+                          last_part(trial.parameter), 100.0 * trial.moved, asked)
+            : fmt::format("what the segments do is not known: {}; {}", trial.reason, asked));
   }
 
   /// What the segments do to a parameter; of coupons, or if not asked for, nothing that is known.

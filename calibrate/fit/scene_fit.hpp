@@ -51,6 +51,8 @@ struct SceneFitOptions {
   double confidence = 0.95;  ///< of the intervals, within (0, 1)
   /// Whether the fit is repeated with half and with twice the segments, to say what they do to it.
   bool segments_error = true;
+  /// What the segments may do to a value, over the value: more gets a warning [1]; 0: anything.
+  double segments_within = 0.0;
   int threads = 1;              ///< 0: as many as the machine has; changes no bit
   IntervalOptions intervals{};  ///< besides those of the covariance
   SceneFitHooks hooks{};        ///< change none either

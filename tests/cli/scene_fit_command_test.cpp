@@ -158,6 +158,56 @@ TEST(SceneFitCommand, SaysHowTheErrorOfTheSegmentsWouldBeFound) {
   EXPECT_EQ(plan().find("then again"), std::string::npos) << plan();
 }
 
+/// The shipped bend test, told to choose its segments.
+std::string chosen_within(const Workplace& place, const std::string& within) {
+  std::string text = place.read(shipped("fits/bend_test.toml"));
+  text = changed(text, "beam     = { segments = 32 }\n", "");
+  for (const char* folder : {"../targets", "../scenes"}) {
+    text = changed(text, folder, shipped(std::string(folder).substr(3)));
+  }
+  return "[fit]\nsegments = \"auto\"\nwithin = \"" + within + "\"\nstarts = 1\n" + text;
+}
+
+TEST(SceneFitCommand, ChoosesTheSegmentsAndKeepsWhatItChose) {
+  const Workplace place;
+  place.write("fit.toml", chosen_within(place, "1 %"));
+  const CommandResult plan = place.run({"calibrate", "fit.toml", "--dry-run"});
+  EXPECT_NE(plan.out.find("segments: by trial fits, until they move no value by more than 1 %"),
+            std::string::npos)
+      << plan.out << plan.err;
+  const CommandResult result = place.run({"calibrate", "fit.toml", "--json", "fit.json"});
+  ASSERT_EQ(result.code, 0) << result.err;
+  EXPECT_TRUE(result.err.starts_with("segments: 8 move ")) << result.err;
+  const auto fit = nlohmann::json::parse(place.read("fit.json")).at("fits").at(0);
+  const int segments = fit.at("segments").at("segments").get<int>();
+  EXPECT_GT(segments, 8);
+  EXPECT_LT(segments, 32);
+  for (const auto& p : fit.at("parameters")) {
+    // What the curve was made with, by a beam of far more segments.
+    const std::string path = p.at("path").get<std::string>();
+    const double truth = path == "material.youngs_modulus" ? 205e9
+                         : path == "material.yield_stress" ? 380e6
+                                                           : 0.02;
+    EXPECT_NEAR(p.at("value").get<double>(), truth, 0.015 * truth) << path;
+  }
+  // The result has the number: the beam that is exported is the one that was fitted.
+  const CommandResult beam = place.run({"export", "fit.h5", "--what", "beam", "-o", "beam.json"});
+  ASSERT_EQ(beam.code, 0) << beam.err;
+  EXPECT_EQ(nlohmann::json::parse(place.read("beam.json")).at("segments").size(),
+            static_cast<std::size_t>(segments));
+  // Again from what was chosen: the same run.
+  EXPECT_EQ(place.run({"calibrate", "fit.toml", "--resume", "--quiet"}).code, 0);
+}
+
+TEST(SceneFitCommand, SaysWhereTheSegmentsMoveAValueByMoreThanIsAsked) {
+  const Workplace place;
+  place.write("fit.toml",
+              changed(chosen_within(place, "0.01 %"), "segments = \"auto\"", "segments = 10"));
+  const CommandResult result = place.run({"calibrate", "fit.toml"});
+  EXPECT_EQ(result.code, 1) << result.err;
+  EXPECT_NE(result.out.find("fit.within asks for 0.01 %"), std::string::npos) << result.out;
+}
+
 TEST(SceneFitCommand, DoesNotPromiseWhatCannotRun) {
   const Workplace place;
   write_bars(place);

@@ -130,6 +130,38 @@ TEST_F(SceneFitFileTest, ReadsWhichIntervalsAreWanted) {
             path("fit.toml") + ":3: fit.bootstrap = 5: must be 0, for none, or at least 20");
 }
 
+TEST_F(SceneFitFileTest, ReadsANumberOfSegmentsForAllBeams) {
+  const SceneFitFile file = parse(kFit + "segments = 10\n" + kTarget);
+  for (const WeightedTarget& target : file.cases.at(0).targets) {
+    EXPECT_EQ(target.setup.scene.beam.segments, 10);
+  }
+  EXPECT_FALSE(file.chooses_segments);
+  const SceneFitFile chosen = parse(kFit + "segments = \"auto\"\nwithin = \"0.5 %\"\n" + kTarget);
+  EXPECT_TRUE(chosen.chooses_segments);
+  EXPECT_DOUBLE_EQ(chosen.options.segments_within, 0.005);
+}
+
+TEST_F(SceneFitFileTest, RefusesSegmentsThatContradict) {
+  const auto line = [this](const std::string& keys, const std::string& target = kTarget) {
+    return refusal(kFit + keys + target);
+  };
+  const std::string file = path("fit.toml");
+  EXPECT_EQ(line("segments = \"auto\"\n"),
+            file +
+                ":3: fit.segments = 'auto': needs `within`, what the segments may do to a "
+                "value: \"0.5 %\"");
+  EXPECT_EQ(line("segments = \"many\"\n"),
+            file + ":3: fit.segments = 'many': must be \"auto\" or a number");
+  EXPECT_EQ(line("within = \"200 %\"\n"),
+            file + ":3: fit.within = '200 %': must be above 0 % and below 100 %");
+  EXPECT_EQ(line("within = \"1 %\"\nsegments_error = false\n"),
+            file + ":3: fit.within = '1 %': needs the error of the segments (segments_error)");
+  EXPECT_NE(line("segments = 10\n", kTarget + "beam = { segments = 8 }\n")
+                .find("beam.segments = 8: contradicts fit.segments, which is for all beams of the "
+                      "fit"),
+            std::string::npos);
+}
+
 TEST_F(SceneFitFileTest, ReadsTheShippedOne) {
   const std::string path = std::string(PLASTICA_SOURCE_DIR) + "/data/fits/bend_test.toml";
   EXPECT_TRUE(names_scenes(path));

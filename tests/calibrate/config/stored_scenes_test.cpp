@@ -31,6 +31,13 @@ TEST(StoredScenes, HaveWhatTheirTargetsChange) {
   EXPECT_EQ(fit->scenes[0].setup->scene.supports.size(), 1U);
 }
 
+TEST(StoredScenes, HaveTheSegmentsOfTheFit) {
+  const auto fit = stored("[fit]\nsegments = 12\n" + target("bar.toml"));
+  ASSERT_TRUE(fit);
+  ASSERT_TRUE(fit->scenes[0].setup) << fit->scenes[0].why_not;
+  EXPECT_EQ(fit->scenes[0].setup->scene.beam.segments, 12);
+}
+
 TEST(StoredScenes, AreListedOnceIfTheyAreEqual) {
   const auto fit = stored(target("bar.toml") + target("./bar.toml") +
                           target("bar.toml", "beam = { segments = 8 }\n"));
