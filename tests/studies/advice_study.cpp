@@ -65,18 +65,21 @@ Setting times_finer(const Setup& setup, const Advice& advice, double factor) {
   return taken_setting(setup, advice.axes, finer);
 }
 
-/// How far a run is off a closed form, over its value, less what the form leaves out.
+/// How far a run is off a closed form, over the largest size that a probe has in it, or over the
+/// number; less what the form leaves out.
 double off_closed_form(const ClosedForm& form, const Outcome& outcome,
                        const std::vector<WatchedProbe>& watched) {
   double value = std::numeric_limits<double>::quiet_NaN();
+  double size = std::abs(form.value);
   for (const OneNumber& number : outcome.numbers) {
     if (number.name == form.of) value = number.value;
   }
   for (std::size_t k = 0; k < watched.size(); ++k) {
-    if (watched[k].name == form.of && !outcome.history[k].empty())
-      value = outcome.history[k].back();
+    if (watched[k].name != form.of || outcome.history[k].empty()) continue;
+    value = outcome.history[k].back();
+    for (const double each : outcome.history[k]) size = std::max(size, std::abs(each));
   }
-  const double off = std::abs(std::abs(value) - std::abs(form.value)) / std::abs(form.value);
+  const double off = std::abs(std::abs(value) - std::abs(form.value)) / size;
   return std::isnan(off) ? std::numeric_limits<double>::infinity() : std::max(0.0, off - form.off);
 }
 

@@ -56,10 +56,10 @@ CorpusScene small(const std::string& name, const theory::BeamCase& of, double at
     text += support(kEnd, "roller");
   }
   if (of.load.force != 0.0) {
-    text += force(fmt::format("{}", of.load.position), 0.0, of.load.force, 0.0);
+    text += force(fmt::format("{:.4f}", of.load.position), 0.0, of.load.force, 0.0);
   }
   if (of.load.distributed != 0.0) text += even_load(of.load.distributed);
-  text += at_rest(1) + probe("middle", "displacement", fmt::format("{}", at), "y");
+  text += at_rest(1) + probe("middle", "displacement", fmt::format("{:.4f}", at), "y");
   return corpus_scene(name, kPlane, text,
                       ClosedForm{"middle", theory::beam_deflection(of, at), 1e-3});
 }

@@ -8,6 +8,9 @@
 /// Pieces of scene files, put together as a user would write them.
 namespace plastica::studies {
 
+inline constexpr std::string_view kStart = "\"start\"";
+inline constexpr std::string_view kEnd = "\"end\"";
+
 /// A steel whose numbers the closed forms take.
 struct CorpusMetal {
   double youngs_modulus = 200e9;  ///< [Pa]
@@ -64,6 +67,8 @@ inline std::string support(std::string_view place, std::string_view kind,
   return fmt::format("[[support]]\nat = {}\nkind = \"{}\"\n{}\n", place, kind, more);
 }
 
+inline std::string clamp() { return support(kStart, "clamp"); }
+
 inline std::string vector_text(double x, double y, double z, std::string_view unit) {
   return fmt::format("[\"{} {}\", \"{} {}\", \"{} {}\"]", x, unit, y, unit, z, unit);
 }
@@ -90,9 +95,6 @@ inline std::string probe(std::string_view name, std::string_view kind, std::stri
   return fmt::format("[[probe]]\nname = \"{}\"\nkind = \"{}\"\nat = {}\ncomponent = \"{}\"\n\n",
                      name, kind, place, component);
 }
-
-inline constexpr std::string_view kStart = "\"start\"";
-inline constexpr std::string_view kEnd = "\"end\"";
 
 /// The probe that most scenes have.
 inline std::string tip(std::string_view component = "y") {

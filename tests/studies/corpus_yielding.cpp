@@ -15,15 +15,13 @@ constexpr const char* kYieldPlane = "rest, yielding, plane";
 constexpr const char* kYieldSpace = "rest, yielding, space";
 constexpr const char* kBreak = "rest, breaking";
 
-const CorpusMetal kMetal;
-constexpr double kSide = 0.02;
-const double kFirstYield = kMetal.yield_stress * std::pow(kSide, 3) / 6.0;  // M_y
-const double kFull = 1.5 * kFirstYield;                                     // M_p
+const CorpusMetal kBarMetal;
+constexpr double kBarSide = 0.02;
+const double kFirstYield = kBarMetal.yield_stress * std::pow(kBarSide, 3) / 6.0;  // M_y
+const double kFull = 1.5 * kFirstYield;                                           // M_p
 
-std::string clamp() { return support(kStart, "clamp"); }
-
-std::string square(double length, const CorpusMetal& of = kMetal) {
-  return metal(of) + beam(length, rectangle(kSide, kSide));
+std::string square(double length, const CorpusMetal& of = kBarMetal) {
+  return metal(of) + beam(length, rectangle(kBarSide, kBarSide));
 }
 
 /// Loaded over first yield and unloaded: what stays is known for small deflections. The beam is
@@ -31,8 +29,8 @@ std::string square(double length, const CorpusMetal& of = kMetal) {
 CorpusScene loaded_and_unloaded(double ratio) {
   const double length = 0.2;
   const double yield_force = kFirstYield / length;
-  const double yield_tip =
-      kFirstYield * length * length / (3.0 * kMetal.youngs_modulus * std::pow(kSide, 4) / 12.0);
+  const double yield_tip = kFirstYield * length * length /
+                           (3.0 * kBarMetal.youngs_modulus * std::pow(kBarSide, 4) / 12.0);
   return corpus_scene(
       fmt::format("cantilever_to_{:g}_and_off", ratio), kYieldPlane,
       square(length) + rules("fibre") + at_rest(20) + clamp() +
@@ -43,16 +41,14 @@ CorpusScene loaded_and_unloaded(double ratio) {
       ClosedForm{"tip", theory::residual_tip_ratio(ratio) * yield_tip, 3e-3});
 }
 
-/// What the loads of the next scenes are over those that the beam can carry.
+/// What the loads of the next scenes are over those at which mechanisms form: beyond, the ends come
+/// closer and the beams carry more.
 constexpr double kOver = 1.3;
 
-/// A plastic mechanism under a force or an even load.
 CorpusScene limit(const std::string& name, const std::string& held, const std::string& loads) {
   return corpus_scene(name, kYieldPlane,
                       square(1.0) + rules("interaction", "yield_cap = \"fully_plastic\"\n") +
-                          at_rest(30) + held + loads + probe("middle", "displacement", "0.5", "y"),
-                      // The closed form is of the undeformed beam; it sags by 2 % until then.
-                      ClosedForm{"limit load", 1.0 / kOver, 5e-3});
+                          at_rest(30) + held + loads + probe("middle", "displacement", "0.5", "y"));
 }
 
 std::vector<CorpusScene> limits() {
@@ -128,7 +124,7 @@ std::vector<CorpusScene> in_space() {
                        probe("tip_x", "displacement", kEnd, "x")),
       corpus_scene("bow_over_yield", kYieldSpace,
                    metal(linear) +
-                       beam(0.5, rectangle(kSide, kSide),
+                       beam(0.5, rectangle(kBarSide, kBarSide),
                             "shape = \"arc\"\narc_angle = \"60 deg\"\narc_towards = \"y\"\n") +
                        rules("interaction") + at_rest(20) + clamp() +
                        force(kEnd, 1.3 * m / 0.5, 0.0, 0.0) + tip("x")),

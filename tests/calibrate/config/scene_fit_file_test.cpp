@@ -142,21 +142,19 @@ TEST_F(SceneFitFileTest, ReadsANumberOfSegmentsForAllBeams) {
 }
 
 TEST_F(SceneFitFileTest, RefusesSegmentsThatContradict) {
-  const auto line = [this](const std::string& keys, const std::string& target = kTarget) {
-    return refusal(kFit + keys + target);
-  };
+  const auto line = [this](const std::string& keys) { return refusal(kFit + keys + kTarget); };
   const std::string file = path("fit.toml");
   EXPECT_EQ(line("segments = \"auto\"\n"),
             file +
-                ":3: fit.segments = 'auto': needs `within`, what the segments may do to a "
+                ":3: fit.segments = auto: needs `within`, what the segments may do to a "
                 "value: \"0.5 %\"");
   EXPECT_EQ(line("segments = \"many\"\n"),
-            file + ":3: fit.segments = 'many': must be \"auto\" or a number");
+            file + ":3: fit.segments = many: must be \"auto\" or a number");
   EXPECT_EQ(line("within = \"200 %\"\n"),
-            file + ":3: fit.within = '200 %': must be above 0 % and below 100 %");
+            file + ":3: fit.within = 200 %: must be above 0 % and below 100 %");
   EXPECT_EQ(line("within = \"1 %\"\nsegments_error = false\n"),
-            file + ":3: fit.within = '1 %': needs the error of the segments (segments_error)");
-  EXPECT_NE(line("segments = 10\n", kTarget + "beam = { segments = 8 }\n")
+            file + ":3: fit.within = 1 %: needs the error of the segments (segments_error)");
+  EXPECT_NE(refusal(kFit + "segments = 10\n" + kTarget + "beam = { segments = 8 }\n")
                 .find("beam.segments = 8: contradicts fit.segments, which is for all beams of the "
                       "fit"),
             std::string::npos);
