@@ -17,7 +17,7 @@ struct SceneFitFile {
   SceneFitOptions options;
   std::vector<SceneFitCase> cases;
   /// `segments = "auto"`: all beams are to have what `choose_segments` finds for
-  /// `options.segments_within`.
+  /// `options.segments_within` (`settle_segments`).
   bool chooses_segments = false;
   std::vector<std::string> notes{};  ///< old names in the files, each with the new one
 };
