@@ -19,7 +19,7 @@
 #include "plastica/io/text_file.hpp"
 #include "plastica/report/format.hpp"
 #include "sweeps/check/report.hpp"
-#include "sweeps/check/verdict.hpp"
+#include "sweeps/check/run_check.hpp"
 
 namespace plastica::cli {
 namespace {
@@ -27,6 +27,7 @@ namespace {
 struct CheckArguments {
   std::vector<std::string> files;
   std::string junit;
+  std::string annotate;
   int threads = 0;
   bool dry_run = false;
   bool force = false;
@@ -58,7 +59,9 @@ bool run_file(sweeps::CheckFile file, const CheckArguments& arguments,
   if (result.verdicts.empty()) return false;
   const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
   result.seconds = took.count();
-  fmt::print("{}", sweeps::check_report(result));
+  using enum sweeps::CheckLines;
+  fmt::print("{}", sweeps::check_report(result, arguments.quiet ? FailuresOnly : All));
+  if (!arguments.annotate.empty()) say(sweeps::github_annotations(result));
   std::fflush(stdout);
   checked.push_back(std::move(result));
   return true;
@@ -95,7 +98,7 @@ int check(const CheckArguments& arguments) {
     tell("plastica: interrupted\n");
     return kInterrupted;
   }
-  fmt::print("{}", sweeps::check_summary(checked));
+  if (!arguments.quiet) fmt::print("{}", sweeps::check_summary(checked));
   const bool all = std::all_of(checked.begin(), checked.end(), [](const auto& file) {
     return std::all_of(file.verdicts.begin(), file.verdicts.end(),
                        [](const auto& verdict) { return verdict.holds; });
@@ -113,10 +116,14 @@ void add_check(CLI::App& app, Action& action) {
       ->option_text("CHECK.toml...");
   sub->add_option("--junit", arguments->junit, "Also write the verdicts as JUnit's XML")
       ->option_text("FILE");
+  sub->add_option("--annotate", arguments->annotate,
+                  "Also print each claim that does not hold as this CI takes it: github")
+      ->check(CLI::IsMember({"github"}))
+      ->option_text("CI");
   add_threads_option(*sub, arguments->threads);
   add_dry_run_option(*sub, arguments->dry_run);
   add_force_option(*sub, arguments->force, "the XML");
-  add_quiet_option(*sub, arguments->quiet, "no progress");
+  add_quiet_option(*sub, arguments->quiet, "nothing but claims that do not hold");
   sub->footer(
       "Example:\n"
       "  plastica check checks/*.toml --junit checks.xml\n"
