@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <chrono>
 #include <memory>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -13,6 +14,7 @@
 #include "cli/exit_code.hpp"
 #include "cli/interrupt.hpp"
 #include "cli/progress_bar.hpp"
+#include "cli/result_kind.hpp"
 #include "cli/run_files.hpp"
 #include "cli/tell.hpp"
 #include "plastica/io/result_file.hpp"
@@ -34,14 +36,50 @@ struct CheckArguments {
   bool quiet = false;
 };
 
+/// "1 sweep, 2 scenes".
+std::string subjects_of(const sweeps::CheckFile& file) {
+  std::set<std::string> scenes;
+  for (const sweeps::Sweep& scene : file.scenes) scenes.insert(scene.scene.path);
+  const auto scans = static_cast<std::size_t>(
+      std::count_if(file.claims.begin(), file.claims.end(),
+                    [](const sweeps::Claim& claim) { return claim.scan.has_value(); }));
+  std::vector<std::string> all;
+  const auto add = [&](std::size_t count, const char* noun) {
+    if (count > 0) all.push_back(report::counted(count, noun));
+  };
+  add(file.sweeps.size(), "sweep");
+  add(scenes.size(), "scene");
+  add(file.fits.size(), "fit file");
+  add(scans, "scan");
+  return fmt::format("{}", fmt::join(all, ", "));
+}
+
 int print_dry_run(const std::vector<sweeps::CheckFile>& files) {
   for (const sweeps::CheckFile& file : files) {
     say("{}: {} about {} with {}\n", file.path, report::counted(file.claims.size(), "claim"),
-        report::counted(file.sweeps.size(), "sweep"),
-        report::counted(sweeps::cases_of(file), "case"));
+        subjects_of(file), report::counted(sweeps::cases_of(file), "case"));
   }
   say("nothing was run\n");
   return kDone;
+}
+
+/// All files that a check reads.
+std::vector<std::string> files_of(const sweeps::CheckFile& file) {
+  std::vector<std::string> all{file.path};
+  const auto add = [&](const std::vector<std::string>& more) {
+    all.insert(all.end(), more.begin(), more.end());
+  };
+  for (const auto* sweeps : {&file.sweeps, &file.scenes}) {
+    for (const sweeps::Sweep& sweep : *sweeps) {
+      add({sweep.path, sweep.scene.path, sweep.against.name});
+    }
+  }
+  for (const sweeps::FitSubject& fits : file.fits) {
+    add({fits.path});
+    if (fits.curves) add(files_read(*fits.curves));
+    if (fits.scenes) add(fits.scenes->read_files);
+  }
+  return all;
 }
 
 /// Runs one file. @return whether it was run to its end
@@ -70,16 +108,15 @@ bool run_file(sweeps::CheckFile file, const CheckArguments& arguments,
 int check(const CheckArguments& arguments) {
   // All files are read before the first is run: a bad one loses nothing.
   std::vector<sweeps::CheckFile> files;
-  for (const std::string& path : arguments.files) files.push_back(sweeps::read_check_file(path));
+  for (const std::string& path : arguments.files) {
+    files.push_back(sweeps::read_check_file(path, check_without_digest));
+  }
   for (const sweeps::CheckFile& file : files) tell_notes(file.notes);
   if (arguments.dry_run) return print_dry_run(files);
   if (!arguments.junit.empty()) {
     for (const sweeps::CheckFile& file : files) {
-      refuse_input("--junit", arguments.junit, file.path);
-      for (const sweeps::Sweep& sweep : file.sweeps) {
-        refuse_input("--junit", arguments.junit, sweep.path);
-        refuse_input("--junit", arguments.junit, sweep.scene.path);
-        refuse_input("--junit", arguments.junit, sweep.against.name);
+      for (const std::string& read : files_of(file)) {
+        refuse_input("--junit", arguments.junit, read);
       }
     }
     io::check_output_path(arguments.junit, arguments.force);

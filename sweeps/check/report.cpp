@@ -6,49 +6,28 @@
 
 #include "plastica/report/format.hpp"
 #include "plastica/report/xml_text.hpp"
+#include "sweeps/check/shown_number.hpp"
 
 namespace plastica::sweeps {
 namespace {
 
-/// Whether the numbers of a claim are fractions, shown in percent.
-bool is_fraction(ClaimKind kind) {
-  return kind == ClaimKind::Error || kind == ClaimKind::ExtrapolatedError ||
-         kind == ClaimKind::Gci || kind == ClaimKind::Spread || kind == ClaimKind::EnergyBalance;
-}
-
-std::string number_text(const CheckFile& file, const Claim& claim, double number) {
-  if (is_fraction(claim.kind)) return fmt::format("{:.4g} %", 100.0 * number);
-  if (claim.kind != ClaimKind::Value) return fmt::format("{:.6g}", number);
-  const std::string& unit = file.sweeps[claim.sweep].quantity.unit;
-  return fmt::format("{:.6g}{}", number, unit == "1" ? "" : " " + unit);
-}
-
-std::string limit_text(const CheckFile& file, const Claim& claim) {
-  const auto text = [&](double number) { return number_text(file, claim, number); };
-  if (claim.at_least && claim.at_most) {
-    return text(*claim.at_least) + " … " + text(*claim.at_most);
-  }
-  return claim.at_least ? "at least " + text(*claim.at_least) : "at most " + text(*claim.at_most);
-}
-
-std::string word_of(const Claim& claim) {
-  std::string word(kClaimKinds[static_cast<std::size_t>(claim.kind)]);
-  std::replace(word.begin(), word.end(), '_', ' ');
-  return word;
+/// The kind of claim, and what was found: "extrapolated error 1 %".
+std::string found_text(const CheckFile& file, const Claim& claim, const ClaimVerdict& verdict) {
+  std::string text(traits_of(claim.kind).word);
+  std::replace(text.begin(), text.end(), '_', ' ');
+  if (!verdict.found.empty()) return text + " " + verdict.found;
+  return verdict.number ? text + " " + number_text(file, claim, *verdict.number) : text;
 }
 
 /// What was found of a claim that holds: "order 1.99997, 1.98 … 2.02".
 std::string finding(const CheckFile& file, const Claim& claim, const ClaimVerdict& verdict) {
-  std::string text = word_of(claim);
-  if (verdict.number) text += " " + number_text(file, claim, *verdict.number);
-  return text + ", " + limit_text(file, claim);
+  return found_text(file, claim, verdict) + ", " + limit_text(file, claim);
 }
 
 /// What is wrong with one that does not: "error 1.95 % at beam.segments = 5 (tip, end -0.75 m,
 /// reference -0.735 m); wanted at most 0.01 %".
 std::string failing(const CheckFile& file, const Claim& claim, const ClaimVerdict& verdict) {
-  std::string text = word_of(claim);
-  if (verdict.number) text += " " + number_text(file, claim, *verdict.number);
+  std::string text = found_text(file, claim, verdict);
   if (!verdict.at.empty()) text += " " + verdict.at;
   if (!verdict.reason.empty()) text += ": " + verdict.reason;
   if (!verdict.beside.empty()) text += " (" + verdict.beside + ")";

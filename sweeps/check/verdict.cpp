@@ -198,6 +198,34 @@ ClaimVerdict judge_failures(const Claim& claim, const SweepRecord& record,
   return verdict;
 }
 
+/// How the chosen cases ended, or the first that ended otherwise than it should.
+ClaimVerdict judge_statuses(const Claim& claim, const SweepRecord& record,
+                            const std::vector<RefinementGroup>& groups) {
+  ClaimVerdict verdict;
+  std::vector<Status> ended;
+  for (const RefinementGroup& group : groups) {
+    for (const std::size_t i : group.cases) {
+      const CaseResult& result = record.results[i];
+      const auto allowed = [&](const std::vector<Status>& all) {
+        return std::find(all.begin(), all.end(), result.status) != all.end();
+      };
+      if (!allowed(claim.statuses)) {
+        verdict.found = name_of(result.status);
+        verdict.at = at(setting_text(record, i));
+        verdict.beside = result.reason;
+        return verdict;
+      }
+      if (!allowed(ended)) ended.push_back(result.status);
+    }
+  }
+  if (ended.empty()) verdict.reason = "no case is chosen";
+  verdict.holds = !ended.empty();
+  for (const Status status : ended) {
+    verdict.found.append(verdict.found.empty() ? "" : ", ").append(name_of(status));
+  }
+  return verdict;
+}
+
 bool is_of_groups(ClaimKind kind) {
   return kind == ClaimKind::Order || kind == ClaimKind::Correlation || kind == ClaimKind::Gci ||
          kind == ClaimKind::ExtrapolatedError || kind == ClaimKind::Spread;
@@ -209,6 +237,7 @@ ClaimVerdict judge(const Claim& claim, const SweepRecord& record) {
   std::vector<RefinementGroup> groups = chosen_groups(claim, record);
   keep_finest_of_others(claim, record, groups);
   if (claim.kind == ClaimKind::Failed) return judge_failures(claim, record, groups);
+  if (claim.kind == ClaimKind::Status) return judge_statuses(claim, record, groups);
   Worst worst(claim);
   for (std::size_t g = 0; g < groups.size(); ++g) {
     if (claim.kind == ClaimKind::Spread) {

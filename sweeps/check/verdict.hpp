@@ -15,6 +15,7 @@ struct ClaimVerdict {
   std::optional<double> number{};  ///< the worst that was found [SI]; none: see the reason
   std::string reason{};            ///< why there is no number
   std::string at{};      ///< whose it is: "at beam.segments = 5"; empty: nothing else is there
+  std::string found{};   ///< what was found that is no number: "completed", "265 … 290 MPa"
   std::string beside{};  ///< what else is to be said: "tip, end -0.75 m, reference -0.735 m"
   /// What the claim took: the time of what it is about, shared by all claims about that [s].
   double seconds = 0.0;

@@ -262,8 +262,7 @@ TEST_F(CheckTest, DoesNotHoldWhereACaseFails) {
 TEST_F(CheckTest, RefusesBadClaimsInOneLine) {
   EXPECT_EQ(message(""),
             ":1: claim[1]: claims nothing: it needs one of order, correlation, error, "
-            "extrapolated_error, gci, work, spread, value, energy_balance, failed, undetected, "
-            "invalid");
+            "extrapolated_error, gci, work, spread, value, energy_balance, failed, status");
   EXPECT_EQ(
       message("undetected = { at_most = 0 }\n"),
       ":4: claim[1].undetected = { at_most = 0 }: is about stability = { … }, not about a sweep");
