@@ -65,20 +65,6 @@ TEST(Command, HelpsIn80ColumnsAndSaysWhatAnOptionTakes) {
   for (const char* type : {"TEXT ", "INT:", "UINT", "FLOAT"}) EXPECT_FALSE(has(all, type)) << type;
 }
 
-TEST(Command, StillTakesTheOldNameOfAnOptionAndSaysTheNewOne) {
-  const Workplace place;
-  const auto run_with = [&](const char* option) {
-    return place.run({"stability", "--only", "coupon", "--sample", "2", option, "10"});
-  };
-  const auto now = run_with("--max-work");
-  const auto old = run_with("--most-work");
-  EXPECT_EQ(now.code, 0) << now.err;
-  EXPECT_EQ(now.err, "");
-  EXPECT_EQ(old.code, 0) << old.err;
-  EXPECT_EQ(old.err, "plastica: --most-work is now --max-work\n");
-  EXPECT_EQ(old.out, now.out);
-}
-
 TEST(Command, ListsEveryFieldAtTheBeginningOfALine) {
   const std::string list = "\n" + output_of(Workplace(), {"fields"});
   const auto derived = sweeps::derived_fields();
