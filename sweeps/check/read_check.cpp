@@ -85,9 +85,13 @@ void read_fits(const TomlTable& table, const FitSubject& fits, Claim& claim) {
   if (truth && claim.kind != ClaimKind::Error) throw truth->error("goes with error");
   if (!of_parameter) return;
   const TomlValue name = table.at("parameter");
-  const Field& field = find_field(name.string(), name.where());
-  claim.parameter = field.path;
-  claim.dimension = field.dimension;
+  try {
+    const Field& field = find_field(name.string());
+    claim.parameter = field.path;
+    claim.dimension = field.dimension;
+  } catch (const InputError& error) {
+    throw name.error(error.rule());
+  }
   if (claim.kind != ClaimKind::Error) return;
   claim.truth = table.at("truth").quantity(claim.dimension);
   if (claim.truth == 0.0) throw truth->error("must not be 0: the error is a fraction of it");

@@ -21,7 +21,7 @@ std::string number_text(const CheckFile& file, const Claim& claim, double number
 std::string parameter_text(const Claim& claim, double value) {
   const report::DisplayUnit unit = report::display_unit(
       claim.dimension, std::fabs(value), claim.parameter.find("modulus") != std::string::npos);
-  return report::quantity(report::significant(value / unit.scale, 6), unit.name);
+  return report::quantity(fmt::format("{:.6g}", value / unit.scale), unit.name);
 }
 
 std::string limit_text(const CheckFile& file, const Claim& claim) {

@@ -78,7 +78,7 @@ TEST_F(FitClaims, DoNotHoldOfAFitThatFails) {
   std::string text = io::content_of(folder_.file("fit.toml"));
   const std::size_t at = text.find("\"example-curve.csv\"");
   ASSERT_NE(at, std::string::npos) << text;
-  write("fit.toml", text.replace(at, 19, "[\"example-curve.csv\", \"bad.csv\"]"));
+  write("fit.toml", text.insert(at, "\"bad.csv\", "));
   const std::string of = "parameter = 'yield_stress'\nvalue = { at_most = '1 GPa' }\n";
   const ClaimVerdict all = verdict(of);
   EXPECT_FALSE(all.holds);
@@ -165,8 +165,8 @@ TEST(JudgedFits, HaveNoNumberOfWhatWasNotFound) {
 TEST_F(FitClaims, AreRefusedInOneLineIfBad) {
   const std::string of = "parameter = 'yield_stress'\n";
   EXPECT_EQ(message("value = { at_most = 1 }\n"), ":1: claim[1].parameter: is missing");
-  EXPECT_EQ(message("parameter = 'yield'\nvalue = { at_most = 1 }\n").substr(0, 28),
-            ":4: yield: is not a field; d");
+  EXPECT_EQ(message("parameter = 'yield'\nvalue = { at_most = 1 }\n").substr(0, 46),
+            ":4: claim[1].parameter = yield: is not a field");
   EXPECT_EQ(message(of + "value = { at_most = '1 mm' }\n").substr(0, 35),
             ":5: claim[1].value.at_most = 1 mm: ");
   EXPECT_EQ(message(of + "error = { at_most = '1 %' }\n"), ":1: claim[1].truth: is missing");
@@ -182,7 +182,7 @@ TEST_F(FitClaims, AreRefusedInOneLineIfBad) {
   EXPECT_EQ(message("case = 'b'\nfailed = { at_most = 0 }\n"),
             ":4: claim[1].case = b: is no fit of " + folder_.file("fit.toml"));
   EXPECT_EQ(message("law = 'best'\nfailed = { at_most = 0 }\n").substr(0, 36),
-            ":4: claim[1].law = best: must be one");
+            ":4: claim[1].law = 'best': must be o");
   EXPECT_EQ(message("failed = { at_most = 1 }\n"),
             ":4: claim[1].failed = { at_most = 1 }: holds whatever happens: there are 1");
   const std::string line =
