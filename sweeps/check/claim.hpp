@@ -95,8 +95,8 @@ struct Claim {
   std::vector<std::pair<std::size_t, std::vector<FieldValue>>> only{};
   /// Of fits: only those of these names; empty: all.
   std::vector<std::string> cases{};
-  std::string law{};        ///< of fits; empty: the one that is advised for all
-  std::string parameter{};  ///< of fits: its path
+  std::string law{};                      ///< of fits; empty: the one that is advised for all
+  std::string parameter{};                ///< of fits: its path
   Dimension dimension = Dimension::None;  ///< of that
   double truth = 0.0;                     ///< of that, for Error and Interval [SI]
 };

@@ -71,8 +71,8 @@ std::vector<std::string> FitSubject::names() const {
   add_names(targets, of_record, all);
   if (scenes) add_names(scenes->cases, of_record, all);
   if (result) {
-    add_names(result->curves,
-              [](const auto& one) -> const std::string& { return one.target.name; }, all);
+    add_names(
+        result->curves, [](const auto& one) -> const std::string& { return one.target.name; }, all);
     add_names(result->scenes, of_record, all);
   }
   return all;

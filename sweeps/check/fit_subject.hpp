@@ -37,7 +37,8 @@ struct FitSubject {
   std::vector<std::string> notes() const;
 };
 
-/// Reads a fit file with its curves and scenes. @throws InputError for the first thing that is wrong
+/// Reads a fit file with its curves and scenes. @throws InputError for the first thing that is
+/// wrong
 FitSubject read_fit_subject(const std::string& path);
 
 /// Reads a result of fits. @throws InputError if it is none, or damaged

@@ -19,8 +19,8 @@ namespace {
 struct JudgedFit {
   std::string name;
   calibrate::FitOutcome outcome;
-  double misfit = 0.0;     ///< of the worst target [1]
-  std::string no_use{};    ///< why it is of no use; empty: it may be used
+  double misfit = 0.0;   ///< of the worst target [1]
+  std::string no_use{};  ///< why it is of no use; empty: it may be used
 };
 
 std::string why_not(const calibrate::FitOutcome& outcome, const std::string& no_use) {
@@ -50,8 +50,8 @@ void add_fits(const Claim& claim, std::span<const Record> records, std::vector<J
   if (records.empty()) return;
   const auto add = [&](const Record& record) {
     JudgedFit fit = judged(record);
-    const bool named = std::find(claim.cases.begin(), claim.cases.end(), fit.name) !=
-                       claim.cases.end();
+    const bool named =
+        std::find(claim.cases.begin(), claim.cases.end(), fit.name) != claim.cases.end();
     if (claim.cases.empty() || named) fits.push_back(std::move(fit));
   };
   if (claim.law.empty()) {
@@ -144,7 +144,8 @@ ClaimVerdict judge(const Claim& claim, const FittedRecords& records) {
   ClaimVerdict verdict = worst.verdict();
   const JudgedFit& decisive = fits[worst.whose().value_or(0)];
   verdict.at = "of " + decisive.name;
-  if (verdict.number && claim.kind == ClaimKind::Interval) verdict.found = found_of(claim, decisive);
+  if (verdict.number && claim.kind == ClaimKind::Interval)
+    verdict.found = found_of(claim, decisive);
   if (verdict.number && claim.kind == ClaimKind::Error) verdict.beside = found_of(claim, decisive);
   return verdict;
 }

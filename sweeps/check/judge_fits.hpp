@@ -5,9 +5,9 @@
 
 namespace plastica::sweeps {
 
-/// Judges a claim on fits. A fit that failed, or that is of no use, has no number: such a claim does
-/// not hold, but one on how many there are. Nor has a parameter that is fixed, or that the curves do
-/// not identify.
+/// Judges a claim on fits. A fit that failed, or that is of no use, has no number: such a claim
+/// does not hold, but one on how many there are. Nor has a parameter that is fixed, or that the
+/// curves do not identify.
 ClaimVerdict judge(const Claim& claim, const FittedRecords& fits);
 
 }  // namespace plastica::sweeps

@@ -6,6 +6,7 @@
 #include "calibrate/problem/parameter.hpp"
 #include "plastica/io/read_input.hpp"
 #include "plastica/io/toml.hpp"
+#include "plastica/run/simulate.hpp"
 #include "sweeps/check/claim.hpp"
 #include "sweeps/check/read_limits.hpp"
 #include "sweeps/compare/comparison.hpp"
@@ -105,6 +106,7 @@ Sweep read_scene(const TomlTable& table, const std::string& path, const Claim& c
   scene.name = path;
   scene.setup = scene.scene.setup;
   scene.notes = scene.scene.notes;
+  prepare(scene.setup.scene, scene.setup.solver);  // refuses what cannot run
   const bool of_quantity = claim.kind == ClaimKind::Value || claim.kind == ClaimKind::Error;
   if (!of_quantity) {
     scene.quantity.kind = QuantityKind::EnergyBalanceError;

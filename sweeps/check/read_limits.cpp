@@ -135,8 +135,8 @@ void refuse_sure(const TomlTable& table, const Claim& claim, std::size_t count) 
   if (counts && claim.at_least.value_or(0.0) <= 0.0 && claim.at_most.value_or(0.0) >= most) {
     throw limits.error(holds + fmt::format("there are {}", count));
   }
-  const bool surely_correlated = claim.at_least.value_or(-1.0) <= -1.0 &&
-                                 claim.at_most.value_or(1.0) >= 1.0;
+  const bool surely_correlated =
+      claim.at_least.value_or(-1.0) <= -1.0 && claim.at_most.value_or(1.0) >= 1.0;
   if (claim.kind == ClaimKind::Correlation && surely_correlated) {
     throw limits.error(holds + "a correlation is from -1 to 1");
   }

@@ -105,8 +105,8 @@ std::string junit_xml(std::span<const CheckedFile> files) {
       text += fmt::format(
           "    <testcase classname=\"{}\" name=\"{}\" file=\"{}\" line=\"{}\" "
           "time=\"{:.3f}\">\n",
-          suite, report::xml_text(claim.name), report::xml_text(claim.where.file),
-          claim.where.line, verdict.seconds);
+          suite, report::xml_text(claim.name), report::xml_text(claim.where.file), claim.where.line,
+          verdict.seconds);
       if (verdict.holds) {
         text += fmt::format("      <system-out>{}</system-out>\n",
                             report::xml_text(finding(checked.file, claim, verdict)));
@@ -146,10 +146,10 @@ std::string github_annotations(const CheckedFile& checked) {
   for (std::size_t k = 0; k < checked.verdicts.size(); ++k) {
     if (checked.verdicts[k].holds) continue;
     const Claim& claim = checked.file.claims[k];
-    text += fmt::format("::error file={},line={},title={}::{}\n",
-                        for_github(claim.where.file, true), claim.where.line,
-                        for_github(claim.name, true),
-                        for_github(failing(checked.file, claim, checked.verdicts[k]), false));
+    text +=
+        fmt::format("::error file={},line={},title={}::{}\n", for_github(claim.where.file, true),
+                    claim.where.line, for_github(claim.name, true),
+                    for_github(failing(checked.file, claim, checked.verdicts[k]), false));
   }
   return text;
 }

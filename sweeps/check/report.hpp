@@ -30,7 +30,8 @@ std::string check_report(const CheckedFile& checked, CheckLines lines = CheckLin
 /// How many claims hold, of all files, in a line.
 std::string check_summary(std::span<const CheckedFile> files);
 
-/// All files in JUnit's XML: a test suite a file, a test case a claim, with its time, file and line.
+/// All files in JUnit's XML: a test suite a file, a test case a claim, with its time, file and
+/// line.
 std::string junit_xml(std::span<const CheckedFile> files);
 
 /// An error of GitHub's workflow commands for each claim that does not hold, a line each, which

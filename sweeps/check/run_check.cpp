@@ -50,7 +50,8 @@ class CheckRuns {
 
   ClaimVerdict verdict(const Claim& claim) const {
     switch (claim.subject) {
-      case ClaimSubject::Scene: return timed(judge(claim, scenes_[claim.of]), scene_seconds_[claim.of]);
+      case ClaimSubject::Scene:
+        return timed(judge(claim, scenes_[claim.of]), scene_seconds_[claim.of]);
       case ClaimSubject::Fit:
         return timed(judge(claim, fits_[claim.of]), fit_seconds_[claim.of] / sharers(claim));
       case ClaimSubject::Sweep:
@@ -141,8 +142,8 @@ class CheckRuns {
   bool run_all_fits() {
     for (const FitSubject& subject : file_.fits) {
       const auto begin = CheckClock::now();
-      auto found = run_fits(subject, options_.threads, options_.stop,
-                            [&](std::size_t done) { tell(done); });
+      auto found =
+          run_fits(subject, options_.threads, options_.stop, [&](std::size_t done) { tell(done); });
       if (!found) return false;
       before_ += subject.fits();
       fits_.push_back(std::move(*found));

@@ -38,9 +38,7 @@ Expectation nothing_known() {
 }  // namespace
 
 PointRunner::PointRunner(const Setup& setup, const SceneScanOptions& options)
-    : setup_(setup),
-      options_(options),
-      watched_(watched_probes(setup, {}).watched) {
+    : setup_(setup), options_(options), watched_(watched_probes(setup, {}).watched) {
   fineness_axes(setup);  // refuses a coupon
   own_work_ = work(setup);
 }
@@ -99,10 +97,9 @@ void PointRunner::compare_with_finer(const Setup& setup, JudgedRun& run) const {
   run.quantity = off.quantity;
   if (off.largest <= options_.within) return;
   run.verdict.validity = Validity::Inaccurate;
-  run.verdict.reason = off.reason.empty()
-                           ? off.quantity + " is off a run twice as fine by " +
-                                 report::significant(100.0 * off.largest, 3) + " %"
-                           : off.reason;
+  run.verdict.reason = off.reason.empty() ? off.quantity + " is off a run twice as fine by " +
+                                                report::significant(100.0 * off.largest, 3) + " %"
+                                          : off.reason;
 }
 
 JudgedRun PointRunner::run(const Setup& setup) const {

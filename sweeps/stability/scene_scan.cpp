@@ -195,8 +195,8 @@ std::vector<const Field*> scanned_fields(const Setup& setup,
   if (!names.empty()) return found;
   for (const auto fields_of : {fields(), derived_fields()}) {
     for (const Field& field : fields_of) {
-      const bool of_result = field.path == "solver.buckling" || field.path == "solver.frequencies" ||
-                             field.path == "solver.frames";
+      const bool of_result = field.path == "solver.buckling" ||
+                             field.path == "solver.frequencies" || field.path == "solver.frames";
       // A size is the length and the section together.
       const bool other_shape = field.path.starts_with("section.") && !is_dimension(setup, field);
       const bool derived_size = field.path.starts_with("beam.s") && field.path != "beam.segments";
@@ -248,9 +248,8 @@ SceneScan scan_scene(const std::string& name, const Setup& setup,
   return scan;
 }
 
-std::vector<StabilityRow> scan_pair(const std::string& name, const Setup& setup,
-                                    const Field& first, const Field& second,
-                                    const SceneScanOptions& options) {
+std::vector<StabilityRow> scan_pair(const std::string& name, const Setup& setup, const Field& first,
+                                    const Field& second, const SceneScanOptions& options) {
   PointRunner runner(setup, options);
   runner.run_own();
   const std::vector<double> a = grid_values(first, setup, options.reach);

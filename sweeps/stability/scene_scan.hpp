@@ -41,9 +41,9 @@ enum class ScanEnd {
 struct ScanLimit {
   double value = 0.0;  ///< the last one that is valid [SI]
   ScanEnd end = ScanEnd::Reach;
-  double next = 0.0;      ///< Verdict: the next value that was run
-  Verdict verdict{};      ///< of that
-  bool changes = false;   ///< whether any value in this direction has another result
+  double next = 0.0;     ///< Verdict: the next value that was run
+  Verdict verdict{};     ///< of that
+  bool changes = false;  ///< whether any value in this direction has another result
 };
 
 struct ScannedField {
@@ -81,8 +81,7 @@ SceneScan scan_scene(const std::string& name, const Setup& setup,
 
 /// Runs a grid of two fields around the scene's values, up to `reach`; rows have both.
 /// @throws InputError as above
-std::vector<StabilityRow> scan_pair(const std::string& name, const Setup& setup,
-                                    const Field& first, const Field& second,
-                                    const SceneScanOptions& options);
+std::vector<StabilityRow> scan_pair(const std::string& name, const Setup& setup, const Field& first,
+                                    const Field& second, const SceneScanOptions& options);
 
 }  // namespace plastica::sweeps::stability

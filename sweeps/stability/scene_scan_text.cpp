@@ -78,13 +78,11 @@ std::string scene_scan_text(const SceneScan& scan, const SceneScanOptions& optio
   if (!without_effect.empty()) {
     text += "\n" + report::wrapped("  change no probe: ", without_effect, 100);
   }
-  const auto undetected =
-      std::count_if(scan.rows.begin(), scan.rows.end(), [](const StabilityRow& row) {
-        return row.verdict.validity == Validity::Undetected;
-      });
-  text += fmt::format("\n{} run, {} undetected {}\n",
-                      report::counted(scan.rows.size(), "point"), undetected,
-                      undetected == 1 ? "error" : "errors");
+  const auto undetected = std::count_if(
+      scan.rows.begin(), scan.rows.end(),
+      [](const StabilityRow& row) { return row.verdict.validity == Validity::Undetected; });
+  text += fmt::format("\n{} run, {} undetected {}\n", report::counted(scan.rows.size(), "point"),
+                      undetected, undetected == 1 ? "error" : "errors");
   return text;
 }
 

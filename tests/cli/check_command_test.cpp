@@ -54,7 +54,8 @@ TEST_F(CheckCommand, PrintsNothingWhereAllHoldAndItIsToBeQuiet) {
 TEST_F(CheckCommand, AnnotatesFailuresForGitHub) {
   EXPECT_FALSE(has(place_.run({"check", "check.toml", "--annotate", "github"}).out, "::error"));
   make_one_fail();
-  const CommandResult result = place_.run({"check", "check.toml", "--quiet", "--annotate", "github"});
+  const CommandResult result =
+      place_.run({"check", "check.toml", "--quiet", "--annotate", "github"});
   EXPECT_EQ(result.code, 1);
   EXPECT_TRUE(std::regex_search(
       result.out,

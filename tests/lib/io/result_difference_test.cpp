@@ -40,7 +40,8 @@ class ResultDifferences : public ::testing::Test {
 };
 
 TEST_F(ResultDifferences, AreNoneOfTheSame) {
-  const ResultComparison found = compare<double>({1.0, kNaN, kInfinity, -0.0}, {1.0, kNaN, kInfinity, 0.0});
+  const ResultComparison found =
+      compare<double>({1.0, kNaN, kInfinity, -0.0}, {1.0, kNaN, kInfinity, 0.0});
   EXPECT_EQ(found.differing, 0U);
   EXPECT_EQ(found.numbers, 5U);  // four, and the version
   EXPECT_EQ(found.texts, 6U);    // four names, the schema and the unit
@@ -112,8 +113,9 @@ TEST_F(ResultDifferences, OfExtentsVersionsAndUnitsAreSeen) {
                 .differing,
             0U);
   write<std::int64_t>("b.h5", {1});
-  EXPECT_EQ(compare_results(folder_.file("a.h5"), folder_.file("b.h5"), {}).differences.at(0).second,
-            "integers");
+  EXPECT_EQ(
+      compare_results(folder_.file("a.h5"), folder_.file("b.h5"), {}).differences.at(0).second,
+      "integers");
 }
 
 TEST_F(ResultDifferences, AreListedUpToANumber) {
@@ -128,11 +130,9 @@ TEST_F(ResultDifferences, AreRefusedOfOtherKindsAndOfWhatIsNotThere) {
   write_schema(other.root(), "plastica/other", 1);
   other.commit();
   const std::string a = folder_.file("a.h5");
-  EXPECT_EQ(plastica::testing::message_of(
-                [&] { compare_results(a, folder_.file("b.h5"), {}); }),
+  EXPECT_EQ(plastica::testing::message_of([&] { compare_results(a, folder_.file("b.h5"), {}); }),
             folder_.file("b.h5") + ": schema = plastica/other: must be plastica/test, as of " + a);
-  EXPECT_EQ(plastica::testing::message_of(
-                [&] { compare_results(a, a, {.left_out = {"/tabel"}}); }),
+  EXPECT_EQ(plastica::testing::message_of([&] { compare_results(a, a, {.left_out = {"/tabel"}}); }),
             "--ignore = /tabel: is in neither file");
 }
 

@@ -43,8 +43,7 @@ class FitClaims : public ::testing::Test {
 
 TEST_F(FitClaims, HoldAParameterToLimitsATruthAndItsInterval) {
   const std::string of = "parameter = 'yield_stress'\n";
-  const ClaimVerdict held =
-      verdict(of + "value = { at_least = '349 MPa', at_most = '351 MPa' }\n");
+  const ClaimVerdict held = verdict(of + "value = { at_least = '349 MPa', at_most = '351 MPa' }\n");
   EXPECT_TRUE(held.holds) << held.reason;
   EXPECT_EQ(held.at, "of example-curve");
   EXPECT_FALSE(verdict(of + "value = { at_least = '351 MPa' }\n").holds);
@@ -60,10 +59,12 @@ TEST_F(FitClaims, HoldAParameterToLimitsATruthAndItsInterval) {
 }
 
 TEST_F(FitClaims, SayWhatTheIntervalIsAndWhatItIsToHold) {
-  CheckedFile checked{read("parameter = 'yield_stress'\ninterval = { holds = '360 MPa' }\n"), {}, 0};
+  CheckedFile checked{
+      read("parameter = 'yield_stress'\ninterval = { holds = '360 MPa' }\n"), {}, 0};
   checked.verdicts = run_check(checked.file, {});
   const std::string text = check_report(checked);
-  EXPECT_NE(text.find(" MPa of example-curve; wanted to hold 360 MPa; "), std::string::npos) << text;
+  EXPECT_NE(text.find(" MPa of example-curve; wanted to hold 360 MPa; "), std::string::npos)
+      << text;
 }
 
 TEST_F(FitClaims, HoldMisfitsAndHowManyFitsAreOfUse) {
@@ -101,7 +102,8 @@ TEST_F(FitClaims, AreTheSameOfAResult) {
   contents.options = calibrate::read_fit_file(folder_.file("fit.toml")).options;
   calibrate::write_fit_store(folder_.file("fit.h5"), contents);
   const std::string of = "result = 'fit.h5'\n";
-  const std::string claim = "parameter = 'youngs_modulus'\nvalue = { at_least = '190 GPa', at_most = ";
+  const std::string claim =
+      "parameter = 'youngs_modulus'\nvalue = { at_least = '190 GPa', at_most = ";
   const ClaimVerdict run = verdict(claim + "'210 GPa' }\n");
   const ClaimVerdict stored = verdict(claim + "'210 GPa' }\n", of);
   EXPECT_TRUE(stored.holds);
@@ -185,8 +187,8 @@ TEST_F(FitClaims, AreRefusedInOneLineIfBad) {
             ":4: claim[1].law = 'best': must be o");
   EXPECT_EQ(message("failed = { at_most = 1 }\n"),
             ":4: claim[1].failed = { at_most = 1 }: holds whatever happens: there are 1");
-  const std::string line =
-      plastica::testing::message_of([&] { read("failed = { at_most = 0 }\n", "result = 'fit.toml'\n"); });
+  const std::string line = plastica::testing::message_of(
+      [&] { read("failed = { at_most = 0 }\n", "result = 'fit.toml'\n"); });
   EXPECT_EQ(line, folder_.file("fit.toml") + ": is not an HDF5 file");
 }
 

@@ -51,9 +51,10 @@ TEST(CheckReport, SaysWhyThereIsNoNumber) {
   all.verdicts[0].number.reset();
   all.verdicts[0].beside.clear();
   all.verdicts[0].reason = "ended as not-converged";
-  EXPECT_NE(check_report(all).find("  error at beam.segments = 5: ended as not-converged; wanted at "
-                                   "most 0.01 %; checks/a.toml:7\n"),
-            std::string::npos)
+  EXPECT_NE(
+      check_report(all).find("  error at beam.segments = 5: ended as not-converged; wanted at "
+                             "most 0.01 %; checks/a.toml:7\n"),
+      std::string::npos)
       << check_report(all);
 }
 
@@ -106,9 +107,9 @@ TEST(CheckReport, AnnotatesFailuresForGitHub) {
 TEST(WorstNumber, IsNoneWhereOneIsMissingOrNotFinite) {
   Claim claim;
   claim.at_most = 1.0;
-  for (const double number : {std::numeric_limits<double>::quiet_NaN(),
-                              std::numeric_limits<double>::infinity(),
-                              -std::numeric_limits<double>::infinity()}) {
+  for (const double number :
+       {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity(),
+        -std::numeric_limits<double>::infinity()}) {
     Worst worst(claim);
     worst.add(0.5, 0, "");
     worst.add(number, 1, "");

@@ -27,8 +27,7 @@ SceneScan scan_of(const Setup& setup, const std::vector<std::string>& names,
 TEST(SceneScan, FindsHowFewSegmentsAreAccurate) {
   // Of half joints the tip is off the elastica by 48.7 %/N^2, so N and 2 N differ by 36.5 %/N^2:
   // within 1 % from 6.05 segments on.
-  const SceneScan scan =
-      scan_of(shipped_scene("cantilever"), {"beam.segments"}, {.within = 0.01});
+  const SceneScan scan = scan_of(shipped_scene("cantilever"), {"beam.segments"}, {.within = 0.01});
   ASSERT_EQ(scan.own.validity, Validity::Valid);
   EXPECT_NEAR(scan.deviation.value_or(0.0), 0.365 / (32.0 * 32.0), 1e-4);
   const ScanLimit& below = scan.fields.at(0).below;
@@ -47,22 +46,23 @@ TEST(SceneScan, FindsHowFewSegmentsAreAccurate) {
 
 TEST(SceneScan, FollowsASceneWhoseResultIsTheSameUpToItsReach) {
   // An elastic beam's shape under its own end's motion depends on no modulus.
-  Setup setup = shipped_scene("cantilever");
+  plastica::Setup setup = shipped_scene("cantilever");
   setup.scene.yield_model = YieldModel::Elastic;
-  const SceneScan scan = scan_of(setup, {"material.density", "material.yield_stress"},
-                                 {.reach = 100.0});
+  const SceneScan scan =
+      scan_of(setup, {"material.density", "material.yield_stress"}, {.reach = 100.0});
   for (const ScannedField& field : scan.fields) {
     EXPECT_FALSE(field.matters()) << field.field->path;
     EXPECT_EQ(field.above.end, ScanEnd::Reach);
     EXPECT_NEAR(field.above.value / field.value, 100.0, 1e-9);
     EXPECT_NEAR(field.below.value / field.value, 0.01, 1e-9);
   }
-  EXPECT_TRUE(has(scene_scan_text(scan, {}), "change no probe: material.density, "
-                                             "material.yield_stress"));
+  EXPECT_TRUE(plastica::testing::has(scene_scan_text(scan, {}),
+                                     "change no probe: material.density, "
+                                     "material.yield_stress"));
 }
 
 TEST(SceneScan, EndsWhereAFieldsRangeDoes) {
-  const Setup setup = shipped_scene("cantilever");
+  const plastica::Setup setup = shipped_scene("cantilever");
   const SceneScan scan = scan_of(setup, {"material.poisson_ratio"});
   EXPECT_EQ(scan.fields.at(0).above.end, ScanEnd::Range);
   EXPECT_EQ(scan.fields[0].above.value, setup.scene.material.poisson_ratio);
@@ -72,8 +72,7 @@ TEST(SceneScan, EndsWhereAFieldsRangeDoes) {
 TEST(SceneScan, SaysWhereARunFails) {
   // Under a hundred times its load the yielding cantilever has long met its limit load, which is an
   // answer; a tolerance of rounding is met by none.
-  const SceneScan scan = scan_of(shipped_scene("cantilever"), {"solver.tolerance"},
-                                 {.reach = 1e9});
+  const SceneScan scan = scan_of(shipped_scene("cantilever"), {"solver.tolerance"}, {.reach = 1e9});
   const ScanLimit& below = scan.fields.at(0).below;
   EXPECT_EQ(below.end, ScanEnd::Verdict);
   EXPECT_EQ(below.verdict.validity, Validity::Failed);
@@ -81,21 +80,22 @@ TEST(SceneScan, SaysWhereARunFails) {
 }
 
 TEST(SceneScan, RunsNothingElseUnlessTheSceneItselfIsValid) {
-  Setup setup = shipped_scene("robot_arm");
+  plastica::Setup setup = shipped_scene("robot_arm");
   set_field(setup, find_field("beam.segments"), 4.0);
   const SceneScan scan = scan_of(setup, {"beam.segments"});
   EXPECT_EQ(scan.own.validity, Validity::Inaccurate);
   EXPECT_TRUE(scan.fields.empty());
   EXPECT_EQ(scan.rows.size(), 1U);
-  EXPECT_TRUE(has(scene_scan_text(scan, {}), "plastica advise")) << scene_scan_text(scan, {});
+  EXPECT_TRUE(plastica::testing::has(scene_scan_text(scan, {}), "plastica advise"))
+      << scene_scan_text(scan, {});
 }
 
 TEST(SceneScan, HasTheSameRowsForEveryNumberOfThreads) {
-  const Setup setup = shipped_scene("cantilever");
+  const plastica::Setup setup = shipped_scene("cantilever");
   const auto rows = [&](int threads) {
     std::vector<std::string> all;
-    const SceneScan scan = scan_of(setup, {"beam.length", "scale.loads"},
-                                   {.reach = 10.0, .threads = threads});
+    const SceneScan scan =
+        scan_of(setup, {"beam.length", "scale.loads"}, {.reach = 10.0, .threads = threads});
     for (StabilityRow row : scan.rows) {
       row.seconds = 0.0;
       all.push_back(rows_csv(std::vector{row}));
@@ -108,7 +108,7 @@ TEST(SceneScan, HasTheSameRowsForEveryNumberOfThreads) {
 }
 
 TEST(SceneScan, ScansAPair) {
-  const Setup setup = shipped_scene("cantilever");
+  const plastica::Setup setup = shipped_scene("cantilever");
   const Field& segments = find_field("beam.segments");
   const Field& loads = find_axis_field("scale.loads");
   const auto rows = scan_pair("scene", setup, segments, loads, {.within = 0.01, .reach = 10.0});
@@ -122,7 +122,8 @@ TEST(SceneScan, ScansAPair) {
   };
   EXPECT_EQ(class_at(3.0), Validity::Inaccurate);
   EXPECT_EQ(class_at(32.0), Validity::Valid);
-  EXPECT_TRUE(has(pair_map(rows, setup, segments, loads).text(), "lg scale.loads"));
+  EXPECT_TRUE(
+      plastica::testing::has(pair_map(rows, setup, segments, loads).text(), "lg scale.loads"));
 }
 
 TEST(SceneScan, TakesAllNumbersOfTheSceneUnlessSomeAreNamed) {
@@ -142,7 +143,7 @@ TEST(SceneScan, TakesAllNumbersOfTheSceneUnlessSomeAreNamed) {
 }
 
 TEST(SceneScan, RefusesWhatCannotBeFollowed) {
-  const Setup setup = shipped_scene("cantilever");
+  const plastica::Setup setup = shipped_scene("cantilever");
   const auto message = [&](const std::vector<std::string>& names) {
     return plastica::testing::message_of([&] { scanned_fields(setup, names); });
   };
@@ -152,7 +153,7 @@ TEST(SceneScan, RefusesWhatCannotBeFollowed) {
             "--vary = gravity.y: is not set, or 0, in the scene: there is nothing to multiply");
   EXPECT_EQ(message({"beam.length", "beam.length"}), "--vary = beam.length: is named twice");
   EXPECT_NE(message({"beam.lenght"}), "no error");
-  Setup coupon = setup;
+  plastica::Setup coupon = setup;
   coupon.scene.drive.strain = {0.0, 0.01};
   EXPECT_NE(plastica::testing::message_of([&] { scan_of(coupon, {"material.yield_stress"}); }),
             "no error");
