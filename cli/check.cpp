@@ -146,7 +146,7 @@ int check(const CheckArguments& arguments) {
 }  // namespace
 
 void add_check(CLI::App& app, Action& action) {
-  CLI::App* sub = app.add_subcommand("check", "Check named claims on accuracy and stability");
+  CLI::App* sub = app.add_subcommand("check", "Check named claims on sweeps, scenes and fits");
   auto arguments = std::make_shared<CheckArguments>();
   sub->add_option("files", arguments->files, "Check files")
       ->required()

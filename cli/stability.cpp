@@ -78,7 +78,7 @@ int scan_file(const StabilityArguments& arguments) {
   const bool valid = scan.own.validity == stability::Validity::Valid;
   std::vector<stability::StabilityRow> grid;
   if (!arguments.map.empty() && valid && scan.complete) {
-    grid = stability::scan_pair(name, file.setup, *fields[0], *fields[1], options);
+    grid = stability::scan_pair(name, file.setup, scan.fields[0], scan.fields[1], options);
   }
   line.clear();
   if (interrupt.flag()) {
@@ -105,7 +105,7 @@ int scan_file(const StabilityArguments& arguments) {
 
 void add_stability(CLI::App& app, Action& action) {
   CLI::App* sub = app.add_subcommand(
-      "stability", "How far the numbers of a scene may go until a result is not valid");
+      "stability", "Find how far the numbers of a scene may go until a result is not valid");
   auto arguments = std::make_shared<StabilityArguments>();
   stability::SceneScanOptions& options = arguments->options;
   sub->add_option("file", arguments->file, "Scene file")->required()->option_text("SCENE.toml");

@@ -16,8 +16,10 @@ namespace {
 
 /// Values between the last valid one and the next that are tried.
 constexpr int kBisections = 3;
-/// Values of each field of a grid.
-constexpr int kGridValues = 9;
+/// Values of a grid on either side of the scene's own.
+constexpr int kGridValues = 5;
+/// From one value to the next.
+const double kStep = std::sqrt(10.0);
 
 double number_of(const Field& field, const Setup& setup) {
   const FieldValue value = field.get(setup);
@@ -34,12 +36,12 @@ bool is_dimension(const Setup& setup, const Field& field) {
          std::any_of(own.begin(), own.end(), [&](const Field& f) { return f.path == field.path; });
 }
 
-double rounded(const Field& field, double value) {
+double whole_value(const Field& field, double value) {
   return field.kind == FieldKind::Integer ? std::round(value) : value;
 }
 
-StabilityRow row_of(const std::string& scene, const Setup& setup, std::vector<ScannedValue> at,
-                    const JudgedRun& run) {
+StabilityRow point_row(const std::string& scene, const Setup& setup, std::vector<ScannedValue> at,
+                       const JudgedRun& run) {
   StabilityRow row;
   row.scene = scene;
   row.id = scene + "/";
@@ -74,10 +76,9 @@ class FieldScan {
     const double own = number_of(field_, setup_);
     ScanLimit limit;
     limit.value = own;
-    const double step = std::sqrt(10.0);
-    for (double factor = step; limit.end != ScanEnd::Verdict; factor *= step) {
+    for (double factor = kStep; limit.end != ScanEnd::Verdict; factor *= kStep) {
       const double to = std::min(factor, options_.reach);
-      const double value = rounded(field_, up ? own * to : own / to);
+      const double value = whole_value(field_, up ? own * to : own / to);
       if (!field_.range.contains(value)) return ended(limit, ScanEnd::Range);
       if (value != limit.value) {
         if (!try_value(value, limit, told)) return limit;
@@ -115,7 +116,7 @@ class FieldScan {
       run.verdict = {Validity::Failed, error.what()};
     }
     if (is_raised(options_.stop)) return false;
-    rows_.push_back(row_of(scene_, setup, {scanned(field_, value)}, run));
+    rows_.push_back(point_row(scene_, setup, {scanned(field_, value)}, run));
     limit.changes = limit.changes || !runner_.is_own(run.outcome);
     told();
     if (run.verdict.validity == Validity::Valid) {
@@ -132,7 +133,7 @@ class FieldScan {
   void narrow(ScanLimit& limit, const std::function<void()>& told) {
     for (int k = 0; k < kBisections; ++k) {
       const double between = limit.value * std::sqrt(limit.next / limit.value);
-      const double value = rounded(field_, between);
+      const double value = whole_value(field_, between);
       if (value == limit.value || value == limit.next) return;
       if (!try_value(value, limit, told)) return;
     }
@@ -162,16 +163,24 @@ class PointCounter {
   std::size_t points_ = 0;
 };
 
-/// Values around the scene's own, evenly in factors, within the field's range.
-std::vector<double> grid_values(const Field& field, const Setup& setup, double reach) {
-  const double own = number_of(field, setup);
+/// Where a grid ends in a direction: a step beyond the first value that is not valid.
+double grid_end(double own, const ScanLimit& limit) {
+  if (limit.end != ScanEnd::Verdict) return limit.value;
+  return limit.next * (std::fabs(limit.next) > std::fabs(own) ? kStep : 1.0 / kStep);
+}
+
+/// Values from one end to the other, the scene's own among them, on either side evenly in factors.
+std::vector<double> grid_values(const ScannedField& of) {
+  const double own = of.value;
   std::vector<double> values;
-  for (int k = 0; k < kGridValues; ++k) {
-    const double part = 2.0 * k / (kGridValues - 1) - 1.0;
-    const double value = rounded(field, own * std::pow(reach, part));
-    const bool again = !values.empty() && values.back() == value;
-    if (field.range.contains(value) && !again) values.push_back(value);
-  }
+  const auto add = [&](double end, int k) {
+    const double part = static_cast<double>(k) / kGridValues;
+    const double value = whole_value(*of.field, own * std::pow(end / own, part));
+    const bool known = std::find(values.begin(), values.end(), value) != values.end();
+    if (of.field->range.contains(value) && !known) values.push_back(value);
+  };
+  for (int k = kGridValues; k > 0; --k) add(grid_end(own, of.below), k);
+  for (int k = 0; k <= kGridValues; ++k) add(grid_end(own, of.above), k);
   return values;
 }
 
@@ -220,7 +229,7 @@ SceneScan scan_scene(const std::string& name, const Setup& setup,
     scan.deviation = own.deviation;
     scan.quantity = own.quantity;
   }
-  scan.rows.push_back(row_of(name, setup, {}, own));
+  scan.rows.push_back(point_row(name, setup, {}, own));
   if (own.verdict.validity != Validity::Valid) {
     scan.complete = true;
     return scan;
@@ -252,8 +261,8 @@ std::vector<StabilityRow> scan_pair(const std::string& name, const Setup& setup,
                                     const Field& second, const SceneScanOptions& options) {
   PointRunner runner(setup, options);
   runner.run_own();
-  const std::vector<double> a = grid_values(first, setup, options.reach);
-  const std::vector<double> b = grid_values(second, setup, options.reach);
+  const std::vector<double> a = grid_values(first);
+  const std::vector<double> b = grid_values(second);
   std::vector<StabilityRow> rows(a.size() * b.size());
   PointCounter counter(options);
   parallel_for(rows.size(), {options.threads, options.stop}, [&](std::size_t i, int) {
@@ -262,8 +271,8 @@ std::vector<StabilityRow> scan_pair(const std::string& name, const Setup& setup,
     Setup at = setup;
     JudgedRun run;
     try {
-      set_field(at, first, x);
-      set_field(at, second, y);
+      set_field(at, *first.field, x);
+      set_field(at, *second.field, y);
       if (runner.work(at) > options.max_work * runner.own_work()) return;
       run = runner.run(at);
     } catch (const InputError& error) {
@@ -271,7 +280,7 @@ std::vector<StabilityRow> scan_pair(const std::string& name, const Setup& setup,
       run.verdict = {Validity::Failed, error.what()};
     }
     if (is_raised(options.stop)) return;
-    rows[i] = row_of(name, at, {scanned(first, x), scanned(second, y)}, run);
+    rows[i] = point_row(name, at, {scanned(*first.field, x), scanned(*second.field, y)}, run);
     counter.count();
   });
   std::erase_if(rows, [](const StabilityRow& row) { return !row.begun; });

@@ -79,9 +79,10 @@ std::vector<const Field*> scanned_fields(const Setup& setup, const std::vector<s
 SceneScan scan_scene(const std::string& name, const Setup& setup,
                      const std::vector<const Field*>& fields, const SceneScanOptions& options);
 
-/// Runs a grid of two fields around the scene's values, up to `reach`; rows have both.
-/// @throws InputError as above
-std::vector<StabilityRow> scan_pair(const std::string& name, const Setup& setup, const Field& first,
-                                    const Field& second, const SceneScanOptions& options);
+/// Runs a grid of two fields that were scanned, from one end of each to the other and a step beyond
+/// what is not valid; rows have both. @throws InputError as above
+std::vector<StabilityRow> scan_pair(const std::string& name, const Setup& setup,
+                                    const ScannedField& first, const ScannedField& second,
+                                    const SceneScanOptions& options);
 
 }  // namespace plastica::sweeps::stability
