@@ -163,6 +163,14 @@ class PointCounter {
   std::size_t points_ = 0;
 };
 
+const Field& varied_field(const std::string& name) {
+  try {
+    return find_axis_field(name);
+  } catch (const InputError& error) {
+    throw InputError({}, "--vary", name, error.rule());
+  }
+}
+
 /// Where a grid ends in a direction: a step beyond the first value that is not valid.
 double grid_end(double own, const ScanLimit& limit) {
   if (limit.end != ScanEnd::Verdict) return limit.value;
@@ -194,8 +202,10 @@ std::vector<const Field*> scanned_fields(const Setup& setup,
     return std::isfinite(value) && value != 0.0;
   };
   for (const std::string& name : names) {
-    const Field& field = find_axis_field(name);
-    const auto refuse = [&](const char* rule) { throw InputError({}, "--vary", name, rule); };
+    const auto refuse = [&](const std::string& rule) {
+      throw InputError({}, "--vary", name, rule);
+    };
+    const Field& field = varied_field(name);
     if (!is_number(field)) refuse("is a word, which has no factors");
     if (!is_there(field)) refuse("is not set, or 0, in the scene: there is nothing to multiply");
     if (std::find(found.begin(), found.end(), &field) != found.end()) refuse("is named twice");
@@ -257,8 +267,9 @@ SceneScan scan_scene(const std::string& name, const Setup& setup,
   return scan;
 }
 
-std::vector<StabilityRow> scan_pair(const std::string& name, const Setup& setup, const Field& first,
-                                    const Field& second, const SceneScanOptions& options) {
+std::vector<StabilityRow> scan_pair(const std::string& name, const Setup& setup,
+                                    const ScannedField& first, const ScannedField& second,
+                                    const SceneScanOptions& options) {
   PointRunner runner(setup, options);
   runner.run_own();
   const std::vector<double> a = grid_values(first);

@@ -73,7 +73,8 @@ TEST_F(StabilityCommand, RefusesInOneLine) {
   EXPECT_EQ(refusal({"--vary", "beam.length", "-o", "cantilever.toml", "--force"}),
             "plastica: --output = cantilever.toml: is a file that this run reads\n");
   EXPECT_TRUE(has(refusal({"--reach", "1"}), "--reach"));
-  EXPECT_TRUE(has(refusal({"--vary", "beam.lenght"}), "did you mean beam.length?"));
+  EXPECT_TRUE(refusal({"--vary", "beam.lenght"})
+                  .starts_with("plastica: --vary = beam.lenght: is not a field"));
 }
 
 }  // namespace
