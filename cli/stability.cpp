@@ -136,7 +136,7 @@ void add_stability(CLI::App& app, Action& action) {
   add_quiet_option(*sub, arguments->quiet, "no table, no progress");
   sub->footer(
       "Example:\n"
-      "  plastica stability scene.toml --vary beam.segments,solver.time_step --map m.svg\n"
+      "  plastica stability scene.toml --vary beam.segments,beam.length --map m.svg\n"
       "Exit code 1 if the scene's own result is not valid, or one has an undetected\n"
       "error.");
   sub->callback([&action, arguments] { action = [arguments] { return scan_file(*arguments); }; });
