@@ -77,6 +77,11 @@ ParameterNumber number_of(const Claim& claim, const JudgedFit& fit) {
     return {std::nullopt, name + " is fixed: nothing was fitted"};
   }
   if (!parameter->identified) return {std::nullopt, name + " is not identified by the curves"};
+  // Where the optimum is beyond, a bound says nothing of it; 0 is where many numbers end.
+  const bool at_zero = parameter->at_lower && parameter->lower == 0.0;
+  if (parameter->at_bound() && !at_zero) {
+    return {std::nullopt, name + " ended at its bound, " + parameter_text(claim, parameter->value)};
+  }
   switch (claim.kind) {
     case ClaimKind::Value: return {parameter->value, name + " has no value"};
     case ClaimKind::Error:

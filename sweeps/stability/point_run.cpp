@@ -90,8 +90,8 @@ void PointRunner::compare_with_finer(const Setup& setup, JudgedRun& run) const {
   const std::optional<Setup> fine = finer(setup);
   if (!fine) return;
   double steps = 0.0;
-  const Deviation off =
-      deviation(run.outcome, outcome_of(simulated(*fine, steps), watched_), watched_);
+  const Outcome other = outcome_of(simulated(*fine, steps), watched_);
+  const Deviation off = deviation(run.outcome, other, watched_);
   run.compared = true;
   run.deviation = off.largest;
   run.quantity = off.quantity;
@@ -99,7 +99,9 @@ void PointRunner::compare_with_finer(const Setup& setup, JudgedRun& run) const {
   run.verdict.validity = Validity::Inaccurate;
   run.verdict.reason = off.reason.empty() ? off.quantity + " is off a run twice as fine by " +
                                                 report::significant(100.0 * off.largest, 3) + " %"
-                                          : off.reason;
+                       : usable(other.status)
+                           ? off.reason
+                           : "a run twice as fine is " + std::string(name_of(other.status));
 }
 
 JudgedRun PointRunner::run(const Setup& setup) const {

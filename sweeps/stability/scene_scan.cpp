@@ -48,6 +48,7 @@ StabilityRow point_row(const std::string& scene, const Setup& setup, std::vector
   for (const ScannedValue& value : at) {
     row.id += (&value == at.data() ? "" : ",") + value.axis + "=" + report::brief(value.value);
   }
+  if (at.empty()) row.id += "own";
   row.level = run.level;
   row.analysis = setup.solver.analysis;
   row.at = std::move(at);

@@ -40,7 +40,7 @@ TEST_F(StabilityCommand, SaysHowFarANumberMayGo) {
   EXPECT_TRUE(has(result.out, " 0 undetected errors\n"));
   EXPECT_EQ(result.err, "wrote points.csv\n");
   const std::string csv = place_.read("points.csv");
-  EXPECT_TRUE(has(csv, "\ncantilever/,cantilever,planar,statics,,,,,valid,")) << csv;
+  EXPECT_TRUE(has(csv, "\ncantilever/own,cantilever,planar,statics,,,,,valid,")) << csv;
   EXPECT_TRUE(has(csv, "\ncantilever/beam.segments=6,")) << csv;
 }
 
