@@ -97,11 +97,14 @@ void PointRunner::compare_with_finer(const Setup& setup, JudgedRun& run) const {
   run.quantity = off.quantity;
   if (off.largest <= options_.within) return;
   run.verdict.validity = Validity::Inaccurate;
-  run.verdict.reason = off.reason.empty() ? off.quantity + " is off a run twice as fine by " +
-                                                report::significant(100.0 * off.largest, 3) + " %"
-                       : usable(other.status)
-                           ? off.reason
-                           : "a run twice as fine is " + std::string(name_of(other.status));
+  if (!usable(other.status)) {
+    run.verdict.reason = "a run twice as fine is " + std::string(name_of(other.status));
+  } else if (!off.reason.empty()) {
+    run.verdict.reason = off.reason;
+  } else {
+    run.verdict.reason = off.quantity + " is off a run twice as fine by " +
+                         report::significant(100.0 * off.largest, 3) + " %";
+  }
 }
 
 JudgedRun PointRunner::run(const Setup& setup) const {

@@ -164,6 +164,12 @@ TEST(JudgedFits, HaveNoNumberOfWhatWasNotFound) {
   found.role = calibrate::ParameterRole::Fixed;
   EXPECT_EQ(judge(claim, fits).reason, "yield_stress is fixed: nothing was fitted");
   found.role = calibrate::ParameterRole::Free;
+  found.at_lower = true;
+  found.lower = 350e6;
+  EXPECT_EQ(judge(claim, fits).reason, "yield_stress ended at its bound, 350 MPa");
+  found.lower = 0.0;
+  EXPECT_TRUE(judge(claim, fits).holds);
+  found.at_lower = false;
 
   claim.kind = ClaimKind::Interval;
   claim.at_most = 0.0;
