@@ -71,17 +71,6 @@ void print_dry_run(const SceneFitFile& file, const std::string& output) {
   }
 }
 
-/// Tells bad input of any fit before the first one runs.
-void check(const SceneFitFile& file) {
-  for (const SceneFitCase& one : file.cases) {
-    if (file.options.laws.empty()) calibrate::check_scenes(one.targets, file.options);
-    for (const calibrate::Law law : file.options.laws) {
-      calibrate::check_scenes(calibrate::targets_of(law, one.targets),
-                              calibrate::options_of(law, file.options, one.targets));
-    }
-  }
-}
-
 /// @param records  put into another order where laws are compared
 void print_report(std::vector<SceneFitRecord>& records, double confidence) {
   calibrate::ReportOptions options;
@@ -133,7 +122,7 @@ int calibrate_scenes(const CalibrateArguments& arguments) {
     throw InputError({}, "--no-modulus-prior", "",
                      "is for curves: fits through scenes have no such prior");
   }
-  check(file);
+  calibrate::check_fits(file);
   if (arguments.dry_run) {
     print_dry_run(file, output);
     return kDone;

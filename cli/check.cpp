@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <chrono>
 #include <memory>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -13,13 +14,14 @@
 #include "cli/exit_code.hpp"
 #include "cli/interrupt.hpp"
 #include "cli/progress_bar.hpp"
+#include "cli/result_kind.hpp"
 #include "cli/run_files.hpp"
 #include "cli/tell.hpp"
 #include "plastica/io/result_file.hpp"
 #include "plastica/io/text_file.hpp"
 #include "plastica/report/format.hpp"
 #include "sweeps/check/report.hpp"
-#include "sweeps/check/verdict.hpp"
+#include "sweeps/check/run_check.hpp"
 
 namespace plastica::cli {
 namespace {
@@ -27,20 +29,57 @@ namespace {
 struct CheckArguments {
   std::vector<std::string> files;
   std::string junit;
+  std::string annotate;
   int threads = 0;
   bool dry_run = false;
   bool force = false;
   bool quiet = false;
 };
 
+/// "1 sweep, 2 scenes".
+std::string subjects_of(const sweeps::CheckFile& file) {
+  std::set<std::string> scenes;
+  for (const sweeps::Sweep& scene : file.scenes) scenes.insert(scene.scene.path);
+  const auto scans = static_cast<std::size_t>(
+      std::count_if(file.claims.begin(), file.claims.end(),
+                    [](const sweeps::Claim& claim) { return claim.scan.has_value(); }));
+  std::vector<std::string> all;
+  const auto add = [&](std::size_t count, const char* noun) {
+    if (count > 0) all.push_back(report::counted(count, noun));
+  };
+  add(file.sweeps.size(), "sweep");
+  add(scenes.size(), "scene");
+  add(file.fits.size(), "fit file");
+  add(scans, "scan");
+  return fmt::format("{}", fmt::join(all, ", "));
+}
+
 int print_dry_run(const std::vector<sweeps::CheckFile>& files) {
   for (const sweeps::CheckFile& file : files) {
     say("{}: {} about {} with {}\n", file.path, report::counted(file.claims.size(), "claim"),
-        report::counted(file.sweeps.size(), "sweep"),
-        report::counted(sweeps::cases_of(file), "case"));
+        subjects_of(file), report::counted(sweeps::cases_of(file), "case"));
   }
   say("nothing was run\n");
   return kDone;
+}
+
+/// All files that a check reads.
+std::vector<std::string> files_of(const sweeps::CheckFile& file) {
+  std::vector<std::string> all{file.path};
+  const auto add = [&](const std::vector<std::string>& more) {
+    all.insert(all.end(), more.begin(), more.end());
+  };
+  for (const auto* sweeps : {&file.sweeps, &file.scenes}) {
+    for (const sweeps::Sweep& sweep : *sweeps) {
+      add({sweep.path, sweep.scene.path, sweep.against.name});
+    }
+  }
+  for (const sweeps::FitSubject& fits : file.fits) {
+    add({fits.path});
+    if (fits.curves) add(files_read(*fits.curves));
+    if (fits.scenes) add(fits.scenes->read_files);
+  }
+  return all;
 }
 
 /// Runs one file. @return whether it was run to its end
@@ -58,7 +97,9 @@ bool run_file(sweeps::CheckFile file, const CheckArguments& arguments,
   if (result.verdicts.empty()) return false;
   const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
   result.seconds = took.count();
-  fmt::print("{}", sweeps::check_report(result));
+  using enum sweeps::CheckLines;
+  fmt::print("{}", sweeps::check_report(result, arguments.quiet ? FailuresOnly : All));
+  if (!arguments.annotate.empty()) say(sweeps::github_annotations(result));
   std::fflush(stdout);
   checked.push_back(std::move(result));
   return true;
@@ -67,16 +108,15 @@ bool run_file(sweeps::CheckFile file, const CheckArguments& arguments,
 int check(const CheckArguments& arguments) {
   // All files are read before the first is run: a bad one loses nothing.
   std::vector<sweeps::CheckFile> files;
-  for (const std::string& path : arguments.files) files.push_back(sweeps::read_check_file(path));
+  for (const std::string& path : arguments.files) {
+    files.push_back(sweeps::read_check_file(path, check_without_digest));
+  }
   for (const sweeps::CheckFile& file : files) tell_notes(file.notes);
   if (arguments.dry_run) return print_dry_run(files);
   if (!arguments.junit.empty()) {
     for (const sweeps::CheckFile& file : files) {
-      refuse_input("--junit", arguments.junit, file.path);
-      for (const sweeps::Sweep& sweep : file.sweeps) {
-        refuse_input("--junit", arguments.junit, sweep.path);
-        refuse_input("--junit", arguments.junit, sweep.scene.path);
-        refuse_input("--junit", arguments.junit, sweep.against.name);
+      for (const std::string& read : files_of(file)) {
+        refuse_input("--junit", arguments.junit, read);
       }
     }
     io::check_output_path(arguments.junit, arguments.force);
@@ -95,7 +135,7 @@ int check(const CheckArguments& arguments) {
     tell("plastica: interrupted\n");
     return kInterrupted;
   }
-  fmt::print("{}", sweeps::check_summary(checked));
+  if (!arguments.quiet) fmt::print("{}", sweeps::check_summary(checked));
   const bool all = std::all_of(checked.begin(), checked.end(), [](const auto& file) {
     return std::all_of(file.verdicts.begin(), file.verdicts.end(),
                        [](const auto& verdict) { return verdict.holds; });
@@ -106,17 +146,21 @@ int check(const CheckArguments& arguments) {
 }  // namespace
 
 void add_check(CLI::App& app, Action& action) {
-  CLI::App* sub = app.add_subcommand("check", "Check named claims on accuracy and stability");
+  CLI::App* sub = app.add_subcommand("check", "Check named claims on sweeps, scenes and fits");
   auto arguments = std::make_shared<CheckArguments>();
   sub->add_option("files", arguments->files, "Check files")
       ->required()
       ->option_text("CHECK.toml...");
   sub->add_option("--junit", arguments->junit, "Also write the verdicts as JUnit's XML")
       ->option_text("FILE");
+  sub->add_option("--annotate", arguments->annotate,
+                  "Also print each claim that does not hold as this CI takes it: github")
+      ->check(CLI::IsMember({"github"}))
+      ->option_text("CI");
   add_threads_option(*sub, arguments->threads);
   add_dry_run_option(*sub, arguments->dry_run);
   add_force_option(*sub, arguments->force, "the XML");
-  add_quiet_option(*sub, arguments->quiet, "no progress");
+  add_quiet_option(*sub, arguments->quiet, "nothing but claims that do not hold");
   sub->footer(
       "Example:\n"
       "  plastica check checks/*.toml --junit checks.xml\n"

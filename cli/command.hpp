@@ -23,6 +23,7 @@ void add_check(CLI::App& app, Action& action);
 void add_recommend(CLI::App& app, Action& action);
 void add_advise(CLI::App& app, Action& action);
 void add_stability(CLI::App& app, Action& action);
+void add_diff(CLI::App& app, Action& action);
 void add_show(CLI::App& app, Action& action);
 void add_plot(CLI::App& app, Action& action);
 void add_export(CLI::App& app, Action& action);

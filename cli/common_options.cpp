@@ -35,19 +35,6 @@ void add_quiet_option(CLI::App& sub, bool& quiet, const std::string& what) {
 }
 
 std::vector<std::string> with_new_names(std::vector<std::string> words) {
-  struct RenamedOption {
-    std::string_view command, before, now;
-  };
-  constexpr std::array kOptions{RenamedOption{"stability", "--most-work", "--max-work"}};
-  for (const RenamedOption& one : kOptions) {
-    if (words.empty() || words.front() != one.command) continue;
-    for (std::string& word : words) {
-      const std::string_view name = std::string_view(word).substr(0, word.find('='));
-      if (name != one.before) continue;
-      tell("plastica: {} is now {}\n", one.before, one.now);
-      word.replace(0, name.size(), one.now);
-    }
-  }
   struct RenamedValue {
     std::string_view command, option, before, now;
   };

@@ -37,9 +37,10 @@ constexpr const char* kFooter =
     "  plastica sweep sweep.toml -o sweep.h5  vary a scene: what accuracy costs\n"
     "  plastica recommend sweep.h5 --within \"1 %\"\n"
     "  plastica check check.toml              check claims on accuracy, for CI\n"
+    "  plastica diff a.h5 b.h5 --within 1e-6  compare two results\n"
     "Exit codes: 0 done; 1 a target has no usable fit, a scene no equilibrium or\n"
-    "balance, or a claim does not hold; 2 bad input; 3 the machine failed;\n"
-    "130 interrupted by Ctrl-C (what was finished is kept).\n"
+    "balance, a claim does not hold, or results differ; 2 bad input; 3 the machine\n"
+    "failed; 130 interrupted by Ctrl-C (what was finished is kept).\n"
     "`plastica COMMAND --help` says more.";
 
 void add_commands(CLI::App& app, const std::string& command_line, Action& action) {
@@ -52,6 +53,7 @@ void add_commands(CLI::App& app, const std::string& command_line, Action& action
   plastica::cli::add_advise(app, action);
   plastica::cli::add_recommend(app, action);
   plastica::cli::add_stability(app, action);
+  plastica::cli::add_diff(app, action);
   plastica::cli::add_show(app, action);
   plastica::cli::add_plot(app, action);
   plastica::cli::add_export(app, action);

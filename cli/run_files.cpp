@@ -33,6 +33,8 @@ std::vector<const calibrate::TableSource*> tables_of(const calibrate::FitFile& f
   return tables;
 }
 
+}  // namespace
+
 std::vector<std::string> files_read(const calibrate::FitFile& file) {
   std::vector<std::string> files;
   for (const calibrate::TableSource* table : tables_of(file)) files.push_back(table->file);
@@ -42,8 +44,6 @@ std::vector<std::string> files_read(const calibrate::FitFile& file) {
   }
   return files;
 }
-
-}  // namespace
 
 std::vector<io::InputText> input_texts(const calibrate::FitFile& file) {
   const std::string name =

@@ -1,5 +1,3 @@
-#include "sweeps/stability/stability.hpp"
-
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -13,13 +11,14 @@
 #include "cli/common_options.hpp"
 #include "cli/exit_code.hpp"
 #include "cli/interrupt.hpp"
-#include "cli/progress_bar.hpp"
 #include "cli/run_files.hpp"
 #include "cli/tell.hpp"
+#include "cli/terminal_line.hpp"
 #include "plastica/io/result_file.hpp"
+#include "plastica/io/scene_file.hpp"
 #include "plastica/io/text_file.hpp"
 #include "plastica/report/picture.hpp"
-#include "sweeps/stability/stability_map.hpp"
+#include "sweeps/stability/scene_scan_text.hpp"
 #include "sweeps/stability/summary.hpp"
 
 namespace plastica::cli {
@@ -28,91 +27,119 @@ namespace {
 namespace stability = sweeps::stability;
 
 struct StabilityArguments {
-  stability::StabilityOptions options;
+  std::string file;
+  std::vector<std::string> vary;
+  std::string within = "5 %";
+  stability::SceneScanOptions options;
   std::string output;
   std::string map;
   bool force = false;
   bool quiet = false;
 };
 
-void write_file(const std::string& path, const std::string& text, io::Overwrite overwrite) {
-  io::write_text_file(path, text, overwrite);
-  tell("wrote {}\n", path);
-}
-
-int run_study(const StabilityArguments& arguments) {
-  for (const std::string& path : {arguments.output, arguments.map}) {
-    if (!path.empty()) io::check_output_path(path, arguments.force);
-  }
+void check_stability_outputs(const StabilityArguments& arguments) {
+  const auto check = [&](std::string_view option, const std::string& path) {
+    if (path.empty() || path == "-") return;
+    refuse_input(option, path, arguments.file);
+    io::check_output_path(path, arguments.force);
+  };
+  check("--output", arguments.output);
+  if (!arguments.map.empty()) report::check_picture_output(arguments.map);
+  check("--map", arguments.map);
   if (!arguments.output.empty() && !arguments.map.empty()) {
     refuse_own_files("--map", arguments.map, arguments.output);
   }
-  const InterruptGuard interrupt;
-  stability::StabilityOptions options = arguments.options;
-  options.stop = &interrupt.flag();
-  std::unique_ptr<ProgressBar> bar;
-  options.progress = [&](const stability::StabilityRow& /*row*/, std::size_t finished,
-                         std::size_t all) {
-    if (!bar) bar = std::make_unique<ProgressBar>("scanning", all, arguments.quiet);
-    bar->update(finished, 0);
-  };
-  std::vector<stability::StabilityRow> rows = stability::run_stability(options);
-  if (bar) bar->clear();
-  std::erase_if(rows, [](const auto& row) { return !row.begun; });
-  if (rows.empty() && !interrupt.flag()) {
-    const bool limited =
-        options.max_segment_steps < stability::StabilityOptions{}.max_segment_steps;
-    throw InputError(
-        {}, "--only", fmt::format("{}", fmt::join(options.only, ", ")),
-        limited ? "is in the name of no point within --max-work" : "is in the name of no point");
-  }
-  // What was scanned is kept, whether all was or not.
-  const io::Overwrite overwrite = io::overwrite_if(arguments.force);
-  if (!arguments.output.empty()) write_file(arguments.output, stability::rows_csv(rows), overwrite);
-  if (!arguments.map.empty()) {
-    report::draw_picture(stability::stability_map(rows), arguments.map, std::cout, overwrite);
-    tell("wrote {}\n", arguments.map);
-  }
-  if (!arguments.quiet) fmt::print("{}", stability::summary_text(rows));
-  if (interrupt.flag()) {
-    tell("plastica: interrupted after {} points\n", rows.size());
-    return kInterrupted;
-  }
-  const bool any_undetected = std::any_of(rows.begin(), rows.end(), [](const auto& row) {
+}
+
+bool any_undetected(const std::vector<stability::StabilityRow>& rows) {
+  return std::any_of(rows.begin(), rows.end(), [](const auto& row) {
     return row.verdict.validity == stability::Validity::Undetected;
   });
-  return any_undetected ? kNotAcceptable : kDone;
+}
+
+int scan_file(const StabilityArguments& arguments) {
+  io::SceneFile file = io::read_scene_file(arguments.file);
+  tell_notes(file.notes);
+  stability::SceneScanOptions options = arguments.options;
+  options.within = fraction_of("--within", arguments.within);
+  const auto fields = stability::scanned_fields(file.setup, arguments.vary);
+  if (!arguments.map.empty() && arguments.vary.size() != 2) {
+    throw InputError({}, "--map", arguments.map, "is of two fields: name them by --vary");
+  }
+  check_stability_outputs(arguments);
+  const InterruptGuard interrupt;
+  options.stop = &interrupt.flag();
+  TerminalLine line(arguments.quiet);
+  options.progress = [&line](std::size_t points) {
+    if (line.is_due()) line.draw(fmt::format("scanning: {} points", points));
+  };
+  const std::string& name = file.setup.scene.name;
+  stability::SceneScan scan = stability::scan_scene(name, file.setup, fields, options);
+  const bool valid = scan.own.validity == stability::Validity::Valid;
+  std::vector<stability::StabilityRow> grid;
+  if (!arguments.map.empty() && valid && scan.complete) {
+    grid = stability::scan_pair(name, file.setup, scan.fields[0], scan.fields[1], options);
+  }
+  line.clear();
+  if (interrupt.flag()) {
+    tell("plastica: interrupted; nothing is written of a scan\n");
+    return kInterrupted;
+  }
+  const io::Overwrite overwrite = io::overwrite_if(arguments.force);
+  if (!arguments.output.empty()) {
+    std::vector<stability::StabilityRow> all = scan.rows;
+    all.insert(all.end(), grid.begin(), grid.end());
+    io::write_text_file(arguments.output, stability::rows_csv(all), overwrite);
+    tell("wrote {}\n", arguments.output);
+  }
+  if (!grid.empty()) {
+    report::draw_picture(stability::pair_map(grid, file.setup, *fields[0], *fields[1]),
+                         arguments.map, std::cout, overwrite);
+    tell("wrote {}\n", arguments.map);
+  }
+  if (!arguments.quiet) say(stability::scene_scan_text(scan, options));
+  return valid && !any_undetected(scan.rows) && !any_undetected(grid) ? kDone : kNotAcceptable;
 }
 
 }  // namespace
 
 void add_stability(CLI::App& app, Action& action) {
   CLI::App* sub = app.add_subcommand(
-      "stability", "Run scenes up to the limits of the library, and judge each result");
+      "stability", "Find how far the numbers of a scene may go until a result is not valid");
   auto arguments = std::make_shared<StabilityArguments>();
-  stability::StabilityOptions& options = arguments->options;
-  sub->add_option("--only", options.only,
-                  "Run points with this in their name: planar, \"time step\", \"twist spin/\"")
-      ->option_text("TEXT...");
-  sub->add_option("--sample", options.sample, "Draw N points at random; 0: all")
-      ->check(CLI::Range(0, 1'000'000))
+  stability::SceneScanOptions& options = arguments->options;
+  sub->add_option("file", arguments->file, "Scene file")->required()->option_text("SCENE.toml");
+  sub->add_option("--vary", arguments->vary,
+                  "Vary these: beam.segments,material.yield_stress; default: all numbers of the "
+                  "scene")
+      ->delimiter(',')
+      ->allow_extra_args(false)
+      ->option_text("FIELD,...");
+  sub->add_option("--within", arguments->within,
+                  "Take a result for valid up to this deviation from a run twice as fine; default: "
+                  "5 %")
+      ->option_text("ERROR");
+  sub->add_option("--reach", options.reach, "Vary by factors up to N; default: 1000")
+      ->check(CLI::Range(1.01, 1e9))
       ->option_text("N");
-  sub->add_option("--seed", options.seed, "Seed of the sample")->option_text("N");
-  sub->add_option("--max-work", options.max_segment_steps, "Leave out points of more segment-steps")
+  sub->add_option("--max-work", options.max_work,
+                  "Leave out runs of more than N times the work of the scene as it is; default: 64")
+      ->check(CLI::Range(1.0, 1e9))
       ->option_text("N");
   sub->add_option("-o,--output", arguments->output, "Write every point as CSV")
       ->option_text("FILE");
-  sub->add_option("--map", arguments->map, "Draw the map: .svg, .png, .pdf or .gp")
+  sub->add_option("--map", arguments->map,
+                  "Draw the map of two fields: .svg, .png, .pdf or .gp, - for the terminal")
       ->option_text("FILE");
   add_threads_option(*sub, options.threads);
   add_force_option(*sub, arguments->force, "files that are there");
-  add_quiet_option(*sub, arguments->quiet, "no tables, no progress");
+  add_quiet_option(*sub, arguments->quiet, "no table, no progress");
   sub->footer(
       "Example:\n"
-      "  plastica stability --sample 100 --max-work 2e4 -o points.csv --map map.svg\n"
-      "All points take some 10 minutes on two cores. Exit code 1 if a point has an\n"
-      "undetected error.");
-  sub->callback([&action, arguments] { action = [arguments] { return run_study(*arguments); }; });
+      "  plastica stability scene.toml --vary beam.segments,beam.length --map m.svg\n"
+      "Exit code 1 if the scene's own result is not valid, or one has an undetected\n"
+      "error.");
+  sub->callback([&action, arguments] { action = [arguments] { return scan_file(*arguments); }; });
 }
 
 }  // namespace plastica::cli

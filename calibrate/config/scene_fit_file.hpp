@@ -30,4 +30,8 @@ bool names_scenes(const std::string& path);
 SceneFitFile read_scene_fit_file(const std::string& path);
 SceneFitFile parse_scene_fit_file(std::string text, const std::string& path);
 
+/// Tells bad input of any fit before the first one runs, with the laws that the file's options
+/// compare. @throws InputError
+void check_fits(const SceneFitFile& file);
+
 }  // namespace plastica::calibrate

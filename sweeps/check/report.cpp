@@ -6,38 +6,36 @@
 
 #include "plastica/report/format.hpp"
 #include "plastica/report/xml_text.hpp"
+#include "sweeps/check/shown_number.hpp"
 
 namespace plastica::sweeps {
 namespace {
 
-/// Whether the numbers of a claim are fractions, shown in percent.
-bool is_fraction(ClaimKind kind) {
-  return kind == ClaimKind::Error || kind == ClaimKind::ExtrapolatedError ||
-         kind == ClaimKind::Gci || kind == ClaimKind::Spread || kind == ClaimKind::EnergyBalance;
-}
-
-std::string number_text(const CheckFile& file, const Claim& claim, double number) {
-  if (is_fraction(claim.kind)) return fmt::format("{:.4g} %", 100.0 * number);
-  if (claim.kind != ClaimKind::Value) return fmt::format("{:.6g}", number);
-  const std::string& unit = file.sweeps[claim.sweep].quantity.unit;
-  return fmt::format("{:.6g}{}", number, unit == "1" ? "" : " " + unit);
-}
-
-std::string limit_text(const CheckFile& file, const Claim& claim) {
-  const auto text = [&](double number) { return number_text(file, claim, number); };
-  if (claim.at_least && claim.at_most) {
-    return text(*claim.at_least) + " … " + text(*claim.at_most);
-  }
-  return claim.at_least ? "at least " + text(*claim.at_least) : "at most " + text(*claim.at_most);
-}
-
-std::string finding(const CheckFile& file, const Claim& claim, const ClaimVerdict& verdict) {
-  std::string text(kClaimKinds[static_cast<std::size_t>(claim.kind)]);
+/// The kind of claim, and what was found: "extrapolated error 1 %".
+std::string found_text(const CheckFile& file, const Claim& claim, const ClaimVerdict& verdict) {
+  std::string text(traits_of(claim.kind).word);
   std::replace(text.begin(), text.end(), '_', ' ');
-  if (verdict.number) text += " " + number_text(file, claim, *verdict.number);
-  text += ", " + limit_text(file, claim);
-  if (!verdict.reason.empty()) text += "; " + verdict.reason;
-  return text;
+  if (!verdict.found.empty()) return text + " " + verdict.found;
+  return verdict.number ? text + " " + number_text(file, claim, *verdict.number) : text;
+}
+
+/// What was found of a claim that holds: "order 1.99997, 1.98 … 2.02".
+std::string finding(const CheckFile& file, const Claim& claim, const ClaimVerdict& verdict) {
+  return found_text(file, claim, verdict) + ", " + limit_text(file, claim);
+}
+
+/// What is wrong with one that does not: "error 1.95 % at beam.segments = 5 (tip, end -0.75 m,
+/// reference -0.735 m); wanted at most 0.01 %".
+std::string failing(const CheckFile& file, const Claim& claim, const ClaimVerdict& verdict) {
+  std::string text = found_text(file, claim, verdict);
+  if (!verdict.at.empty()) text += " " + verdict.at;
+  if (!verdict.reason.empty()) text += ": " + verdict.reason;
+  if (!verdict.beside.empty()) text += " (" + verdict.beside + ")";
+  return text + "; wanted " + limit_text(file, claim);
+}
+
+std::string place_of(const Claim& claim) {
+  return fmt::format("{}:{}", claim.where.file, claim.where.line);
 }
 
 /// A text of the user without the two words.
@@ -58,19 +56,25 @@ std::size_t count_held(const CheckedFile& checked) {
 
 }  // namespace
 
-std::string check_report(const CheckedFile& checked) {
+std::string check_report(const CheckedFile& checked, CheckLines lines) {
+  const bool all = lines == CheckLines::All;
   std::size_t width = 0;
   for (const Claim& claim : checked.file.claims) {
-    width = std::max(width, report::width_of(report::printable(claim.name)));
+    if (all) width = std::max(width, report::width_of(report::printable(claim.name)));
   }
-  std::string text = fmt::format("{}\n", without_words(report::printable(checked.file.path)));
+  std::string text;
+  if (all) text = fmt::format("{}\n", without_words(report::printable(checked.file.path)));
   for (std::size_t k = 0; k < checked.file.claims.size(); ++k) {
     const Claim& claim = checked.file.claims[k];
     const ClaimVerdict& verdict = checked.verdicts[k];
-    const std::string name = without_words(report::printable(claim.name));
-    text += fmt::format("  {}  {}{}  {}\n", verdict.holds ? "PASS" : "FAIL", name,
-                        std::string(width - report::width_of(name), ' '),
-                        without_words(finding(checked.file, claim, verdict)));
+    if (verdict.holds && !all) continue;
+    std::string name = without_words(report::printable(claim.name));
+    if (all) name += std::string(width - report::width_of(name), ' ');
+    const std::string found = verdict.holds
+                                  ? finding(checked.file, claim, verdict)
+                                  : failing(checked.file, claim, verdict) + "; " + place_of(claim);
+    text += fmt::format("  {}  {}  {}\n", verdict.holds ? "PASS" : "FAIL", name,
+                        without_words(report::printable(found)));
   }
   return text;
 }
@@ -97,16 +101,57 @@ std::string junit_xml(std::span<const CheckedFile> files) {
         checked.seconds);
     for (std::size_t k = 0; k < checked.verdicts.size(); ++k) {
       const Claim& claim = checked.file.claims[k];
-      const std::string found = report::xml_text(finding(checked.file, claim, checked.verdicts[k]));
-      text += fmt::format("    <testcase classname=\"{}\" name=\"{}\" time=\"0\">\n", suite,
-                          report::xml_text(claim.name));
-      text += checked.verdicts[k].holds ? fmt::format("      <system-out>{}</system-out>\n", found)
-                                        : fmt::format("      <failure message=\"{}\"/>\n", found);
+      const ClaimVerdict& verdict = checked.verdicts[k];
+      text += fmt::format(
+          "    <testcase classname=\"{}\" name=\"{}\" file=\"{}\" line=\"{}\" "
+          "time=\"{:.3f}\">\n",
+          suite, report::xml_text(claim.name), report::xml_text(claim.where.file), claim.where.line,
+          verdict.seconds);
+      if (verdict.holds) {
+        text += fmt::format("      <system-out>{}</system-out>\n",
+                            report::xml_text(finding(checked.file, claim, verdict)));
+      } else {
+        const std::string why = report::xml_text(failing(checked.file, claim, verdict));
+        text += fmt::format("      <failure message=\"{}\">{}; {}</failure>\n", why, why,
+                            report::xml_text(place_of(claim)));
+      }
       text += "    </testcase>\n";
     }
     text += "  </testsuite>\n";
   }
   return text + "</testsuites>\n";
+}
+
+namespace {
+
+/// A text as GitHub's workflow commands take it: line ends and the percent sign by their codes; in
+/// a property also the signs that part properties.
+std::string for_github(std::string_view text, bool in_property) {
+  std::string out;
+  for (const char c : text) {
+    const bool parts = in_property && (c == ':' || c == ',');
+    if (c == '%' || c == '\r' || c == '\n' || parts) {
+      out += fmt::format("%{:02X}", static_cast<unsigned>(c));
+    } else {
+      out += c;
+    }
+  }
+  return out;
+}
+
+}  // namespace
+
+std::string github_annotations(const CheckedFile& checked) {
+  std::string text;
+  for (std::size_t k = 0; k < checked.verdicts.size(); ++k) {
+    if (checked.verdicts[k].holds) continue;
+    const Claim& claim = checked.file.claims[k];
+    text +=
+        fmt::format("::error file={},line={},title={}::{}\n", for_github(claim.where.file, true),
+                    claim.where.line, for_github(claim.name, true),
+                    for_github(failing(checked.file, claim, checked.verdicts[k]), false));
+  }
+  return text;
 }
 
 }  // namespace plastica::sweeps

@@ -1,13 +1,14 @@
 #include "sweeps/check/verdict.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 
-#include "plastica/io/result_file.hpp"
+#include "sweeps/check/worst.hpp"
 #include "sweeps/compare/convergence.hpp"
-#include "sweeps/run/sweep_run.hpp"
+#include "sweeps/trade/setting.hpp"
 
 namespace plastica::sweeps {
 namespace {
@@ -41,46 +42,16 @@ std::vector<RefinementGroup> chosen_groups(const Claim& claim, const SweepRecord
   return groups;
 }
 
-/// Gathers numbers and keeps the one that is worst against the limits.
-class Worst {
- public:
-  explicit Worst(const Claim& claim) : claim_(claim) {}
-
-  void add(const std::optional<double>& number, const std::string& otherwise) {
-    if (!number || !std::isfinite(*number)) {
-      if (reason_.empty()) reason_ = otherwise;
-    } else if (!number_ || badness(*number) > badness(*number_)) {
-      number_ = number;
-    }
-  }
-
-  ClaimVerdict verdict() const {
-    if (!reason_.empty()) return {false, number_, reason_};
-    if (!number_) return {false, std::nullopt, "no case is chosen"};
-    return {badness(*number_) <= 0.0, number_, {}};
-  }
-
- private:
-  /// How far a number is outside of the limits; inside of them at most 0.
-  double badness(double number) const {
-    double worst = -std::numeric_limits<double>::infinity();
-    if (claim_.at_least) worst = std::max(worst, *claim_.at_least - number);
-    if (claim_.at_most) worst = std::max(worst, number - *claim_.at_most);
-    return worst;
-  }
-
-  const Claim& claim_;
-  std::optional<double> number_;
-  std::string reason_;
-};
-
 /// What a case without a number says of itself.
 std::string why(const SweepRecord& record, std::size_t i) {
   const CaseResult& result = record.results[i];
-  if (!usable(result.status)) return "a case ended as " + std::string(name_of(result.status));
+  if (!usable(result.status)) {
+    const std::string ended = "ended as " + std::string(name_of(result.status));
+    return result.reason.empty() ? ended : ended + ": " + result.reason;
+  }
   if (!result.reason.empty()) return result.reason;
   if (!record.comparison.reason[i].empty()) return record.comparison.reason[i];
-  return "a case has no value";
+  return "has no value";
 }
 
 /// An order is one along an axis at the finest of the others: where groups at the finest are among
@@ -96,30 +67,33 @@ void keep_finest_of_others(const Claim& claim, const SweepRecord& record,
 }
 
 /// Why a group has no order.
-std::string no_order(const GroupConvergence& found, const std::string& of) {
-  if (found.stops_at.empty()) return "there is no order" + of;
-  return "there is no order" + of + ": its errors stop at that of " + found.stops_at;
+std::string no_order(const GroupConvergence& found) {
+  if (found.stops_at.empty()) return "there is no order";
+  return "there is no order: its errors stop at that of " + found.stops_at;
 }
 
 /// Of one group: what claims of order and extrapolation ask for.
+/// @param g  its number
 void add_group(const Claim& claim, const SweepRecord& record, const RefinementGroup& group,
-               Worst& worst) {
+               std::size_t g, Worst& worst) {
   for (const std::size_t i : group.cases) {
     const bool unconverged = record.comparison.reason[i].starts_with(kNotConverged);
-    if (unconverged || !usable(record.results[i].status)) worst.add(std::nullopt, why(record, i));
+    if (unconverged || !usable(record.results[i].status)) {
+      worst.add(std::nullopt, g, setting_text(record, i) + " " + why(record, i));
+      return;
+    }
   }
   const GroupConvergence found = convergence_of(group, record.results, record.comparison);
-  const std::string of = group.label.empty() ? "" : " of " + group.label;
   if (claim.kind == ClaimKind::Order) {
-    worst.add(found.fit.order, no_order(found, of));
+    worst.add(found.fit.order, g, no_order(found));
   } else if (claim.kind == ClaimKind::Correlation) {
-    worst.add(found.fit.correlation, no_order(found, of));
+    worst.add(found.fit.correlation, g, no_order(found));
   } else if (claim.kind == ClaimKind::Gci) {
-    worst.add(found.grid ? found.grid->fine_index : std::nullopt, "there is no index" + of);
+    worst.add(found.grid ? found.grid->fine_index : std::nullopt, g, "there is no index");
   } else {
     const std::string& lacks = record.comparison.lacks[group.cases.back()];
     if (!lacks.empty()) {
-      worst.add(std::nullopt, error_alone(record.axes[*record.refined].field->path, lacks));
+      worst.add(std::nullopt, g, error_alone(record.axes[*record.refined].field->path, lacks));
       return;
     }
     std::optional<double> error;
@@ -128,7 +102,7 @@ void add_group(const Claim& claim, const SweepRecord& record, const RefinementGr
       const double scale = record.error_scale.value_or(std::abs(*reference));
       error = std::abs(*found.grid->extrapolated - *reference) / scale;
     }
-    worst.add(error, "nothing can be extrapolated" + of);
+    worst.add(error, g, "nothing can be extrapolated");
   }
 }
 
@@ -140,136 +114,169 @@ std::optional<double> error_of_reference(const SweepRecord& record, std::size_t 
 }
 
 /// The size of a case's error, where it is that of all axes.
-void add_error(const SweepRecord& record, std::size_t i, Worst& worst) {
-  const std::string& lacks = record.comparison.lacks[i];
-  if (!lacks.empty()) {
-    worst.add(std::nullopt, error_alone(record.axes[*record.refined].field->path, lacks));
-    return;
-  }
+std::optional<double> size_of_error(const SweepRecord& record, std::size_t i) {
   const auto& error = record.comparison.error[i];
-  worst.add(error ? std::optional(std::abs(*error)) : error_of_reference(record, i),
-            why(record, i));
+  return error ? std::optional(std::abs(*error)) : error_of_reference(record, i);
 }
 
 void add_case(const Claim& claim, const SweepRecord& record, std::size_t i, Worst& worst) {
   const CaseResult& result = record.results[i];
-  switch (claim.kind) {
-    case ClaimKind::Error: add_error(record, i, worst); return;
-    case ClaimKind::Value: worst.add(result.value, why(record, i)); return;
-    case ClaimKind::EnergyBalance:
-      worst.add(usable(result.status) ? std::optional(result.energy_balance_error) : std::nullopt,
-                why(record, i));
-      return;
-    default:
-      worst.add(usable(result.status)
-                    ? std::optional(static_cast<double>(result.segment_iterations()))
-                    : std::nullopt,
-                why(record, i));
-      return;
+  const std::string& lacks = record.comparison.lacks[i];
+  if (claim.kind == ClaimKind::Error && !lacks.empty()) {
+    worst.add(std::nullopt, i, error_alone(record.axes[*record.refined].field->path, lacks));
+    return;
   }
+  // Motions whose energy is not balanced have values, too, and are not to be trusted.
+  std::optional<double> number;
+  if (usable(result.status)) {
+    switch (claim.kind) {
+      case ClaimKind::Error: number = size_of_error(record, i); break;
+      case ClaimKind::Value: number = result.value; break;
+      case ClaimKind::EnergyBalance: number = result.energy_balance_error; break;
+      default: number = static_cast<double>(result.segment_iterations());
+    }
+  }
+  worst.add(number, i, number ? "" : why(record, i));
 }
 
 /// (largest - least)/|mean| of the values of a group.
-void add_spread(const SweepRecord& record, const RefinementGroup& group, Worst& worst) {
+/// @param g  its number
+void add_spread(const SweepRecord& record, const RefinementGroup& group, std::size_t g,
+                Worst& worst) {
   std::vector<double> values;
   for (const std::size_t i : group.cases) {
-    if (!record.results[i].value) {
-      worst.add(std::nullopt, why(record, i));
+    const CaseResult& result = record.results[i];
+    if (!result.value || !usable(result.status)) {
+      worst.add(std::nullopt, g, setting_text(record, i) + " " + why(record, i));
       return;
     }
-    values.push_back(*record.results[i].value);
+    values.push_back(*result.value);
   }
   double mean = 0.0;
   for (const double value : values) mean += value / static_cast<double>(values.size());
   const auto [least, largest] = std::minmax_element(values.begin(), values.end());
-  worst.add(mean != 0.0 ? std::optional((*largest - *least) / std::abs(mean)) : std::nullopt,
+  worst.add(mean != 0.0 ? std::optional((*largest - *least) / std::abs(mean)) : std::nullopt, g,
             "the values have the mean 0");
+}
+
+std::string at(const std::string& place) { return place.empty() ? "" : "at " + place; }
+
+/// A value with the unit of what is compared.
+std::string shown(const SweepRecord& record, double value) {
+  return fmt::format("{:.6g}{}", value,
+                     record.quantity.unit == "1" ? "" : " " + record.quantity.unit);
+}
+
+/// What a case's error is made of: "tip, end -0.75 m, reference -0.735 m".
+std::string made_of(const SweepRecord& record, std::size_t i) {
+  const auto& value = record.results[i].value;
+  const auto& reference = record.comparison.reference[i];
+  if (!value || !reference) return "";
+  return fmt::format("{} {}, reference {}", record.quantity.name, shown(record, *value),
+                     shown(record, *reference));
+}
+
+/// Of the chosen cases those that failed, the first of them with its reason.
+ClaimVerdict judge_failures(const Claim& claim, const SweepRecord& record,
+                            const std::vector<RefinementGroup>& groups) {
+  std::optional<std::size_t> first;
+  std::optional<double> failed;
+  for (const RefinementGroup& group : groups) {
+    for (const std::size_t i : group.cases) {
+      const bool fails = !usable(record.results[i].status);
+      failed = failed.value_or(0.0) + (fails ? 1.0 : 0.0);
+      if (fails && !first) first = i;
+    }
+  }
+  Worst worst(claim);
+  if (failed) worst.add(failed, 0, "");
+  ClaimVerdict verdict = worst.verdict();
+  if (!verdict.holds && first) {
+    const std::string of = setting_text(record, *first);
+    verdict.beside = (of.empty() ? "" : of + " ") + why(record, *first);
+  }
+  return verdict;
+}
+
+/// How the chosen cases ended, or the first that ended otherwise than it should.
+ClaimVerdict judge_statuses(const Claim& claim, const SweepRecord& record,
+                            const std::vector<RefinementGroup>& groups) {
+  ClaimVerdict verdict;
+  std::vector<Status> ended;
+  for (const RefinementGroup& group : groups) {
+    for (const std::size_t i : group.cases) {
+      const CaseResult& result = record.results[i];
+      const auto allowed = [&](const std::vector<Status>& all) {
+        return std::find(all.begin(), all.end(), result.status) != all.end();
+      };
+      if (!allowed(claim.statuses)) {
+        verdict.found = name_of(result.status);
+        verdict.at = at(setting_text(record, i));
+        verdict.beside = result.reason;
+        return verdict;
+      }
+      if (!allowed(ended)) ended.push_back(result.status);
+    }
+  }
+  if (ended.empty()) verdict.reason = "no case is chosen";
+  verdict.holds = !ended.empty();
+  for (const Status status : ended) {
+    verdict.found.append(verdict.found.empty() ? "" : ", ").append(name_of(status));
+  }
+  return verdict;
+}
+
+bool is_of_groups(ClaimKind kind) {
+  return kind == ClaimKind::Order || kind == ClaimKind::Correlation || kind == ClaimKind::Gci ||
+         kind == ClaimKind::ExtrapolatedError || kind == ClaimKind::Spread;
 }
 
 }  // namespace
 
 ClaimVerdict judge(const Claim& claim, const SweepRecord& record) {
-  Worst worst(claim);
-  std::optional<double> failed;
   std::vector<RefinementGroup> groups = chosen_groups(claim, record);
   keep_finest_of_others(claim, record, groups);
-  for (const RefinementGroup& group : groups) {
-    switch (claim.kind) {
-      case ClaimKind::Order:
-      case ClaimKind::Correlation:
-      case ClaimKind::ExtrapolatedError:
-      case ClaimKind::Gci: add_group(claim, record, group, worst); break;
-      case ClaimKind::Spread: add_spread(record, group, worst); break;
-      case ClaimKind::Error:
-      case ClaimKind::Value:
-      case ClaimKind::EnergyBalance:
-      case ClaimKind::Work:
-        for (const std::size_t i : group.cases) add_case(claim, record, i, worst);
-        break;
-      case ClaimKind::Undetected:
-      case ClaimKind::Invalid: break;  // of scans
-      case ClaimKind::Failed:
-        for (const std::size_t i : group.cases) {
-          failed = failed.value_or(0.0) + (usable(record.results[i].status) ? 0.0 : 1.0);
-        }
-        break;
+  if (claim.kind == ClaimKind::Failed) return judge_failures(claim, record, groups);
+  if (claim.kind == ClaimKind::Status) return judge_statuses(claim, record, groups);
+  Worst worst(claim);
+  for (std::size_t g = 0; g < groups.size(); ++g) {
+    if (claim.kind == ClaimKind::Spread) {
+      add_spread(record, groups[g], g, worst);
+    } else if (is_of_groups(claim.kind)) {
+      add_group(claim, record, groups[g], g, worst);
+    } else {
+      for (const std::size_t i : groups[g].cases) add_case(claim, record, i, worst);
     }
   }
-  if (claim.kind == ClaimKind::Failed) worst.add(failed, "no case is chosen");
-  return worst.verdict();
+  ClaimVerdict verdict = worst.verdict();
+  if (!worst.whose()) return verdict;
+  if (is_of_groups(claim.kind)) {
+    verdict.at = at(groups[*worst.whose()].label);
+  } else {
+    verdict.at = at(setting_text(record, *worst.whose()));
+    if (claim.kind == ClaimKind::Error && verdict.number) {
+      verdict.beside = made_of(record, *worst.whose());
+    }
+  }
+  return verdict;
 }
 
 ClaimVerdict judge(const Claim& claim, std::span<const stability::StabilityRow> rows) {
   Worst worst(claim);
   if (rows.empty()) return worst.verdict();
-  const auto count = std::count_if(rows.begin(), rows.end(), [&](const auto& row) {
+  const auto counts = [&](const stability::StabilityRow& row) {
     const auto validity = row.verdict.validity;
     return claim.kind == ClaimKind::Undetected ? validity == stability::Validity::Undetected
                                                : validity != stability::Validity::Valid;
-  });
-  worst.add(static_cast<double>(count), "");
-  return worst.verdict();
-}
-
-std::size_t cases_of(const CheckFile& file) {
-  std::size_t cases = 0;
-  for (const Sweep& sweep : file.sweeps) cases += CaseTable(sweep).size();
-  return cases;
-}
-
-std::vector<ClaimVerdict> run_check(const CheckFile& file, const CheckOptions& options) {
-  std::vector<SweepRecord> records;
-  std::size_t before = 0;
-  for (const Sweep& timed : file.sweeps) {
-    Sweep sweep = timed;
-    sweep.timed_runs = 0;  // no claim is about time
-    SweepRunOptions how;
-    how.threads = options.threads;
-    how.stop = options.stop;
-    SweepRun run(sweep, std::move(how));
-    run.on_progress([&](const SweepProgress& progress) {
-      if (options.progress) options.progress(before + progress.done);
-    });
-    std::vector<CaseResult> results = run.run();
-    if (!run.complete()) return {};
-    before += results.size();
-    records.push_back(make_record(sweep, run.cases(), run.ids(), std::move(results)));
+  };
+  const auto count = std::count_if(rows.begin(), rows.end(), counts);
+  worst.add(static_cast<double>(count), 0, "");
+  ClaimVerdict verdict = worst.verdict();
+  const auto first = std::find_if(rows.begin(), rows.end(), counts);
+  if (!verdict.holds && first != rows.end()) {
+    verdict.beside = "the first: " + first->id + ": " + first->verdict.reason;
   }
-  std::vector<ClaimVerdict> verdicts;
-  for (const Claim& claim : file.claims) {
-    if (!claim.scan) {
-      verdicts.push_back(judge(claim, records[claim.sweep]));
-      continue;
-    }
-    stability::StabilityOptions how = *claim.scan;
-    how.threads = options.threads;
-    how.stop = options.stop;
-    how.max_seconds = std::numeric_limits<double>::infinity();  // no verdict hangs on the machine
-    const auto rows = stability::run_stability(how);
-    if (is_raised(options.stop)) return {};
-    verdicts.push_back(judge(claim, rows));
-  }
-  return verdicts;
+  return verdict;
 }
 
 }  // namespace plastica::sweeps

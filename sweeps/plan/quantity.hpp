@@ -22,11 +22,13 @@ enum class QuantityKind {
   Fit,                 ///< a parameter that [fit] finds in the scene
   LoadedFrequency,     ///< natural frequency about the loaded state [Hz]
   BucklingFactor,      ///< load factor at which it buckles, about the loaded state [1]
+  BreakPlace,          ///< of the first joint that broke: its number over that of the segments [1]
 };
 
-inline constexpr std::array<std::string_view, 10> kQuantityKinds{
+inline constexpr std::array<std::string_view, 11> kQuantityKinds{
     "probe",        "natural_frequency",    "limit_load", "break_load",       "break_time",
-    "break_strain", "energy_balance_error", "fit",        "loaded_frequency", "buckling_factor"};
+    "break_strain", "energy_balance_error", "fit",        "loaded_frequency", "buckling_factor",
+    "break_place"};
 
 /// Whether a quantity is one of several modes.
 constexpr bool has_modes(QuantityKind kind) {

@@ -17,6 +17,8 @@ FieldValue read_field_value(const io::TomlValue& value, const Field& field, cons
 
 /// Reads [error] into the sweep: quantity, reference, scale, refined axis.
 void read_error(const io::TomlTable& root, Sweep& sweep);
+/// The same from the table that has these keys.
+void read_compared(const io::TomlTable& table, Sweep& sweep);
 
 /// Sets fields of a setup, whatever their order: first a named material, then fields, then what is
 /// derived of them, the number of segments by their depth last.

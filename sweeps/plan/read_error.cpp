@@ -76,6 +76,7 @@ Quantity read_kind(const TomlTable& table, const TomlValue& word, const Scene& s
     }
     case QuantityKind::LimitLoad:
     case QuantityKind::BreakStrain:
+    case QuantityKind::BreakPlace:
     case QuantityKind::EnergyBalanceError: break;
   }
   return quantity;
@@ -223,11 +224,15 @@ void read_error(const TomlTable& root, Sweep& sweep) {
     throw InputError({root.where().file, 0}, "error", "",
                      "is missing: it names the probe or quantity that is looked at");
   }
-  sweep.quantity = read_quantity(*table, sweep.setup.scene);
-  read_against(*table, sweep);
-  read_apart(*table, sweep);
-  read_refined(*table, sweep);
-  const auto scale = table->find("scale");
+  read_compared(*table, sweep);
+}
+
+void read_compared(const TomlTable& table, Sweep& sweep) {
+  sweep.quantity = read_quantity(table, sweep.setup.scene);
+  read_against(table, sweep);
+  read_apart(table, sweep);
+  read_refined(table, sweep);
+  const auto scale = table.find("scale");
   if (!scale) return;
   sweep.error_scale = scale->is_string()
                           ? io::parse_quantity(scale->string(), sweep.quantity.dimension,

@@ -93,7 +93,8 @@ constexpr std::string_view kCheck =
 #   value, spread              of the quantity: within limits; independent of what is varied
 #   work                       in segment-iterations, which no machine changes
 #   energy_balance, failed     energy balance error of every case; how many cases fail
-# each with at_least, at_most, or both. `where` chooses cases by the values of axes.
+# each with at_least, at_most, or both. `where` chooses cases by the values of axes. In place of a
+# sweep a claim may be about a scene, a fit file or a result of fits: docs/ci.md.
 
 [[claim]]
 name  = "the tip converges with order two"

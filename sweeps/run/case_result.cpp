@@ -37,15 +37,30 @@ std::vector<double> times_of(const Response& response) {
   return time;
 }
 
+/// Where and when a chain broke first; what the scene cuts is no break.
+struct FirstBreak {
+  const ChainBreak* event = nullptr;  ///< null: nothing breaks
+  int joint = -1;
+};
+
+FirstBreak first_break(const Response& response) {
+  for (const ChainBreak& event : response.chain.events) {
+    for (const BrokenJoint& joint : event.joints) {
+      if (joint.cause != BreakCause::Cut) return {&event, joint.joint};
+    }
+  }
+  return {};
+}
+
 Measured chain_quantity(const Response& response, const Quantity& quantity) {
-  const auto& events = response.chain.events;
   if (quantity.kind == QuantityKind::LimitLoad) {
     if (!response.limit) return {std::nullopt, "there is no limit load"};
     return {response.limit->below, {}};
   }
-  if (events.empty()) return {std::nullopt, "nothing breaks"};
-  if (quantity.kind == QuantityKind::BreakTime) return {events.front().time, {}};
-  return {events.front().factor, {}};
+  const FirstBreak first = first_break(response);
+  if (first.event == nullptr) return {std::nullopt, "nothing breaks"};
+  if (quantity.kind == QuantityKind::BreakTime) return {first.event->time, {}};
+  return {first.event->factor, {}};
 }
 
 Measured coupon_quantity(const Response& response, const Quantity& quantity) {
@@ -67,6 +82,7 @@ Measured quantity_of(const Response& response, const Quantity& quantity) {
     case QuantityKind::BreakStrain:
       if (is_chain) return {std::nullopt, "a chain has none; its probes have strains"};
       return coupon_quantity(response, quantity);
+    case QuantityKind::BreakPlace:  // is noted with the joint
     case QuantityKind::Probe:
     case QuantityKind::NaturalFrequency:
     case QuantityKind::LoadedFrequency:
@@ -119,17 +135,12 @@ Measured take_of(Take take, std::span<const double> time, std::span<const double
 
 namespace {
 
-/// Where a chain broke first, if it did; what the scene cuts is no break.
 void note_break(const Response& response, CaseResult& result) {
-  for (const ChainBreak& event : response.chain.events) {
-    for (const BrokenJoint& joint : event.joints) {
-      if (joint.cause == BreakCause::Cut) continue;
-      result.break_joint = joint.joint;
-      result.break_place = static_cast<double>(joint.joint) /
-                           static_cast<double>(std::max<std::int64_t>(result.segments, 1));
-      return;
-    }
-  }
+  const FirstBreak first = first_break(response);
+  if (first.event == nullptr) return;
+  result.break_joint = first.joint;
+  result.break_place = static_cast<double>(first.joint) /
+                       static_cast<double>(std::max<std::int64_t>(result.segments, 1));
 }
 
 }  // namespace
@@ -153,6 +164,9 @@ CaseResult result_of_run(const BatchRow& row, const Quantity& quantity) {
   if (is_chain) note_break(response, result);
   if (quantity.kind == QuantityKind::Probe) {
     measure_probe(response, quantity, result);
+  } else if (quantity.kind == QuantityKind::BreakPlace) {
+    if (is_complete(response.status)) result.value = result.break_place;
+    if (!result.value) result.reason = is_chain ? "nothing breaks" : "a coupon has none";
   } else if (is_complete(response.status)) {
     const Measured measured = quantity_of(response, quantity);
     result.value = measured.value;

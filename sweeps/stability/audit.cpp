@@ -114,7 +114,8 @@ void add_spread(const Shape& shape, double from, double to, const Space& total,
   }
 }
 
-/// All that acts on the beam from outside; empty if a load is of a kind that is not summed here.
+/// All that acts on the beam from outside; empty if a load or support is of a kind that is not
+/// summed here.
 std::optional<std::vector<Act>> acts_on(const Setup& setup, const Response& response,
                                         const Shape& shape) {
   const Scene& scene = setup.scene;
@@ -155,8 +156,15 @@ std::optional<std::vector<Act>> acts_on(const Setup& setup, const Response& resp
     const double weight =
         scene.material.density * area * scene.beam.length * scene.gravity_history.at(time);
     add_spread(shape, 0.0, 1.0, times(weight, scene.gravity), acts);
+    for (const PointMass& body : scene.masses) {
+      const double fraction = fraction_of(body.at, shape.ends());
+      const double pulls = body.mass * scene.gravity_history.at(time);
+      acts.push_back({fraction, false, shape.point(fraction), times(pulls, scene.gravity), {}});
+    }
   }
   for (std::size_t s = 0; s < scene.supports.size(); ++s) {
+    // Of a bed of springs the response has the sum alone.
+    if (scene.supports[s].to) return std::nullopt;
     const double fraction = fraction_of(scene.supports[s].at, shape.ends());
     acts.push_back({fraction, fraction == 0.0, shape.point(fraction), shape.reaction(s),
                     shape.reaction_moment(s)});

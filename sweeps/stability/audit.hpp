@@ -25,7 +25,7 @@ bool is_finite(const Setup& setup, const Response& response);
 ///   beyond it make about it, in the beam's present shape.
 ///
 /// Beams of other materials or sections along them are audited for their length alone, those whose
-/// joints shift for the sum of their forces.
+/// joints shift for the sum of their forces, and those on a bed of springs for length and caps.
 /// @return what is wrong; empty if nothing is
 std::optional<std::string> audit(const Setup& setup, const Response& response);
 

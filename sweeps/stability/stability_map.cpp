@@ -113,6 +113,10 @@ void add_axis(const Axis& axis, std::span<const StabilityRow> rows, const Lines&
 
 }  // namespace
 
+std::string_view class_colour(Validity validity) {
+  return kColours[static_cast<std::size_t>(validity)];
+}
+
 report::PlotScript stability_map(std::span<const StabilityRow> rows) {
   report::PlotScript script;
   const Lines lines = lines_of(rows);

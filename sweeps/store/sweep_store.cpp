@@ -275,7 +275,7 @@ void write_sweep_store(const std::string& path, const SweepRecord& record,
   Hdf5Group& root = file.root();
   io::write_schema(root, kSweepSchema, kSweepVersion);
   write_head(root, record);
-  root.write_texts("cases/id", record.ids);
+  root.write_texts(kCaseIds, record.ids);
   write_axes(root, record);
   write_position(root, record);
   write_results(root, record);
@@ -295,7 +295,7 @@ SweepRecord read_store(const std::string& path, int& version) {
   version = io::check_schema(root, kSweepSchema, kOldestSweepVersion, kSweepVersion);
   SweepRecord record;
   read_head(root, record);
-  record.ids = root.read_texts("cases/id");
+  record.ids = root.read_texts(kCaseIds);
   record.axes = read_axes(root);
   if (record.refined && *record.refined >= record.axes.size()) {
     throw InputError({path, 0}, "/sweep/refined_axis", std::to_string(*record.refined),

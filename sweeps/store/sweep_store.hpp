@@ -14,6 +14,8 @@ inline constexpr int kSweepVersion = 3;
 /// The oldest that is read: without references of curves (2), and without joints that broke and
 /// what errors lack (3), which is told by their axes.
 inline constexpr int kOldestSweepVersion = 1;
+/// The column that says who a case is: see `CaseTable::id`.
+inline constexpr std::string_view kCaseIds = "/cases/id";
 
 /// Writes the result file of a sweep (HDF5; layout: docs/hdf5.md). The same record gives the
 /// same bytes outside /meta. The file appears under its name when it is complete,

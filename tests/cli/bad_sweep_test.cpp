@@ -116,6 +116,23 @@ INSTANTIATE_TEST_SUITE_P(
               "check.toml:6: claim[2].name = order: is the name of the claim in line 1: each has "
               "its own"),
         check("UnknownClaim", "order = {", "orders = {", "check.toml:1: claim[1]: claims nothing…"),
+        check(
+            "AboutNothing", "sweep = 'sweep.toml'\n", "",
+            "check.toml:1: claim[1]: is about nothing: it needs one of sweep, scene, fit, result, "
+            "stability"),
+        check("OrderOfAScene", "sweep = 'sweep.toml'", "scene = 'scene.toml'",
+              "check.toml:4: claim[1].order = { at_least = 1.9 }: is about a sweep, not about a "
+              "scene"),
+        check("SceneWithoutProbe", "sweep = 'sweep.toml'\norder = { at_least = 1.9 }",
+              "scene = 'scene.toml'\nprobe = 'top'\nvalue = { at_most = '1 m' }",
+              "check.toml:4: claim[1].probe = top: is not a probe of the scene; it has tip"),
+        check("FitThatIsNone", "sweep = 'sweep.toml'\norder = { at_least = 1.9 }",
+              "fit = 'scene.toml'\nfailed = { at_most = 0 }", "scene.toml…"),
+        check("ResultThatIsNone", "sweep = 'sweep.toml'\norder = { at_least = 1.9 }",
+              "result = 'scene.toml'\nfailed = { at_most = 0 }", "scene.toml: is not an HDF5 file"),
+        check("ClaimThatCannotFail", "order = { at_least = 1.9 }", "failed = { at_most = 3 }",
+              "check.toml:4: claim[1].failed = { at_most = 3 }: holds whatever happens: there are "
+              "3"),
         called("NoFile", {"sweep", "none.toml"}, "none.toml: …"),
         called("OutputIsInput", {"sweep", "sweep.toml", "-o", "sweep.toml", "--force"},
                "--output = sweep.toml: …"),

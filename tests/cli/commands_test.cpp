@@ -16,8 +16,8 @@ namespace plastica::testing {
 namespace {
 
 constexpr const char* kCommands[] = {"calibrate", "inspect", "init",      "simulate",  "sweep",
-                                     "check",     "advise",  "recommend", "stability", "show",
-                                     "plot",      "export",  "fields"};
+                                     "check",     "advise",  "recommend", "stability", "diff",
+                                     "show",      "plot",    "export",    "fields"};
 
 /// Runs what must succeed without a word on stderr. @return what it wrote
 std::string output_of(const Workplace& place, const std::vector<std::string>& arguments) {
@@ -63,20 +63,6 @@ TEST(Command, HelpsIn80ColumnsAndSaysWhatAnOptionTakes) {
   EXPECT_TRUE(has(all, "--threads N"));
   EXPECT_TRUE(has(all, "--stress COLUMN[:UNIT]"));
   for (const char* type : {"TEXT ", "INT:", "UINT", "FLOAT"}) EXPECT_FALSE(has(all, type)) << type;
-}
-
-TEST(Command, StillTakesTheOldNameOfAnOptionAndSaysTheNewOne) {
-  const Workplace place;
-  const auto run_with = [&](const char* option) {
-    return place.run({"stability", "--only", "coupon", "--sample", "2", option, "10"});
-  };
-  const auto now = run_with("--max-work");
-  const auto old = run_with("--most-work");
-  EXPECT_EQ(now.code, 0) << now.err;
-  EXPECT_EQ(now.err, "");
-  EXPECT_EQ(old.code, 0) << old.err;
-  EXPECT_EQ(old.err, "plastica: --most-work is now --max-work\n");
-  EXPECT_EQ(old.out, now.out);
 }
 
 TEST(Command, ListsEveryFieldAtTheBeginningOfALine) {

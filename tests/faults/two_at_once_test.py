@@ -28,7 +28,7 @@ def commands():
     yield "export", ["export", "scene.h5", "--to", "json"], "out.json", "-o"
     yield "recommend", ["recommend", "swept.h5", "--within", "50 %"], "out.toml", "-o"
     yield "check", ["check", "check.toml", "--quiet"], "out.xml", "--junit"
-    yield "stability", ["stability", "--sample", "2", "--max-work", "1e3", "--quiet"], "out.csv", "-o"
+    yield "stability", ["stability", "limit.toml", "--vary", "scale.loads", "--quiet"], "out.csv", "-o"
 
 
 def content(path, command):

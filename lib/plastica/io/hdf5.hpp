@@ -166,6 +166,10 @@ class Hdf5Group {
                      std::span<const std::string> texts);
 
   bool has_attribute(std::string_view path, const std::string& name) const;
+  /// Names of all attributes of the group or dataset at a path, by name.
+  std::vector<std::string> attribute_names(std::string_view path) const;
+  /// What an attribute holds: Real, Integer, Text or Other. @throws InputError if there is none
+  Hdf5Kind attribute_kind(std::string_view path, const std::string& name) const;
   std::string text_attribute(std::string_view path, const std::string& name) const;
   std::vector<std::string> texts_attribute(std::string_view path, const std::string& name) const;
   double real_attribute(std::string_view path, const std::string& name) const;

@@ -44,6 +44,15 @@ bool read_strings(const Hdf5Handle& type, const Hdf5Handle& space, const Read& r
   return true;
 }
 
+Hdf5Kind kind_of_type(const Hdf5Handle& type) {
+  switch (H5Tget_class(type.get())) {
+    case H5T_FLOAT: return Hdf5Kind::Real;
+    case H5T_INTEGER: return Hdf5Kind::Integer;
+    case H5T_STRING: return Hdf5Kind::Text;
+    default: return Hdf5Kind::Other;
+  }
+}
+
 }  // namespace
 
 void Hdf5Group::refuse(std::string_view path, std::string_view rule) const {
@@ -93,13 +102,7 @@ Hdf5Kind Hdf5Group::kind(std::string_view path) const {
   const H5I_type_t sort = H5Iget_type(object.get());
   if (sort == H5I_GROUP) return Hdf5Kind::Group;
   if (sort != H5I_DATASET) return Hdf5Kind::Other;
-  const Hdf5Handle type(H5Dget_type(object.get()));
-  switch (H5Tget_class(type.get())) {
-    case H5T_FLOAT: return Hdf5Kind::Real;
-    case H5T_INTEGER: return Hdf5Kind::Integer;
-    case H5T_STRING: return Hdf5Kind::Text;
-    default: return Hdf5Kind::Other;
-  }
+  return kind_of_type(Hdf5Handle(H5Dget_type(object.get())));
 }
 
 Hdf5Group Hdf5Group::open_group(std::string_view path) const {
@@ -240,6 +243,24 @@ std::string Hdf5Group::read_text(std::string_view path) const {
 bool Hdf5Group::has_attribute(std::string_view path, const std::string& name) const {
   const Hdf5Handle object = open_object(path);
   return H5Aexists(object.get(), name.c_str()) > 0;
+}
+
+std::vector<std::string> Hdf5Group::attribute_names(std::string_view path) const {
+  const Hdf5Handle object = open_object(path);
+  std::vector<std::string> names;
+  const auto take = [](hid_t, const char* name, const H5A_info_t*, void* out) -> herr_t {
+    static_cast<std::vector<std::string>*>(out)->emplace_back(name);
+    return 0;
+  };
+  if (H5Aiterate2(object.get(), H5_INDEX_NAME, H5_ITER_INC, nullptr, take, &names) < 0) {
+    fail_to_read(path);
+  }
+  return names;
+}
+
+Hdf5Kind Hdf5Group::attribute_kind(std::string_view path, const std::string& name) const {
+  const Hdf5Handle attribute = open_attribute(path, name);
+  return kind_of_type(Hdf5Handle(H5Aget_type(attribute.get())));
 }
 
 Hdf5Handle Hdf5Group::open_attribute(std::string_view path, const std::string& name) const {

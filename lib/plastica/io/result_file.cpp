@@ -122,11 +122,12 @@ int check_schema(const Hdf5Group& root, std::string_view schema, int oldest, int
 }
 
 void write_run_id(Hdf5Group& root, const std::string& id) {
-  if (!id.empty()) root.set_attribute(".", "run", id);
+  if (!id.empty()) root.set_attribute(".", std::string(kRunAttribute), id);
 }
 
 std::string read_run_id(const Hdf5Group& root) {
-  return root.has_attribute(".", "run") ? root.text_attribute(".", "run") : std::string();
+  const std::string name(kRunAttribute);
+  return root.has_attribute(".", name) ? root.text_attribute(".", name) : std::string();
 }
 
 void write_inputs(Hdf5Group& root, const std::vector<InputText>& inputs) {
@@ -141,7 +142,7 @@ void write_inputs(Hdf5Group& root, const std::vector<InputText>& inputs) {
 }
 
 void write_meta(Hdf5Group& root, const RunMeta& meta) {
-  Hdf5Group group = root.group("meta");
+  Hdf5Group group = root.group(kMetaGroup);
   group.write_text("start_time", meta.start_time);
   group.write("seconds", meta.seconds, {"s"});
   group.write_text("host", meta.host);
@@ -167,7 +168,7 @@ std::vector<InputText> read_inputs(const Hdf5Group& root) {
 }
 
 RunMeta read_meta(const Hdf5Group& root) {
-  const Hdf5Group group = root.open_group("meta");
+  const Hdf5Group group = root.open_group(kMetaGroup);
   RunMeta meta;
   meta.start_time = group.read_text("start_time");
   constexpr std::array kRules{ValueRule{"meta/seconds", kNotNegative}};

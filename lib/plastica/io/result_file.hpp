@@ -19,6 +19,11 @@ struct InputText {
   std::string text;
 };
 
+/// The group of all that may differ between two runs of the same.
+inline constexpr std::string_view kMetaGroup = "meta";
+/// The attribute of the root that says who the run is: see `write_run_id`.
+inline constexpr std::string_view kRunAttribute = "run";
+
 /// All that may differ between two runs of the same; stored under /meta alone.
 struct RunMeta {
   std::string start_time;  ///< UTC, "2024-05-31T12:00:00Z"

@@ -4,7 +4,7 @@
 
 #include <fstream>
 
-#include "sweeps/check/verdict.hpp"
+#include "sweeps/check/run_check.hpp"
 #include "tests/lib/io/scratch_folder.hpp"
 #include "tests/support/message.hpp"
 

@@ -1,0 +1,139 @@
+#include "sweeps/stability/point_run.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+#include "plastica/report/format.hpp"
+#include "plastica/run/path_stops.hpp"
+#include "plastica/run/response_size.hpp"
+#include "plastica/run/simulate.hpp"
+#include "sweeps/advise/discretization.hpp"
+
+namespace plastica::sweeps::stability {
+namespace {
+
+using PointClock = std::chrono::steady_clock;
+
+/// A run that takes so many times its estimate is stopped.
+constexpr double kTimesEstimate = 20.0;
+
+/// The same scene, twice as fine in every axis; none where it is as fine as can be.
+std::optional<Setup> finer(const Setup& setup) {
+  const std::vector<FinenessAxis> axes = fineness_axes(setup);
+  const Setting own = own_setting(setup, axes);
+  Setting half;
+  for (std::size_t k = 0; k < axes.size(); ++k) half.push_back(axes[k].scaled(own[k], 0.5));
+  if (half == own) return std::nullopt;
+  return setup_at(setup, axes, half);
+}
+
+/// A limit load is an answer of a user's scene: only what every response must keep is known.
+Expectation nothing_known() {
+  Expectation expected;
+  expected.may_reverse = true;
+  return expected;
+}
+
+}  // namespace
+
+PointRunner::PointRunner(const Setup& setup, const SceneScanOptions& options)
+    : setup_(setup), options_(options), watched_(watched_probes(setup, {}).watched) {
+  fineness_axes(setup);  // refuses a coupon
+  own_work_ = work(setup);
+}
+
+double PointRunner::work(const Setup& setup) const {
+  const double segments = setup.scene.beam.segments;
+  if (setup.solver.analysis != Analysis::Dynamics) return segments * setup.solver.steps;
+  const FixedSteps steps =
+      fixed_steps(path_stops(setup.scene, setup.solver), setup.solver.time_step);
+  return segments * steps.count;
+}
+
+BatchRow PointRunner::simulated(const Setup& setup, double& steps) const {
+  BatchRow row;
+  check_memory(setup.scene, setup.solver);
+  const Model model = prepare(setup.scene, setup.solver);
+  row.response = make_response(model);
+  row.level = model.level;
+  row.in_motion = is_motion(model);
+  Workspace workspace = make_workspace(model);
+  // Adaptive steps have no estimate of their own.
+  const double estimate = work(setup) / std::max(1.0, double(setup.scene.beam.segments));
+  const bool adaptive = setup.solver.step_error > 0.0;
+  const double most = kTimesEstimate * estimate * (adaptive ? 100.0 : 10.0);
+  double taken = 0.0;
+  workspace.on_progress = [&](double /*time*/) { return ++taken < most; };
+  workspace.stop = options_.stop;
+  plastica::run(model, {}, workspace, row.response);
+  if (row.response.status == Status::Interrupted && !is_raised(options_.stop)) {
+    row.reason = "takes more than " + report::brief(most) + " steps";
+  }
+  steps = row.response.counters.steps;
+  return row;
+}
+
+bool PointRunner::is_own(const Outcome& outcome) const {
+  const Outcome& own = own_.outcome;
+  const auto same = [](const OneNumber& a, const OneNumber& b) {
+    return a.name == b.name && a.value == b.value;
+  };
+  return outcome.status == own.status && outcome.time == own.time &&
+         outcome.history == own.history && outcome.segments == own.segments &&
+         outcome.break_place == own.break_place &&
+         std::equal(outcome.numbers.begin(), outcome.numbers.end(), own.numbers.begin(),
+                    own.numbers.end(), same);
+}
+
+void PointRunner::compare_with_finer(const Setup& setup, JudgedRun& run) const {
+  const std::optional<Setup> fine = finer(setup);
+  if (!fine) return;
+  double steps = 0.0;
+  const Outcome other = outcome_of(simulated(*fine, steps), watched_);
+  const Deviation off = deviation(run.outcome, other, watched_);
+  run.compared = true;
+  run.deviation = off.largest;
+  run.quantity = off.quantity;
+  if (off.largest <= options_.within) return;
+  run.verdict.validity = Validity::Inaccurate;
+  if (!usable(other.status)) {
+    run.verdict.reason = "a run twice as fine is " + std::string(name_of(other.status));
+  } else if (!off.reason.empty()) {
+    run.verdict.reason = off.reason;
+  } else {
+    run.verdict.reason = off.quantity + " is off a run twice as fine by " +
+                         report::significant(100.0 * off.largest, 3) + " %";
+  }
+}
+
+JudgedRun PointRunner::run(const Setup& setup) const {
+  const auto begin = PointClock::now();
+  JudgedRun run;
+  try {
+    double steps = 0.0;
+    const BatchRow row = simulated(setup, steps);
+    run.outcome = outcome_of(row, watched_);
+    run.energy_balance_error = row.response.energy_balance_error;
+    run.segment_steps = steps * setup.scene.beam.segments;
+    run.level = row.level;
+    run.verdict = judge(setup, row.response, nothing_known());
+    const bool limit = run.verdict.validity == Validity::Failed && usable(run.outcome.status);
+    if (limit) run.verdict = {};  // of an elastic beam that snaps: an answer, if it converges
+    if (!row.reason.empty()) run.verdict.reason = row.reason;
+    if (run.verdict.validity == Validity::Valid) compare_with_finer(setup, run);
+  } catch (const InputError& error) {
+    run.outcome.status = Status::Rejected;
+    run.verdict = {Validity::Failed, error.what()};
+  }
+  run.seconds = std::chrono::duration<double>(PointClock::now() - begin).count();
+  return run;
+}
+
+JudgedRun PointRunner::run_own() {
+  prepare(setup_.scene, setup_.solver);
+  own_ = run(setup_);
+  return own_;
+}
+
+}  // namespace plastica::sweeps::stability

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "sweeps/advise/watched_probes.hpp"
+#include "sweeps/stability/scene_scan.hpp"
+
+/// Parts of the scan of a user's scene; not installed.
+namespace plastica::sweeps::stability {
+
+/// A run of one setup, judged.
+struct JudgedRun {
+  Verdict verdict{};
+  Outcome outcome{};
+  Level level = Level::Auto;
+  double deviation = 0.0;  ///< from the finer run [1]
+  std::string quantity{};  ///< whose that is
+  bool compared = false;   ///< whether there was one
+  double energy_balance_error = 0.0;
+  double segment_steps = 0.0;
+  double seconds = 0.0;
+};
+
+/// Runs setups that differ from a scene, and judges them.
+class PointRunner {
+ public:
+  /// @throws InputError if the scene has no probe to look at
+  PointRunner(const Setup& setup, const SceneScanOptions& options);
+
+  /// The scene as it is; to be run first. @throws InputError if it is bad input
+  JudgedRun run_own();
+  /// One that differs.
+  JudgedRun run(const Setup& setup) const;
+  /// Segments times steps that a run is estimated to take [1].
+  double work(const Setup& setup) const;
+  double own_work() const { return own_work_; }
+
+  /// Whether a run gave what the scene's own gives, bit by bit.
+  bool is_own(const Outcome& outcome) const;
+
+ private:
+  BatchRow simulated(const Setup& setup, double& steps) const;
+  void compare_with_finer(const Setup& setup, JudgedRun& run) const;
+
+  const Setup& setup_;
+  const SceneScanOptions& options_;
+  std::vector<WatchedProbe> watched_;
+  double own_work_ = 0.0;
+  JudgedRun own_{};
+};
+
+}  // namespace plastica::sweeps::stability

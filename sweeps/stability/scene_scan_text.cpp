@@ -1,0 +1,130 @@
+#include "sweeps/stability/scene_scan_text.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <vector>
+
+#include "plastica/report/format.hpp"
+#include "plastica/report/table.hpp"
+#include "sweeps/stability/stability_map.hpp"
+
+namespace plastica::sweeps::stability {
+namespace {
+
+std::string_view word_of_class(const Verdict& verdict) {
+  return kValidity[static_cast<std::size_t>(verdict.validity)];
+}
+
+/// Why a field is not followed further: "at 4 inaccurate: tip: history is off …".
+std::string end_text(const ScanLimit& limit, const SceneScanOptions& options) {
+  switch (limit.end) {
+    case ScanEnd::Verdict:
+      return fmt::format("at {} {}: {}", report::brief(limit.next), word_of_class(limit.verdict),
+                         limit.verdict.reason);
+    case ScanEnd::Range: return "up to the end of what is allowed";
+    case ScanEnd::Reach: return fmt::format("as far as it was followed, by {:g}", options.reach);
+    case ScanEnd::Work:
+      return fmt::format("then a run would take more than {:g} times the work", options.max_work);
+    case ScanEnd::Whole: break;
+  }
+  return "there is no whole number within what it was followed by";
+}
+
+std::string own_text(const SceneScan& scan) {
+  std::string text = fmt::format("  own values  {}", word_of_class(scan.own));
+  if (!scan.own.reason.empty()) {
+    text += ": " + scan.own.reason;
+  } else if (scan.deviation) {
+    text += fmt::format(": {:.3g} % off a run twice as fine", 100.0 * *scan.deviation);
+    if (!scan.quantity.empty()) text += " (" + scan.quantity + ")";
+  }
+  return text + "\n";
+}
+
+void add_field(const ScannedField& one, const SceneScanOptions& options, report::Table& table) {
+  const std::string_view unit = si_unit(one.field->dimension);
+  const auto text = [](double value) { return report::brief(value); };
+  table.add({std::string(one.field->path), unit == "1" ? "" : std::string(unit),
+             text(one.below.value), text(one.value), text(one.above.value)});
+  table.add_note("below: " + end_text(one.below, options));
+  table.add_note("above: " + end_text(one.above, options));
+}
+
+}  // namespace
+
+std::string scene_scan_text(const SceneScan& scan, const SceneScanOptions& options) {
+  std::string text = report::printable(scan.scene) +
+                     ": how far each number may go, the others as they are\n" + own_text(scan);
+  if (scan.fields.empty()) {
+    if (scan.own.validity == Validity::Inaccurate) {
+      text += "  nothing was varied: plastica advise says how fine the scene must be\n";
+    }
+    return text;
+  }
+  using Align = report::Table::Align;
+  report::Table table({{"field", Align::Left}, {"", Align::Left}, {"from"}, {"value"}, {"to"}});
+  std::string without_effect;
+  for (const ScannedField& one : scan.fields) {
+    if (one.matters()) {
+      add_field(one, options, table);
+    } else {
+      without_effect += (without_effect.empty() ? "" : ", ") + std::string(one.field->path);
+    }
+  }
+  text += "\n" + table.text(2, 120);
+  if (!without_effect.empty()) {
+    text += "\n" + report::wrapped("  change no probe: ", without_effect, 100);
+  }
+  const auto undetected = std::count_if(
+      scan.rows.begin(), scan.rows.end(),
+      [](const StabilityRow& row) { return row.verdict.validity == Validity::Undetected; });
+  text += fmt::format("\n{} run, {} undetected {}\n", report::counted(scan.rows.size(), "point"),
+                      undetected, undetected == 1 ? "error" : "errors");
+  return text;
+}
+
+report::PlotScript pair_map(std::span<const StabilityRow> rows, const Setup& setup,
+                            const Field& first, const Field& second) {
+  // The size of a number; what is negative is as large as its opposite.
+  const auto place = [](double value) { return std::log10(std::fabs(value)); };
+  const auto label = [](const Field& field) {
+    const std::string_view unit = si_unit(field.dimension);
+    return report::in_quotes("lg " + std::string(field.path) +
+                             (unit == "1" ? "" : " [" + std::string(unit) + "]"));
+  };
+  std::array<std::vector<std::vector<double>>, 4> points;
+  for (const StabilityRow& row : rows) {
+    points[static_cast<std::size_t>(row.verdict.validity)].push_back(
+        {place(row.at[0].value), place(row.at[1].value)});
+  }
+  report::PlotScript script;
+  script.begin_panels(1, "each point a run");
+  script.begin_panel(report::in_quotes(""));
+  script.command("set xlabel " + label(first));
+  script.command("set ylabel " + label(second));
+  script.command("set offsets graph 0.06, graph 0.06, graph 0.06, graph 0.06");
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    if (points[k].empty()) continue;
+    script.add_series(script.add_points(points[k]),
+                      fmt::format("using 1:2 with points pointtype 5 pointsize 1.5 linecolor rgb "
+                                  "'{}'",
+                                  class_colour(static_cast<Validity>(k))),
+                      k == 3 ? "undetected error" : kValidity[k]);
+  }
+  const auto own = [&](const Field& field) {
+    const FieldValue value = field.get(setup);
+    return place(std::get<double>(value));
+  };
+  script.add_series(script.add_points({{own(first), own(second)}}),
+                    fmt::format("using 1:2 with points pointtype 6 pointsize 3 linewidth 2 "
+                                "linecolor rgb '{}'",
+                                report::kDark),
+                    "the scene's own");
+  script.end_panel();
+  return script;
+}
+
+}  // namespace plastica::sweeps::stability

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <span>
+#include <string>
+
+#include "plastica/report/plot_script.hpp"
+#include "sweeps/stability/scene_scan.hpp"
+
+namespace plastica::sweeps::stability {
+
+/// A table of the fields: value, from where to where a result is valid, and what comes beyond;
+/// then the fields on which no result depends.
+std::string scene_scan_text(const SceneScan& scan, const SceneScanOptions& options);
+
+/// The points of a grid of two fields, each in the colour of its class, the scene's own values
+/// marked. @param rows  as `scan_pair` gives them, not empty
+report::PlotScript pair_map(std::span<const StabilityRow> rows, const Setup& setup,
+                            const Field& first, const Field& second);
+
+}  // namespace plastica::sweeps::stability
