@@ -6,6 +6,7 @@
 
 #include "plastica/report/format.hpp"
 #include "plastica/theory/spectrum.hpp"
+#include "sweeps/run/first_break.hpp"
 
 namespace plastica::sweeps {
 namespace {
@@ -38,14 +39,13 @@ std::vector<double> times_of(const Response& response) {
 }
 
 Measured chain_quantity(const Response& response, const Quantity& quantity) {
-  const auto& events = response.chain.events;
   if (quantity.kind == QuantityKind::LimitLoad) {
     if (!response.limit) return {std::nullopt, "there is no limit load"};
     return {response.limit->below, {}};
   }
-  if (events.empty()) return {std::nullopt, "nothing breaks"};
-  if (quantity.kind == QuantityKind::BreakTime) return {events.front().time, {}};
-  return {events.front().factor, {}};
+  const auto broken = first_break(response.chain);
+  if (!broken) return {std::nullopt, "nothing breaks"};
+  return {quantity.kind == QuantityKind::BreakTime ? broken->time : broken->factor, {}};
 }
 
 Measured coupon_quantity(const Response& response, const Quantity& quantity) {
@@ -117,23 +117,6 @@ Measured take_of(Take take, std::span<const double> time, std::span<const double
   return {values.back(), {}};
 }
 
-namespace {
-
-/// Where a chain broke first, if it did; what the scene cuts is no break.
-void note_break(const Response& response, CaseResult& result) {
-  for (const ChainBreak& event : response.chain.events) {
-    for (const BrokenJoint& joint : event.joints) {
-      if (joint.cause == BreakCause::Cut) continue;
-      result.break_joint = joint.joint;
-      result.break_place = static_cast<double>(joint.joint) /
-                           static_cast<double>(std::max<std::int64_t>(result.segments, 1));
-      return;
-    }
-  }
-}
-
-}  // namespace
-
 CaseResult result_of_run(const BatchRow& row, const Quantity& quantity) {
   const Response& response = row.response;
   CaseResult result;
@@ -150,7 +133,12 @@ CaseResult result_of_run(const BatchRow& row, const Quantity& quantity) {
     result.last_time = is_chain ? response.chain.time[response.samples - 1]
                                 : static_cast<double>(response.samples);
   }
-  if (is_chain) note_break(response, result);
+  if (is_chain) {
+    if (const auto broken = first_break(response.chain)) {
+      result.break_joint = broken->joint;
+      result.break_place = broken->place;
+    }
+  }
   if (quantity.kind == QuantityKind::Probe) {
     measure_probe(response, quantity, result);
   } else if (is_complete(response.status)) {
