@@ -1,10 +1,12 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-#include <cmath>
+#include <array>
 #include <filesystem>
+#include <iostream>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -18,6 +20,9 @@
 #include "plastica/io/result_file.hpp"
 #include "plastica/io/scene_file.hpp"
 #include "plastica/io/text_file.hpp"
+#include "plastica/report/picture.hpp"
+#include "sweeps/advise/advice_json.hpp"
+#include "sweeps/advise/advice_plot.hpp"
 #include "sweeps/advise/advice_text.hpp"
 #include "sweeps/trade/written_scene.hpp"
 
@@ -27,7 +32,10 @@ namespace {
 struct AdviseArguments {
   std::string scene;
   std::string within;
+  std::string budget;
   std::string output;
+  std::string json;
+  std::string plot;
   sweeps::AdviceOptions options;
   bool force = false;
   bool quiet = false;
@@ -48,16 +56,62 @@ std::string advised_scene(const io::SceneFile& file, const sweeps::Advice& advic
   for (std::size_t k = 0; k < advice.axes.size(); ++k) {
     values.emplace_back(advice.axes[k].field, advice.setting[k]);
   }
-  return sweeps::scene_with_values(file.text, values,
-                                   sweeps::setup_at(file.setup, advice.axes, advice.setting));
+  const Setup wanted = sweeps::advised_setup(file.setup, advice);
+  for (const sweeps::WordAxis& axis : advice.word_axes) {
+    for (const auto& [field, word] : axis.choices.front().values) {
+      const FieldValue value = field->get(wanted);
+      if (value != field->get(file.setup)) values.emplace_back(field, value);
+    }
+  }
+  return sweeps::scene_with_values(file.text, values, wanted);
+}
+
+/// Fills in what is asked for: an error or a time.
+void take_wish(AdviseArguments& arguments) {
+  if (arguments.within.empty() == arguments.budget.empty()) {
+    throw InputError({}, "advise", "", "needs one of --within and --budget");
+  }
+  if (!arguments.within.empty()) {
+    arguments.options.within = fraction_of("--within", arguments.within);
+    return;
+  }
+  arguments.options.budget = seconds_of("--budget", arguments.budget).value_or(0.0);
+  if (!(arguments.options.budget > 0.0)) {
+    throw InputError({}, "--budget", arguments.budget, "must be above 0 s");
+  }
+}
+
+void check_outputs_of(const AdviseArguments& arguments) {
+  const std::array<std::pair<std::string_view, const std::string*>, 3> outputs{
+      {{"-o", &arguments.output}, {"--json", &arguments.json}, {"--plot", &arguments.plot}}};
+  for (std::size_t i = 0; i < outputs.size(); ++i) {
+    const auto& [option, path] = outputs[i];
+    if (path->empty() || (option == "--plot" && *path == "-")) continue;
+    if (option == "--plot") report::check_picture_output(*path);
+    refuse_input(option, *path, arguments.scene);
+    io::check_output_path(*path, arguments.force);
+    for (std::size_t k = 0; k < i; ++k) {
+      if (!outputs[k].second->empty()) refuse_own_files(option, *path, *outputs[k].second);
+    }
+  }
+}
+
+void write_reports(const AdviseArguments& arguments, const sweeps::Advice& advice,
+                   const std::string& name) {
+  const io::Overwrite overwrite = io::overwrite_if(arguments.force);
+  if (!arguments.json.empty()) {
+    io::write_text_file(arguments.json, sweeps::advice_json(advice, arguments.options, name),
+                        overwrite);
+    tell("wrote {}\n", arguments.json);
+  }
+  if (arguments.plot.empty()) return;
+  sweeps::draw_advice(advice, arguments.options, name, arguments.plot, std::cout, overwrite);
+  if (arguments.plot != "-") tell("wrote {}\n", arguments.plot);
 }
 
 int advise(AdviseArguments arguments) {
-  arguments.options.within = fraction_of("--within", arguments.within);
-  if (!arguments.output.empty()) {
-    refuse_input("-o", arguments.output, arguments.scene);
-    io::check_output_path(arguments.output, arguments.force);
-  }
+  take_wish(arguments);
+  check_outputs_of(arguments);
   const io::SceneFile file = io::read_scene_file(arguments.scene);
   for (const std::string& note : file.notes) tell("note: {}\n", note);
   const sweeps::Advice advice =
@@ -65,6 +119,7 @@ int advise(AdviseArguments arguments) {
   const std::string name = std::filesystem::path(arguments.scene).filename().string();
   fmt::print("{}", sweeps::advice_text(advice, arguments.options, name));
   if (advice.end == sweeps::AdviceEnd::Interrupted) return kInterrupted;
+  write_reports(arguments, advice, name);
   if (advice.end != sweeps::AdviceEnd::Found) return kNotAcceptable;
   if (!arguments.output.empty()) {
     io::write_text_file(arguments.output, advised_scene(file, advice),
@@ -78,23 +133,29 @@ int advise(AdviseArguments arguments) {
 
 void add_advise(CLI::App& app, Action& action) {
   CLI::App* sub = app.add_subcommand(
-      "advise", "Choose segments, time step and fibres of a scene for an error that is allowed");
+      "advise", "Choose model, segments and time step of a scene for an error or a time");
   auto arguments = std::make_shared<AdviseArguments>();
   sub->add_option("scene", arguments->scene, "Scene file")->required()->option_text("FILE");
-  sub->add_option("--within", arguments->within, "The error that is allowed: \"1 %\"")
-      ->required()
+  sub->add_option("--within", arguments->within, "Take the cheapest within this error: \"1 %\"")
       ->option_text("ERROR");
+  sub->add_option("--budget", arguments->budget,
+                  "Take the most accurate whose run takes no more CPU time: \"2 ms\"")
+      ->option_text("TIME");
   sub->add_option("--of", arguments->options.probes,
                   "Look at these probes; without it at all of the scene")
       ->option_text("PROBE...");
   sub->add_option("-o,--output", arguments->output, "Write the scene with what is advised")
+      ->option_text("FILE");
+  add_json_option(*sub, arguments->json);
+  sub->add_option("--plot", arguments->plot,
+                  "Also draw error over cost of all runs: .svg, .png, .pdf, .gp, - (terminal)")
       ->option_text("FILE");
   sub->add_option("--max-runs", arguments->options.max_runs, "Run the scene at most N times")
       ->check(CLI::Range(4, 10'000))
       ->option_text("N")
       ->capture_default_str();
   sub->add_option("--max-work", arguments->options.max_work,
-                  "Let all runs together take at most N segment-iterations")
+                  "Let all runs together cost at most N segment-iterations")
       ->check(CLI::PositiveNumber)
       ->option_text("N")
       ->capture_default_str();
@@ -104,8 +165,9 @@ void add_advise(CLI::App& app, Action& action) {
   sub->footer(
       "Example:\n"
       "  plastica advise scene.toml --within \"1 %\" -o advised.toml\n"
-      "Exit code 1 if no setting is within the error, or none was found within\n"
-      "--max-runs and --max-work.");
+      "  plastica advise scene.toml --budget \"2 ms\" --plot trade.svg\n"
+      "Exit code 1 if no setting is within the error or the time, or none was found\n"
+      "within --max-runs and --max-work.");
   sub->callback([&action, arguments] { action = [arguments] { return advise(*arguments); }; });
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <string_view>
 #include <variant>
 
@@ -42,6 +43,40 @@ FinenessAxis time_axis(const Setup& setup) {
   return axis_of("solver.time_step", steps.longest, steps.longest / kMostStepsOfASample);
 }
 
+/// Refuses what has another meaning with another number of segments.
+void refuse_numbered(const Scene& scene, const SolverOptions& solver) {
+  if (!scene.beam.segment_fractions.empty()) {
+    throw InputError({}, "beam.segment_lengths", "",
+                     "fixes the segments, whose number is to be advised");
+  }
+  if (!scene.beam.joint_lengths.empty()) {
+    throw InputError({}, "beam.joint_lengths", "",
+                     "fixes the segments, whose number is to be advised");
+  }
+  const auto refuse = [](const std::optional<Place>& place, std::string_view what) {
+    if (!place || !place->segment) return;
+    throw InputError({}, what, "",
+                     "is the end of a segment, which moves with their number: give a fraction");
+  };
+  refuse(solver.control_at, "solver.control_at");
+  for (const Support& one : scene.supports) {
+    refuse(one.at, "support.at");
+    refuse(one.to, "support.to");
+  }
+  for (const Load& one : scene.loads) {
+    refuse(one.at, "load.at");
+    refuse(one.to, "load.to");
+  }
+  for (const PointMass& one : scene.masses) refuse(one.at, "mass.at");
+  for (const Probe& one : scene.probes) refuse(one.at, "probe.at");
+  for (const Cut& one : scene.cuts) refuse(one.at, "cut.at");
+  for (const InitialMotion& one : scene.initial_motions) {
+    refuse(one.from, "initial_motion.from");
+    refuse(one.to, "initial_motion.to");
+    refuse(one.about, "initial_motion.about");
+  }
+}
+
 }  // namespace
 
 double FinenessAxis::size(double value) const {
@@ -61,6 +96,7 @@ std::vector<FinenessAxis> fineness_axes(const Setup& setup) {
                      "makes the scene a coupon, which has neither segments nor "
                      "steps to choose");
   }
+  refuse_numbered(setup.scene, setup.solver);
   std::vector<FinenessAxis> axes{axis_of("beam.segments", kFewestSegments, kMostSegments)};
   const bool moves = setup.solver.analysis == Analysis::Dynamics;
   const bool yields = setup.scene.yield_model != YieldModel::Elastic;

@@ -26,7 +26,8 @@ using Setting = std::vector<double>;
 /// The axes that a scene has: its segments; the time step of a motion with fixed steps, or what a
 /// step may be off with adaptive ones; fibres of a fibre section; the recorded steps of a path at
 /// rest that yields, which advice never makes fewer.
-/// @throws InputError for a coupon, whose run has no such error
+/// @throws InputError for a coupon, whose run has no such error, and for a scene that says
+///         something by the number of a segment
 std::vector<FinenessAxis> fineness_axes(const Setup& setup);
 
 /// The scene with a setting.

@@ -10,21 +10,10 @@
 #include <utility>
 
 #include "plastica/base/status.hpp"
+#include "sweeps/run/first_break.hpp"
 
 namespace plastica::sweeps {
 namespace {
-
-void note_break(const ChainHistory& chain, Outcome& outcome) {
-  for (const ChainBreak& event : chain.events) {
-    for (const BrokenJoint& joint : event.joints) {
-      if (joint.cause == BreakCause::Cut) continue;
-      outcome.numbers.push_back({"time of the first break", event.time});
-      outcome.break_place =
-          static_cast<double>(joint.joint) / static_cast<double>(chain.joints - 1);
-      return;
-    }
-  }
-}
 
 void note_each(std::string_view name, std::span<const double> values, Outcome& outcome) {
   for (std::size_t i = 0; i < values.size(); ++i) {
@@ -33,7 +22,10 @@ void note_each(std::string_view name, std::span<const double> values, Outcome& o
 }
 
 void note_numbers(const Response& response, Outcome& outcome) {
-  note_break(response.chain, outcome);
+  if (const auto broken = first_break(response.chain)) {
+    outcome.numbers.push_back({"time of the first break", broken->time});
+    outcome.break_place = broken->place;
+  }
   if (response.limit) outcome.numbers.push_back({"limit load", response.limit->below});
   if (response.critical) note_each("critical load", response.critical->factor, outcome);
   if (response.buckling) note_each("buckling factor", response.buckling->factor, outcome);
@@ -93,9 +85,7 @@ std::string break_text(const Outcome& outcome) {
 
 /// Why the two are not one outcome, but for its numbers; empty: they are.
 std::string other_outcome(const Outcome& coarse, const Outcome& fine) {
-  const double apart = 1.5 / static_cast<double>(std::min(coarse.segments, fine.segments));
-  if (coarse.break_place.has_value() != fine.break_place.has_value() ||
-      (coarse.break_place && std::abs(*coarse.break_place - *fine.break_place) > apart)) {
+  if (!break_alike(coarse.break_place, coarse.segments, fine.break_place, fine.segments)) {
     return fmt::format("it {}, and finer it {}", break_text(coarse), break_text(fine));
   }
   if (coarse.status != fine.status) {
@@ -135,6 +125,10 @@ Outcome outcome_of(const BatchRow& row, const std::vector<WatchedProbe>& watched
   }
   note_numbers(response, outcome);
   return outcome;
+}
+
+bool end_alike(const Outcome& coarse, const Outcome& fine) {
+  return other_outcome(coarse, fine).empty();
 }
 
 Deviation deviation(const Outcome& coarse, const Outcome& fine,

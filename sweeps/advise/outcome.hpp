@@ -48,12 +48,14 @@ struct Deviation {
   int quantities = 0;      ///< that were compared: 0 where all stays within rounding
 };
 
+/// Whether two runs come to the same kind of end: one status, the same numbers, and breaks alike.
+bool end_alike(const Outcome& coarse, const Outcome& fine);
+
 /// Compares two runs of one scene, at the times of which both have a sample. Of each watched probe,
 /// over the largest size that the finer run has of it: the largest size and the last value; and the
 /// history, the root mean square of its difference over that of the finer one. Of the time of the
 /// first break, a limit load, buckling factors and frequencies the difference over the finer run's.
-/// Where the one breaks and the other does not, or they break more than a segment and a half of the
-/// coarser apart, they cannot be compared.
+/// Two that do not break alike (`break_alike`) cannot be compared.
 Deviation deviation(const Outcome& coarse, const Outcome& fine,
                     const std::vector<WatchedProbe>& watched);
 

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sweeps/run/first_break.hpp"
+
 namespace plastica::sweeps {
 namespace {
 
@@ -57,13 +59,8 @@ std::string outcome_of(const CaseResult& result) {
 }  // namespace
 
 bool end_alike(const CaseResult& one, const CaseResult& other) {
-  if (one.status != other.status) return false;
-  if (one.break_place.has_value() != other.break_place.has_value()) return false;
-  if (!one.break_place) return true;
-  const auto segments =
-      static_cast<double>(std::max<std::int64_t>(std::min(one.segments, other.segments), 1));
-  const double room = (1.0 + 1e-9) / segments;
-  return std::abs(*one.break_place - *other.break_place) <= room;
+  return one.status == other.status &&
+         break_alike(one.break_place, one.segments, other.break_place, other.segments);
 }
 
 std::string other_end(const CaseResult& result, const CaseResult& reference) {

@@ -24,8 +24,7 @@ std::vector<std::size_t> line_of_finest(const Sweep& sweep, const ReferenceSets&
                                         const ReferenceSet& set, std::size_t axis,
                                         const std::vector<CaseResult>& results);
 
-/// Whether two runs end in the same way: with one status, and if a joint breaks, at one place,
-/// within a segment of the coarser one.
+/// Whether two runs end in the same way: with one status, and breaking alike (`break_alike`).
 bool end_alike(const CaseResult& one, const CaseResult& other);
 
 /// How a run ends that does not end as its reference does: "breaks at joint 5, the reference at

@@ -6,6 +6,7 @@
 
 #include "plastica/report/format.hpp"
 #include "plastica/theory/spectrum.hpp"
+#include "sweeps/run/first_break.hpp"
 
 namespace plastica::sweeps {
 namespace {
@@ -38,29 +39,14 @@ std::vector<double> times_of(const Response& response) {
 }
 
 /// Where and when a chain broke first; what the scene cuts is no break.
-struct FirstBreak {
-  const ChainBreak* event = nullptr;  ///< null: nothing breaks
-  int joint = -1;
-};
-
-FirstBreak first_break(const Response& response) {
-  for (const ChainBreak& event : response.chain.events) {
-    for (const BrokenJoint& joint : event.joints) {
-      if (joint.cause != BreakCause::Cut) return {&event, joint.joint};
-    }
-  }
-  return {};
-}
-
 Measured chain_quantity(const Response& response, const Quantity& quantity) {
   if (quantity.kind == QuantityKind::LimitLoad) {
     if (!response.limit) return {std::nullopt, "there is no limit load"};
     return {response.limit->below, {}};
   }
-  const FirstBreak first = first_break(response);
-  if (first.event == nullptr) return {std::nullopt, "nothing breaks"};
-  if (quantity.kind == QuantityKind::BreakTime) return {first.event->time, {}};
-  return {first.event->factor, {}};
+  const auto broken = first_break(response.chain);
+  if (!broken) return {std::nullopt, "nothing breaks"};
+  return {quantity.kind == QuantityKind::BreakTime ? broken->time : broken->factor, {}};
 }
 
 Measured coupon_quantity(const Response& response, const Quantity& quantity) {
@@ -133,18 +119,6 @@ Measured take_of(Take take, std::span<const double> time, std::span<const double
   return {values.back(), {}};
 }
 
-namespace {
-
-void note_break(const Response& response, CaseResult& result) {
-  const FirstBreak first = first_break(response);
-  if (first.event == nullptr) return;
-  result.break_joint = first.joint;
-  result.break_place = static_cast<double>(first.joint) /
-                       static_cast<double>(std::max<std::int64_t>(result.segments, 1));
-}
-
-}  // namespace
-
 CaseResult result_of_run(const BatchRow& row, const Quantity& quantity) {
   const Response& response = row.response;
   CaseResult result;
@@ -161,7 +135,12 @@ CaseResult result_of_run(const BatchRow& row, const Quantity& quantity) {
     result.last_time = is_chain ? response.chain.time[response.samples - 1]
                                 : static_cast<double>(response.samples);
   }
-  if (is_chain) note_break(response, result);
+  if (is_chain) {
+    if (const auto broken = first_break(response.chain)) {
+      result.break_joint = broken->joint;
+      result.break_place = broken->place;
+    }
+  }
   if (quantity.kind == QuantityKind::Probe) {
     measure_probe(response, quantity, result);
   } else if (quantity.kind == QuantityKind::BreakPlace) {

@@ -26,6 +26,32 @@ TEST_F(Advise, WritesTheSceneWithWhatItAdvises) {
   EXPECT_EQ(place_.run({"simulate", "advised.toml", "-o", "advised.h5"}).code, 0);
 }
 
+TEST_F(Advise, WritesTheWordsThatItChooses) {
+  // 0.25 m deep: shear is 4.6 % of the tip's displacement.
+  std::string text = place_.read(scene_);
+  const std::string size = "\"20 mm\"";
+  for (std::size_t at = text.find(size); at != std::string::npos; at = text.find(size)) {
+    text.replace(at, size.size(), "\"250 mm\"");
+  }
+  place_.write("stocky.toml", text);
+  const CommandResult advised =
+      place_.run({"advise", "stocky.toml", "--within", "1 %", "-o", "advised.toml", "--json",
+                  "advice.json", "--plot", "advice.svg"});
+  ASSERT_EQ(advised.code, 0) << advised.err;
+  EXPECT_NE(advised.out.find("rigid would be "), std::string::npos) << advised.out;
+  EXPECT_NE(place_.read("advised.toml").find("translation = \"elastic\""), std::string::npos);
+  EXPECT_NE(place_.read("advice.json").find("\"word\": \"elastic\""), std::string::npos);
+  EXPECT_NE(place_.read("advice.svg").find("Pareto front"), std::string::npos);
+}
+
+TEST_F(Advise, TakesABudgetOfTime) {
+  const CommandResult advised = place_.run({"advise", scene_, "--budget", "20 ms"});
+  ASSERT_EQ(advised.code, 0) << advised.err;
+  EXPECT_NE(advised.out.find("cantilever.toml, for 20 ms:"), std::string::npos) << advised.out;
+  const CommandResult none = place_.run({"advise", scene_, "--budget", "1 ns"});
+  EXPECT_EQ(none.code, 1) << none.out;
+}
+
 TEST_F(Advise, RefusesInOneLine) {
   const auto refusal = [&](std::vector<std::string> words) {
     words.insert(words.begin(), {"advise", scene_});
@@ -38,6 +64,13 @@ TEST_F(Advise, RefusesInOneLine) {
   EXPECT_EQ(refusal({"--within", "1 %", "--of", "top"}),
             "plastica: --of = top: is no probe of the scene\n");
   EXPECT_NE(refusal({"--within", "1 %", "-o", scene_}).find("-o"), std::string::npos);
+  EXPECT_EQ(refusal({}), "plastica: advise: needs one of --within and --budget\n");
+  EXPECT_EQ(refusal({"--within", "1 %", "--budget", "2 ms"}),
+            "plastica: advise: needs one of --within and --budget\n");
+  EXPECT_EQ(refusal({"--budget", "0 s"}), "plastica: --budget = 0 s: must be above 0 s\n");
+  EXPECT_NE(refusal({"--within", "1 %", "--plot", "a.txt"}).find("a.txt"), std::string::npos);
+  EXPECT_NE(refusal({"--within", "1 %", "--json", "a.svg", "--plot", "a.svg"}).find("--plot"),
+            std::string::npos);
 }
 
 }  // namespace

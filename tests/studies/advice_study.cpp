@@ -44,25 +44,15 @@ bool is_full() {
   return study != nullptr && std::string(study) == "full";
 }
 
-std::vector<Outcome> run_settings(const Setup& setup, const std::vector<FinenessAxis>& axes,
-                                  const std::vector<Setting>& settings,
-                                  const std::vector<WatchedProbe>& watched) {
+std::vector<Outcome> run_all(const std::vector<Setup>& setups,
+                             const std::vector<WatchedProbe>& watched) {
   std::vector<BatchCase> cases;
-  for (const Setting& setting : settings) {
-    const Setup at = setup_at(setup, axes, setting);
-    cases.push_back({std::to_string(cases.size()), at.scene, at.solver});
+  for (const Setup& setup : setups) {
+    cases.push_back({std::to_string(cases.size()), setup.scene, setup.solver});
   }
   std::vector<Outcome> outcomes;
   for (const BatchRow& row : run_batch(cases)) outcomes.push_back(outcome_of(row, watched));
   return outcomes;
-}
-
-Setting times_finer(const Setup& setup, const Advice& advice, double factor) {
-  Setting finer = advice.setting;
-  for (std::size_t k = 0; k < finer.size(); ++k) {
-    finer[k] = advice.axes[k].scaled(finer[k], 1.0 / factor);
-  }
-  return taken_setting(setup, advice.axes, finer);
 }
 
 /// How far a run is off a closed form, over the largest size that a probe has in it, or over the
@@ -85,12 +75,12 @@ double off_closed_form(const ClosedForm& form, const Outcome& outcome,
 
 /// All settings between the coarsest and twice as fine as one, by factors of `ratio` in each axis.
 std::vector<Setting> grid_to(const Setup& setup, const Advice& finest, double ratio) {
-  const Setting last = times_finer(setup, finest, 2.0);
   std::vector<Setting> grid{{}};
   for (std::size_t k = 0; k < finest.axes.size(); ++k) {
     const FinenessAxis& axis = finest.axes[k];
+    const double last = axis.size(axis.scaled(finest.setting[k], 0.5));
     std::vector<Setting> longer;
-    for (double value = axis.coarsest; axis.size(value) >= 0.999 * axis.size(last[k]);) {
+    for (double value = axis.coarsest; axis.size(value) >= 0.999 * last;) {
       for (Setting setting : grid) {
         setting.push_back(value);
         longer.push_back(std::move(setting));
@@ -107,34 +97,42 @@ std::vector<Setting> grid_to(const Setup& setup, const Advice& finest, double ra
   return grid;
 }
 
-/// Work of the cheapest setting of a grid that is within each tolerance; infinite where none is.
+/// Work of the cheapest setting of a grid, with the advised words, that is within each tolerance of
+/// the finest and richest; infinite where none is.
 std::map<double, double> cheapest_in_grid(const Setup& setup, const Advice& finest,
                                           const std::vector<WatchedProbe>& watched,
                                           const std::vector<double>& tolerances) {
   const double ratio = finest.axes.size() <= 2 ? std::numbers::sqrt2 : 2.0;
-  std::vector<Setting> settings = grid_to(setup, finest, ratio);
-  settings.push_back(times_finer(setup, finest, 4.0));
-  const std::vector<Outcome> outcomes = run_settings(setup, finest.axes, settings, watched);
+  const Setup worded = setup_with(setup, finest.word_axes, finest.words);
+  std::vector<Setup> setups;
+  for (const Setting& setting : grid_to(worded, finest, ratio)) {
+    setups.push_back(setup_at(worded, finest.axes, setting));
+  }
+  setups.push_back(finer_setup(setup, finest, 0.25));
+  const std::vector<Outcome> outcomes = run_all(setups, watched);
   std::map<double, double> least;
   for (const double within : tolerances) least[within] = std::numeric_limits<double>::infinity();
-  for (const Outcome& outcome : outcomes) {
-    const double off = deviation(outcome, outcomes.back(), watched).largest;
+  for (std::size_t i = 0; i + 1 < outcomes.size(); ++i) {
+    const double off = deviation(outcomes[i], outcomes.back(), watched).largest;
+    const double cost = kernel_cost(setups[i]) * static_cast<double>(outcomes[i].work);
     for (auto& [within, work] : least) {
-      if (off <= within) work = std::min(work, static_cast<double>(outcome.work));
+      if (off <= within) work = std::min(work, cost);
     }
   }
   return least;
 }
 
 Trial try_one(const CorpusScene& scene, double within, const std::vector<WatchedProbe>& watched) {
+  AdviceOptions options;
+  options.within = within;
   Trial trial{.scene = scene.name,
               .group = scene.group,
               .within = within,
-              .advice = advise(scene.setup, {.within = within})};
+              .advice = advise(scene.setup, options)};
   if (trial.advice.end != AdviceEnd::Found) return trial;
-  const std::vector<Outcome> outcomes =
-      run_settings(scene.setup, trial.advice.axes,
-                   {trial.advice.setting, times_finer(scene.setup, trial.advice, 4.0)}, watched);
+  const std::vector<Outcome> outcomes = run_all(
+      {advised_setup(scene.setup, trial.advice), finer_setup(scene.setup, trial.advice, 0.25)},
+      watched);
   const Deviation off = deviation(outcomes[0], outcomes[1], watched);
   trial.off_finer = off.largest;
   trial.quantity = off.quantity + off.reason;
@@ -142,8 +140,21 @@ Trial try_one(const CorpusScene& scene, double within, const std::vector<Watched
   return trial;
 }
 
+/// What the advice cost, over a run of what is advised.
 double overhead(const Trial& trial) {
-  return static_cast<double>(trial.advice.total_work) / static_cast<double>(trial.advice.work);
+  double cost = 0.0;
+  for (const TriedSetting& one : trial.advice.tried) cost += one.cost;
+  return cost / trial.advice.cost;
+}
+
+/// The numbers, and the words that are others than the file's.
+std::string advised_text(const Advice& advice) {
+  std::string text = setting_text(advice.axes, advice.setting);
+  for (std::size_t w = 0; w < advice.words.size(); ++w) {
+    const WordAxis& axis = advice.word_axes[w];
+    if (advice.words[w] != axis.own) text += ", " + axis.choices[advice.words[w]].text();
+  }
+  return text;
 }
 
 double error_of(const Trial& trial) {
@@ -154,16 +165,15 @@ void print_line(const Trial& trial) {
   const Advice& advice = trial.advice;
   const std::string begin = fmt::format("{:<28} {:4.1f} %", trial.scene, 100.0 * trial.within);
   if (advice.end != AdviceEnd::Found) {
-    fmt::print("{}  nothing in {} runs: {} {}\n", begin, advice.runs,
-               setting_text(advice.axes, advice.setting), advice.reason);
+    fmt::print("{}  nothing in {} runs: {} {}\n", begin, advice.runs, advised_text(advice),
+               advice.reason);
   } else {
     fmt::print(
         "{}  promised {:7.4f} true {:7.4f} form {:7.4f} {} {} runs {} work x {:.3g}, grid x {:.3g} "
         "({})\n",
         begin, 100.0 * advice.promised, 100.0 * trial.off_finer,
         100.0 * trial.off_form.value_or(0.0), error_of(trial) <= trial.within ? "    " : "MISS",
-        setting_text(advice.axes, advice.setting), advice.runs, overhead(trial), trial.grid_ratio,
-        trial.quantity);
+        advised_text(advice), advice.runs, overhead(trial), trial.grid_ratio, trial.quantity);
   }
   std::fflush(stdout);
 }
@@ -230,7 +240,7 @@ TEST(Advice, KeepsItsWord) {
           cheapest_in_grid(scene.setup, of_scene.back().advice, watched, tolerances);
       for (Trial& trial : of_scene) {
         if (trial.advice.end != AdviceEnd::Found) continue;
-        trial.grid_ratio = static_cast<double>(trial.advice.work) / least.at(trial.within);
+        trial.grid_ratio = trial.advice.cost / least.at(trial.within);
       }
     }
     for (const Trial& trial : of_scene) {

@@ -6,6 +6,7 @@
 #include "sweeps/run/sweep_run.hpp"
 #include "sweeps/trade/setting.hpp"
 #include "tests/lib/io/scratch_folder.hpp"
+#include "tests/sweeps/robot_arm.hpp"
 #include "tests/sweeps/sweep_text.hpp"
 
 /// Promises about real motions, against runs finer in both axes and against a closed form.
@@ -26,8 +27,7 @@ SweepRecord arm_record(const std::string& segments, const std::string& steps,
 class RobotArm : public ::testing::TestWithParam<const char*> {};
 
 TEST_P(RobotArm, IsPromisedNoLessThanItsErrorAgainstARunFinerInBoth) {
-  const SweepRecord finer = arm_record("[64]", "['0.125 ms']", "value:-0.14 m");
-  const double truth = finer.results[0].value.value_or(0.0);
+  const double truth = gripper_end(64, 0.125e-3);
   ASSERT_LT(truth, 0.0);
   const SweepRecord record =
       arm_record("[4, 8, 16, 32]", "['4 ms', '2 ms', '1 ms', '0.5 ms']", GetParam());

@@ -1,0 +1,135 @@
+#include "sweeps/advise/advice_runs.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <string>
+#include <utility>
+
+namespace plastica::sweeps {
+namespace {
+
+/// The scene with all that advice may choose in it, so that it has every axis of numbers.
+Setup richest_of(const Setup& setup, const std::vector<WordAxis>& axes) {
+  Words words;
+  for (const WordAxis& axis : axes) words.push_back(axis.richest);
+  return setup_with(setup, axes, words);
+}
+
+}  // namespace
+
+AdviceRuns::AdviceRuns(const Setup& setup, const AdviceOptions& options)
+    : setup_(setup),
+      options_(options),
+      word_axes_(plastica::sweeps::word_axes(setup)),
+      axes_(fineness_axes(richest_of(setup, word_axes_))),
+      own_setting_(own_setting(setup, axes_)),
+      probes_(watched_probes(setup, options.probes)) {}
+
+Setup AdviceRuns::setup_of(const Trial& trial) const {
+  return setup_at(setup_with(setup_, word_axes_, trial.words), axes_, trial.setting);
+}
+
+bool AdviceRuns::acts(std::size_t axis, const Words& words) const {
+  const auto there = fineness_axes(setup_with(setup_, word_axes_, words));
+  return std::ranges::any_of(
+      there, [&](const FinenessAxis& one) { return one.field == axes_[axis].field; });
+}
+
+Trial AdviceRuns::taken(Trial trial) const {
+  for (std::size_t k = 0; k < axes_.size(); ++k) {
+    if (!acts(k, trial.words)) trial.setting[k] = own_setting_[k];
+  }
+  trial.setting = taken_setting(setup_, axes_, std::move(trial.setting));
+  return trial;
+}
+
+Trial AdviceRuns::own() const { return taken({own_words(word_axes_), own_setting_}); }
+
+Trial AdviceRuns::scaled(const Trial& trial, const std::vector<double>& factors) const {
+  Trial made = trial;
+  for (std::size_t k = 0; k < axes_.size(); ++k) {
+    if (acts(k, trial.words)) made.setting[k] = axes_[k].scaled(trial.setting[k], factors[k]);
+  }
+  return taken(std::move(made));
+}
+
+bool AdviceRuns::run_all(std::vector<Trial> trials) {
+  std::ranges::sort(trials);
+  const auto again = std::ranges::unique(trials);
+  trials.erase(again.begin(), again.end());
+  std::erase_if(trials, [&](const Trial& trial) { return has(trial); });
+  if (runs_ + static_cast<int>(trials.size()) > options_.max_runs) {
+    end_ = AdviceEnd::TooManyRuns;
+    return false;
+  }
+  if (cost_ + foreseen_cost(trials) > options_.max_work) {
+    end_ = AdviceEnd::TooMuchWork;
+    return false;
+  }
+  std::vector<BatchCase> cases;
+  for (const Trial& trial : trials) {
+    const Setup at = setup_of(trial);
+    cases.push_back({std::to_string(cases.size()), at.scene, at.solver});
+  }
+  BatchOptions how{.threads = options_.threads, .stop = options_.stop};
+  if (options_.progress) {
+    how.progress = [&](std::size_t done) { options_.progress(runs_ + static_cast<int>(done)); };
+  }
+  const std::vector<BatchRow> rows = run_batch(cases, how);
+  if (is_raised(options_.stop)) {
+    end_ = AdviceEnd::Interrupted;
+    return false;
+  }
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const Outcome made = outcome_of(rows[i], probes_.watched);
+    outcomes_.emplace(trials[i], made);
+    cost_ += cost(trials[i]);
+  }
+  runs_ += static_cast<int>(rows.size());
+  return true;
+}
+
+double AdviceRuns::cost(const Trial& trial) const {
+  return static_cast<double>(outcome(trial).work) * kernel_cost(setup_of(trial));
+}
+
+double AdviceRuns::expected_work(const Trial& from, const Trial& to) const {
+  double factor = 1.0;
+  for (std::size_t k = 0; k < axes_.size(); ++k) {
+    if (axes_[k].field->path == "solver.fibres") continue;
+    factor *= axes_[k].size(from.setting[k]) / axes_[k].size(to.setting[k]);
+  }
+  return factor;
+}
+
+double AdviceRuns::expected_cost(const Trial& from, const Trial& to) const {
+  return expected_work(from, to) * kernel_cost(setup_of(to)) / kernel_cost(setup_of(from));
+}
+
+double AdviceRuns::expected_seconds(const Trial& trial) const {
+  constexpr double kAbout = 8.0;  // runs whose work differs by no more are alike
+  const auto work = static_cast<double>(outcome(trial).work);
+  std::vector<double> rates;
+  for (const auto& [ran, of] : outcomes_) {
+    const double ratio = static_cast<double>(of.work) / work;
+    if (ran.words != trial.words || ratio > kAbout || ratio < 1.0 / kAbout) continue;
+    rates.push_back(of.seconds / static_cast<double>(of.work));
+  }
+  const auto middle = rates.begin() + static_cast<std::ptrdiff_t>(rates.size() / 2);
+  std::ranges::nth_element(rates, middle);
+  return work * *middle;
+}
+
+double AdviceRuns::foreseen_cost(const std::vector<Trial>& trials) const {
+  double sum = 0.0;
+  for (const Trial& trial : trials) {
+    double least = outcomes_.empty() ? 0.0 : std::numeric_limits<double>::infinity();
+    for (const auto& [ran, of] : outcomes_) {
+      least = std::min(least, cost(ran) * expected_cost(ran, trial));
+    }
+    sum += least;
+  }
+  return sum;
+}
+
+}  // namespace plastica::sweeps

@@ -1,0 +1,83 @@
+#pragma once
+
+#include <compare>
+#include <cstddef>
+#include <map>
+#include <vector>
+
+#include "sweeps/advise/advice.hpp"
+#include "sweeps/advise/watched_probes.hpp"
+
+/// The runs of an advice; not installed.
+namespace plastica::sweeps {
+
+/// A way to run the scene: its words, and its numbers on all axes (n_axes of the runs).
+struct Trial {
+  Words words;
+  Setting setting;
+
+  friend auto operator<=>(const Trial&, const Trial&) = default;
+};
+
+/// Runs a scene in different ways, each once, and keeps what they came to.
+class AdviceRuns {
+ public:
+  /// @throws InputError for a scene that cannot be advised
+  AdviceRuns(const Setup& setup, const AdviceOptions& options);
+
+  /// The axes of numbers that any words have; some words do without some of them.
+  const std::vector<FinenessAxis>& axes() const { return axes_; }
+  const std::vector<WordAxis>& word_axes() const { return word_axes_; }
+  std::vector<WordAxis>& word_axes() { return word_axes_; }
+  const WatchedProbes& probes() const { return probes_; }
+
+  Setup setup_of(const Trial& trial) const;
+  /// Whether a number does anything with these words: fibres do nothing where joints have caps.
+  bool acts(std::size_t axis, const Words& words) const;
+  /// The trial as a run takes it: steps that divide the samples, and numbers that do nothing as the
+  /// file has them, so that what is one run is one trial.
+  Trial taken(Trial trial) const;
+  /// That of the scene's file.
+  Trial own() const;
+  /// The sizes of all axes that act, times a factor each (n_axes).
+  Trial scaled(const Trial& trial, const std::vector<double>& factors) const;
+
+  /// Runs the trials, as taken, that were not run yet. False: runs or work are used up, or it was
+  /// stopped; `end` says which.
+  bool run_all(std::vector<Trial> trials);
+  bool has(const Trial& trial) const { return outcomes_.count(trial) > 0; }
+  const Outcome& outcome(const Trial& trial) const { return outcomes_.at(trial); }
+  const std::map<Trial, Outcome>& outcomes() const { return outcomes_; }
+  Deviation off(const Trial& coarse, const Trial& fine) const {
+    return deviation(outcome(coarse), outcome(fine), probes_.watched);
+  }
+  /// The work of a run by the cost of its kernels, see `kernel_cost`.
+  double cost(const Trial& trial) const;
+  /// The cost of a trial over that of another, if it goes with the number of segments and steps.
+  double expected_cost(const Trial& from, const Trial& to) const;
+  /// Of trials that were not run: from those that were.
+  double foreseen_cost(const std::vector<Trial>& trials) const;
+
+  /// The CPU time of a trial that was run, see `Advice::expected_seconds` [s].
+  double expected_seconds(const Trial& trial) const;
+
+  AdviceEnd end() const { return end_; }
+  int runs() const { return runs_; }
+
+ private:
+  /// By counts of segments and steps alone.
+  double expected_work(const Trial& from, const Trial& to) const;
+
+  const Setup& setup_;
+  const AdviceOptions& options_;
+  std::vector<WordAxis> word_axes_;
+  std::vector<FinenessAxis> axes_;
+  Setting own_setting_;
+  WatchedProbes probes_;
+  std::map<Trial, Outcome> outcomes_;
+  int runs_ = 0;
+  double cost_ = 0.0;  ///< of all runs
+  AdviceEnd end_ = AdviceEnd::AtFinest;
+};
+
+}  // namespace plastica::sweeps

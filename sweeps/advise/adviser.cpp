@@ -1,0 +1,281 @@
+#include "sweeps/advise/adviser.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string_view>
+#include <utility>
+
+#include "sweeps/advise/next_setting.hpp"
+
+namespace plastica::sweeps {
+namespace {
+
+/// What of the allowed error the estimates may take: the rest is for what they do not see.
+constexpr double kShare = 0.75;
+constexpr double kRefined = 0.5;  ///< factor on a size that is made finer
+/// So many settings may be no better than the best before.
+constexpr int kPatience = 5;
+/// A cheaper setting is tried if it is expected to cost less than this part.
+constexpr double kWorthTrying = 0.7;
+/// An axis that adds less than this part of the allowed error is not measured again; nor is one
+/// whose order was seen, at a size that differs by no more than this factor from where it was
+/// measured.
+constexpr double kMinor = 0.1;
+constexpr double kNear = 2.2;
+/// The run that verifies is finer by `kRefined`, in what adds less than `kMinor` of all by this.
+constexpr double kSlightlyRefined = 0.7;
+/// Errors that were foretold are measured if the run that verifies shows so much more.
+constexpr double kTrusted = 1.25;
+/// Words are decided where the numbers are off by no more than this, or so many times what is
+/// allowed: where the differences between models can be told from those of a coarse beam.
+constexpr double kCloseError = 0.2;
+constexpr double kCloseToAllowed = 8.0;
+/// So often words may be decided: where those that a coarse beam asks for do not do.
+constexpr int kDecisions = 3;
+
+}  // namespace
+
+Adviser::Adviser(AdviceRuns& runs) : runs_(runs), models_(runs.axes()), words_(runs) {}
+
+Trial Adviser::coarsest() const {
+  Trial trial = runs_.own();
+  for (std::size_t k = 0; k < runs_.axes().size(); ++k) {
+    trial.setting[k] = runs_.axes()[k].coarsest;
+  }
+  return runs_.taken(std::move(trial));
+}
+
+Trial Adviser::finer(const Trial& trial, std::size_t axis) const {
+  std::vector<double> factors(runs_.axes().size(), 1.0);
+  factors[axis] = kRefined;
+  return runs_.scaled(trial, factors);
+}
+
+Trial Adviser::finer_in_all(const Candidate& candidate, double factor) const {
+  std::vector<double> factors;
+  for (const AxisError& e : candidate.errors) {
+    const bool minor = e.error < kMinor * candidate.numbers;
+    factors.push_back(factor * (minor ? kSlightlyRefined / kRefined : 1.0));
+  }
+  return runs_.scaled(candidate.trial, factors);
+}
+
+double Adviser::supposed_order(std::size_t axis, const Trial& trial) const {
+  const std::string_view path = runs_.axes()[axis].field->path;
+  if (path == "beam.segments") {
+    return order_of_method(runs_.setup_of(trial), find_field("rules.end_rule"));
+  }
+  if (path != "solver.time_step") return 1.0;
+  return order_of_method(runs_.setup_of(trial), find_field("solver.scheme"));
+}
+
+bool Adviser::is_foretold(std::size_t axis, const Candidate& candidate) const {
+  if (!models_.knows(axis)) return false;
+  if (candidate.errors[axis].error < kMinor * within_) return true;
+  const double ratio =
+      models_.ratio_to_last(axis, runs_.axes()[axis].size(candidate.trial.setting[axis]));
+  return !measure_all_ && candidate.errors[axis].seen && ratio < kNear && ratio > 1.0 / kNear;
+}
+
+bool Adviser::estimate(Candidate& candidate) {
+  const Trial& trial = candidate.trial;
+  const auto& axes = runs_.axes();
+  candidate.errors.assign(axes.size(), {});
+  candidate.numbers = 0.0;
+  std::vector<std::size_t> measured;
+  std::vector<Trial> trials{trial};
+  for (std::size_t k = 0; k < axes.size(); ++k) {
+    if (!runs_.acts(k, trial.words)) continue;
+    if (models_.knows(k)) candidate.errors[k] = models_.foretold(k, axes[k].size(trial.setting[k]));
+    if (is_foretold(k, candidate)) continue;
+    measured.push_back(k);
+    trials.push_back(finer(trial, k));
+  }
+  if (!runs_.run_all(trials)) return false;
+  if (runs_.outcome(trial).status == Status::Rejected) {
+    throw InputError({}, "scene", "", runs_.outcome(trial).reason);
+  }
+  double largest = 0.0;
+  moves_ = moves_ && measured.empty();
+  for (std::size_t i = 0; i < measured.size(); ++i) {
+    const std::size_t k = measured[i];
+    const Deviation off = runs_.off(trial, trials[i + 1]);
+    candidate.errors[k] = models_.measured(k, axes[k].size(trial.setting[k]),
+                                           axes[k].size(trials[i + 1].setting[k]), off.largest);
+    if (!off.reason.empty()) candidate.reason = off.reason;
+    if (candidate.errors[k].error >= largest) candidate.worst = off.quantity;
+    largest = std::max(largest, candidate.errors[k].error);
+    moves_ = moves_ || !off.reason.empty() || off.quantities > 0;
+  }
+  for (const AxisError& e : candidate.errors) candidate.numbers += e.error;
+  return true;
+}
+
+void Adviser::forget_methods(const Words& before, const Words& after) {
+  for (std::size_t w = 0; w < before.size(); ++w) {
+    const WordAxis& axis = runs_.word_axes()[w];
+    if (axis.kind == WordKind::Model || before[w] == after[w]) continue;
+    for (std::size_t k = 0; k < runs_.axes().size(); ++k) {
+      const bool of_time = runs_.axes()[k].field->path == "solver.time_step";
+      if (of_time == (axis.field().path == "solver.scheme")) models_.forget(k);
+    }
+  }
+}
+
+bool Adviser::settle_words(Candidate& candidate, bool& changed) {
+  changed = false;
+  const double close = std::max(kCloseError, kCloseToAllowed * within_);
+  if (words_.decided() || candidate.numbers > close) return true;
+  if (++decisions_ > kDecisions) {
+    end_ = AdviceEnd::Diverging;
+    return false;
+  }
+  if (!words_.decide(candidate.trial, candidate.errors, within_)) return false;
+  if (words_.words() == candidate.trial.words) return true;
+  models_.doubt();
+  forget_methods(candidate.trial.words, words_.words());
+  candidate.trial = runs_.taken({words_.words(), candidate.trial.setting});
+  changed = true;
+  return true;
+}
+
+bool Adviser::verify(Candidate& candidate) {
+  if (!words_.confirm(candidate.trial, within_)) return false;
+  candidate.lines = words_.lines();
+  if (candidate.numbers + words_.error() > within_) {
+    // Either finer numbers make room for the words, or the words are not what they seemed.
+    if (words_.error() > kWordsShare * within_) words_.doubt();
+    return true;
+  }
+  // What yields may show its errors late: where no order was seen, a run twice as fine is no proof.
+  double factor = yields_unseen(candidate) ? kRefined * kRefined : kRefined;
+  finest_ = words_.enriched(finer_in_all(candidate, factor));
+  if (!runs_.run_all({*finest_})) return false;
+  Deviation off = runs_.off(candidate.trial, *finest_);
+  if (off.reason.empty() && factor == kRefined && outcomes_vary()) {
+    // Near a break, a limit or another path it may be on the same wrong side, too.
+    factor *= kRefined;
+    finest_ = words_.enriched(finer_in_all(candidate, factor));
+    if (!runs_.run_all({*finest_})) return false;
+    const Deviation further = runs_.off(candidate.trial, *finest_);
+    if (further.largest > off.largest) off = further;
+  }
+  candidate.worst = off.quantity;
+  candidate.reason = off.reason;
+  candidate.verified = off.largest;
+  // What the finer run itself is off: by the axis that falls the slowest of those that matter.
+  double left = 1.0;
+  double changes = 0.0;
+  for (const AxisError& e : candidate.errors) {
+    changes += e.change;
+    if (e.error > 0.05 * candidate.numbers) {
+      left = std::max(left, left_of(1.0, e.ratio * kRefined / factor, e.order));
+    }
+  }
+  if (off.largest > kTrusted * kRefined / factor * changes + words_.error() && !measure_all_) {
+    measure_all_ = true;  // what was foretold is not so
+    return true;
+  }
+  const double of_finest = (left - 1.0) * std::max(changes, off.largest - words_.error());
+  // Changes are over a finer run's value f_h, not over the limit f: |f_h| <= |f| (1 + error).
+  const double most = std::max(candidate.numbers + words_.error(), off.largest + of_finest);
+  candidate.promised = most * (1.0 + most);
+  candidate.within = candidate.promised <= within_;
+  return true;
+}
+
+bool Adviser::yields_unseen(const Candidate& candidate) const {
+  if (runs_.setup_of(candidate.trial).scene.yield_model == YieldModel::Elastic) return false;
+  return std::ranges::any_of(candidate.errors, [&](const AxisError& e) {
+    return !e.seen && e.error > kMinor * candidate.numbers;
+  });
+}
+
+bool Adviser::outcomes_vary() const {
+  const Outcome& finest = runs_.outcome(*finest_);
+  return std::ranges::any_of(runs_.outcomes(), [&](const auto& ran) {
+    return usable(ran.second.status) && !end_alike(ran.second, finest);
+  });
+}
+
+bool Adviser::judge(Candidate& candidate) {
+  bool measured_all = false;
+  measure_all_ = false;
+  do {
+    measured_all = measure_all_;
+    bool changed = true;
+    while (changed) {
+      if (!estimate(candidate) || !settle_words(candidate, changed)) return false;
+    }
+    if (words_.decided() && !moves_) {
+      throw InputError({}, "probe", "",
+                       "stays within rounding, whatever is probed: advice needs "
+                       "a probe of something that moves");
+    }
+    if (!words_.decided() || candidate.numbers + words_.error() > within_) return true;
+    if (!verify(candidate)) return false;
+  } while (!words_.decided() || measure_all_ != measured_all);
+  return true;
+}
+
+Trial Adviser::next_of(const Candidate& candidate) {
+  const double allowed = within_ - (words_.decided() ? words_.error() : 0.0);
+  const bool summed = candidate.numbers + words_.error() <= within_;
+  if (!candidate.within && summed && words_.decided()) {
+    // The axes together do more than each by itself: their errors must be smaller by that.
+    share_ *= std::clamp(within_ / candidate.promised, 0.25, 0.9);
+  }
+  // Without an order that was seen, planned with that which the method has.
+  std::vector<AxisError> planned = candidate.errors;
+  for (std::size_t k = 0; k < planned.size(); ++k) {
+    AxisError& e = planned[k];
+    if (e.seen || !std::isfinite(e.change)) continue;
+    e.order = supposed_order(k, candidate.trial);
+    e.error = left_of(e.change, e.ratio, e.order);
+  }
+  Trial next = candidate.trial;
+  next.setting = next_setting(runs_.axes(), candidate.trial.setting, planned,
+                              share_ * std::max(allowed, 0.1 * within_));
+  next = runs_.taken(std::move(next));
+  return next == candidate.trial ? finer_in_all(candidate, kRefined) : next;
+}
+
+bool Adviser::diverges(const Candidate& candidate) {
+  if (candidate.numbers < 0.9 * least_sum_) {
+    least_sum_ = candidate.numbers;
+    since_least_ = 0;
+    return false;
+  }
+  return ++since_least_ >= kPatience;
+}
+
+void Adviser::search(double within, const std::optional<Trial>& start) {
+  within_ = within;
+  best_.reset();
+  end_ = AdviceEnd::AtFinest;
+  share_ = kShare;
+  decisions_ = since_least_ = 0;
+  least_sum_ = std::numeric_limits<double>::infinity();
+  words_.doubt();
+  now_ = {.trial = start ? *start : coarsest()};
+  while (judge(now_)) {
+    const bool cheaper = !best_ || runs_.cost(now_.trial) < runs_.cost(best_->trial);
+    if (now_.within && cheaper) best_ = now_;
+    if (!best_ && diverges(now_)) {
+      end_ = AdviceEnd::Diverging;
+      return;
+    }
+    const Trial next = next_of(now_);
+    if (best_ &&
+        runs_.cost(now_.trial) / runs_.cost(best_->trial) * runs_.expected_cost(now_.trial, next) >
+            kWorthTrying) {
+      return;
+    }
+    if (next == now_.trial) return;
+    now_ = {.trial = next};
+  }
+  if (end_ == AdviceEnd::AtFinest) end_ = runs_.end();
+}
+
+}  // namespace plastica::sweeps

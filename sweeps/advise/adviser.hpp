@@ -1,0 +1,70 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "sweeps/advise/advice_runs.hpp"
+#include "sweeps/advise/axis_models.hpp"
+#include "sweeps/advise/fill_advice.hpp"
+#include "sweeps/advise/word_chooser.hpp"
+
+/// The search for the cheapest setting within an error; not installed.
+namespace plastica::sweeps {
+
+/// Searches with the runs that it has, as often as it is asked to.
+class Adviser {
+ public:
+  explicit Adviser(AdviceRuns& runs);
+
+  /// Finds the cheapest within an error [1], or says in `end` why there is none.
+  /// @param start  where it begins; empty: at the coarsest
+  void search(double within, const std::optional<Trial>& start = {});
+  const std::optional<Candidate>& best() const { return best_; }
+  /// The last one that was looked at.
+  const Candidate& last() const { return now_; }
+  /// The run that the last verification compared with.
+  const std::optional<Trial>& finest() const { return finest_; }
+  AdviceEnd end() const { return end_; }
+
+ private:
+  Trial coarsest() const;
+  Trial finer(const Trial& trial, std::size_t axis) const;
+  /// Finer in every number: by a factor in what matters, by a larger one in what hardly does.
+  Trial finer_in_all(const Candidate& candidate, double factor) const;
+  /// The order that an axis has by its method.
+  double supposed_order(std::size_t axis, const Trial& trial) const;
+  /// Whether the error along an axis need not be measured.
+  bool is_foretold(std::size_t axis, const Candidate& candidate) const;
+  /// Whether the candidate yields, and an axis that matters has shown no order.
+  bool yields_unseen(const Candidate& candidate) const;
+  /// Whether a run has ended otherwise than the finest.
+  bool outcomes_vary() const;
+  /// What the axes of numbers add. False, as in all below: runs or work are used up.
+  bool estimate(Candidate& candidate);
+  void forget_methods(const Words& before, const Words& after);
+  /// Decides the words where numbers are close enough. `changed`: the candidate has other ones now.
+  bool settle_words(Candidate& candidate, bool& changed);
+  /// Measures what the words leave out, and runs the finest beside the candidate.
+  bool verify(Candidate& candidate);
+  bool judge(Candidate& candidate);
+  Trial next_of(const Candidate& candidate);
+  /// Whether refinement has stopped to help: the sum has not fallen for some settings.
+  bool diverges(const Candidate& candidate);
+
+  AdviceRuns& runs_;
+  double within_ = 0.0;  ///< the error that is allowed [1]
+  AxisModels models_;
+  WordChooser words_;
+  Candidate now_{};
+  std::optional<Candidate> best_{};
+  std::optional<Trial> finest_{};
+  bool measure_all_ = false;  ///< what was foretold of the candidate is not to be trusted
+  bool moves_ = false;        ///< whether any quantity of the last estimates is beyond rounding
+  double share_ = 0.0;        ///< of the allowed error, for the numbers
+  int decisions_ = 0;
+  AdviceEnd end_ = AdviceEnd::AtFinest;
+  double least_sum_ = 0.0;
+  int since_least_ = 0;  ///< settings whose sum was not less
+};
+
+}  // namespace plastica::sweeps

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "sweeps/advise/next_setting.hpp"
+
+/// What runs have shown of the error along each axis; not installed.
+namespace plastica::sweeps {
+
+/// Changes along the axes of numbers, from which errors of other settings are foretold.
+class AxisModels {
+ public:
+  explicit AxisModels(const std::vector<FinenessAxis>& axes)
+      : axes_(axes), seen_(axes.size()), known_(axes.size()) {}
+
+  /// The error along an axis, of a change that was measured; notes it for later.
+  /// @param size, finer_size  of the setting and of the run that is finer along the axis
+  /// @param change  of the result; infinite where the two cannot be compared
+  /// @param quantity  whose it is
+  AxisError measured(std::size_t axis, double size, double finer_size, double change);
+  /// The error that the last change of an axis foretells, at another size: with the order that was
+  /// seen, else with 1 where it is finer and 2 where it is coarser, so that it is not too small.
+  AxisError foretold(std::size_t axis, double size) const;
+  /// Whether `foretold` can say something.
+  bool knows(std::size_t axis) const { return known_[axis]; }
+  /// A size over that of the last change.
+  double ratio_to_last(std::size_t axis, double size) const {
+    return size / seen_[axis].back().size;
+  }
+  /// After a change of words: what was seen tells orders, and errors only once they are measured
+  /// anew.
+  void doubt() { known_.assign(known_.size(), false); }
+  /// Forgets an axis: another method has another order.
+  void forget(std::size_t axis) { seen_[axis].clear(); }
+
+ private:
+  struct Seen {
+    double size = 0.0;
+    AxisError error{};
+  };
+
+  const std::vector<FinenessAxis>& axes_;
+  std::vector<std::vector<Seen>> seen_;  ///< by axis, in the order of the settings
+  std::vector<bool> known_;
+};
+
+}  // namespace plastica::sweeps
