@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "calibrate/report/scene_fit_csv.hpp"
-#include "calibrate/report/scene_fit_json.hpp"
+#include "calibrate/report/csv_export.hpp"
+#include "calibrate/report/json.hpp"
 #include "calibrate/report/scene_fit_plot.hpp"
 #include "calibrate/report/scene_fit_text.hpp"
 #include "tests/calibrate/report/scene_records.hpp"
@@ -46,7 +46,7 @@ TEST(SceneIntervalsReport, PutsAllIntervalsSideBySide) {
 }
 
 TEST(SceneIntervalsReport, WritesThemAsJson) {
-  const Json fit = Json::parse(scene_fits_json(std::vector{record_with_intervals()}))["fits"][0];
+  const Json fit = Json::parse(json_summary(std::vector{record_with_intervals()}))["fits"][0];
   const Json& profile = fit["intervals"]["profile"]["yield_stress"];
   EXPECT_EQ(profile["interval"], Json({375e6, 2e9}));
   EXPECT_EQ(profile["ends"], Json({"crossed", "bound"}));
@@ -56,13 +56,13 @@ TEST(SceneIntervalsReport, WritesThemAsJson) {
   EXPECT_EQ(bootstrap["failed"], 1);
   EXPECT_EQ(bootstrap["parameters"]["break_strain"]["interval"], Json({0.020, 0.022}));
   EXPECT_TRUE(fit["intervals"]["bootstrap_specimens"].is_null());
-  const Json bare = Json::parse(scene_fits_json(std::vector{scene_record()}))["fits"][0];
+  const Json bare = Json::parse(json_summary(std::vector{scene_record()}))["fits"][0];
   EXPECT_FALSE(bare.contains("intervals"));
 }
 
 TEST(SceneIntervalsReport, WritesColumnsOfThoseThatAnyFitHas) {
   std::ostringstream out, bare;
-  write_scene_fits_csv(out, std::vector{record_with_intervals(), scene_record("b")});
+  write_fits_csv(out, std::vector{record_with_intervals(), scene_record("b")});
   const std::string header = out.str().substr(0, out.str().find('\n'));
   EXPECT_TRUE(has(header,
                   "fit.youngs_modulus.segments_error [Pa],"
@@ -82,7 +82,7 @@ TEST(SceneIntervalsReport, WritesColumnsOfThoseThatAnyFitHas) {
   EXPECT_EQ(cells[1], cells[0]);
   EXPECT_EQ(cells[2], cells[0]);
   EXPECT_TRUE(has(out.str(), ",crossed,bound,")) << out.str();
-  write_scene_fits_csv(bare, std::vector{scene_record()});
+  write_fits_csv(bare, std::vector{scene_record()});
   EXPECT_FALSE(has(bare.str(), "profile"));
 }
 
