@@ -1,24 +1,16 @@
-#include <fmt/format.h>
-#include <unistd.h>
-
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <chrono>
-#include <cstdio>
 #include <filesystem>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "calibrate/config/bare_files.hpp"
 #include "calibrate/config/fit_file.hpp"
 #include "calibrate/config/scene_fit_file.hpp"
-#include "calibrate/report/json.hpp"
-#include "calibrate/report/law_choice.hpp"
-#include "calibrate/report/text.hpp"
-#include "calibrate/result/usable.hpp"
 #include "calibrate/search/optimizer.hpp"
-#include "calibrate/store/fit_store.hpp"
 #include "calibrate/store/journaled_batch.hpp"
 #include "cli/calibrate_arguments.hpp"
 #include "cli/calibrate_scenes.hpp"
@@ -30,8 +22,8 @@
 #include "cli/interrupt.hpp"
 #include "cli/progress_bar.hpp"
 #include "cli/run_files.hpp"
+#include "cli/run_fits.hpp"
 #include "cli/tell.hpp"
-#include "plastica/io/text_file.hpp"
 
 namespace plastica::cli {
 namespace {
@@ -65,50 +57,10 @@ calibrate::FitFile read_inputs(const CalibrateArguments& arguments) {
   return file;
 }
 
-void write_json(const std::string& path, std::span<const calibrate::FitRecord> records,
-                const calibrate::FitOptions& fit, io::Overwrite overwrite) {
-  const calibrate::SpecimenDraws draws{fit.intervals.specimens, fit.seed, fit.confidence};
-  io::write_text_file(path, calibrate::json_summary(records, 2, draws) + "\n", overwrite);
-}
-
-/// @param records  put into another order where laws are compared
-void print_report(std::vector<calibrate::FitRecord>& records, const calibrate::FitOptions& fit) {
-  calibrate::ReportOptions options;
-  options.color = isatty(STDOUT_FILENO) != 0;
-  options.confidence = fit.confidence;
-  options.specimen_resamples = fit.intervals.specimens;
-  options.seed = fit.seed;
-  fmt::print("{}", calibrate::laws_report(records, options));
-  if (calibrate::compares_laws(records)) fmt::print("\n");
-  const auto shown = std::span(records).first(calibrate::advised_first(records));
-  if (shown.size() == 1) fmt::print("{}\n", calibrate::fit_report(shown.front(), options));
-  fmt::print("{}", calibrate::batch_report(shown, options));
-}
-
 /// Whether it is a fit file whose targets name scenes.
 bool has_scenes(const CalibrateArguments& arguments) {
   return arguments.inputs.size() == 1 && is_fit_file(arguments.inputs.front()) &&
          arguments.bare_option.empty() && calibrate::names_scenes(arguments.inputs.front());
-}
-
-/// Writes what is asked for beside the result file and prints the report.
-int report(const CalibrateArguments& arguments, calibrate::FitStoreContents& contents) {
-  if (!arguments.json.empty()) {
-    write_json(arguments.json, contents.records, contents.options,
-               io::overwrite_if(arguments.force || arguments.resume));
-  }
-  if (!arguments.quiet) {
-    print_report(contents.records, contents.options);
-    std::fflush(stdout);  // one file may take both
-  }
-  // Where laws are compared, one of them suffices.
-  const auto usable = [](const calibrate::FitRecord* record) {
-    return calibrate::is_usable(record->result);
-  };
-  const bool all = std::ranges::all_of(
-      calibrate::by_target(contents.records),
-      [&](const auto& records) { return std::ranges::any_of(records, usable); });
-  return all ? kDone : kNotAcceptable;
 }
 
 int calibrate_files(const CalibrateArguments& arguments) {
@@ -139,45 +91,23 @@ int calibrate_files(const CalibrateArguments& arguments) {
   contents.meta = io::begin_meta(arguments.command_line, arguments.threads);
   contents.meta.versions.emplace_back("nlopt", calibrate::nlopt_version());
   const InterruptGuard interrupt;
-  calibrate::JournaledOptions how;
-  how.journal = {io::journal_path(output), arguments.resume, arguments.force,
-                 contents.meta.instruction_set};
-  how.threads = arguments.threads;
-  how.stop = &interrupt.flag();
+  calibrate::JournaledOptions how = journaling(arguments, output, contents.meta, &interrupt.flag());
   const std::size_t fits = targets.size() * std::max<std::size_t>(1, file.options.laws.size());
   ProgressBar bar("fitting", fits, arguments.quiet);
   how.progress = [&bar](const calibrate::BatchProgress& progress) {
     bar.update(progress.done, progress.failed + progress.rejected, progress.resumed);
   };
   calibrate::JournaledBatch batch(targets, file.options, how);
-  if (found) {
-    contents = calibrate::read_fit_store(output);
-    take_complete_output(output, contents.run, batch);
-    return report(arguments, contents);
-  }
-  // Another run may have had the journal until now, and have written the output.
-  io::check_output_path(output, arguments.force);
-  tell_of_journal(batch, arguments.quiet);
-  std::vector<calibrate::FitResult> results = batch.run();
-  bar.clear();
-  if (!batch.complete()) {
-    tell_interrupted(output);
-    return kInterrupted;
-  }
-
-  for (std::size_t i = 0; i < results.size(); ++i) {
-    contents.records.push_back({targets[batch.cases()[i].target], std::move(results[i])});
-  }
   contents.options = file.options;
-  contents.run = batch.run_id();
-  contents.meta.resumptions = batch.resumptions();
-  contents.meta.seconds =
-      std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-  calibrate::write_fit_store(output, contents, io::overwrite_if(arguments.force));
-  batch.finish();
-  const int code = report(arguments, contents);
-  if (!arguments.quiet) tell("wrote {}\n", output);
-  return code;
+  return run_fits(arguments, output, found, contents, begin, batch, [&] {
+    std::vector<calibrate::FitResult> results = batch.run();
+    bar.clear();
+    std::vector<calibrate::FitRecord> records;
+    for (std::size_t i = 0; i < results.size(); ++i) {
+      records.push_back({targets[batch.cases()[i].target], std::move(results[i])});
+    }
+    return records;
+  });
 }
 
 constexpr const char* kBareGroup = "Curves without a fit file";

@@ -64,6 +64,11 @@ void tell_of_journal(const Batch& batch, bool quiet) {
     tell("{} fits of the journal are {} and run again\n", batch.stale(),
          other.empty() ? "stale" : "of the instruction set " + other);
   }
+  if constexpr (requires { batch.stages(); }) {
+    if (!quiet && batch.stages() > 0) {
+      tell("{} finished stages of fits resumed from the journal\n", batch.stages());
+    }
+  }
 }
 
 }  // namespace plastica::cli

@@ -1,36 +1,26 @@
 #include "cli/calibrate_scenes.hpp"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <chrono>
-#include <cstdio>
 #include <numeric>
-#include <span>
 #include <utility>
 #include <vector>
 
 #include "calibrate/config/scene_fit_file.hpp"
-#include "calibrate/fit/scene_laws.hpp"
 #include "calibrate/inference/moved_by_segments.hpp"
-#include "calibrate/report/law_choice.hpp"
-#include "calibrate/report/scene_fit_json.hpp"
-#include "calibrate/report/scene_fit_text.hpp"
-#include "calibrate/result/usable.hpp"
 #include "calibrate/search/fit_interrupted.hpp"
-#include "calibrate/search/optimizer.hpp"
 #include "calibrate/store/journaled_scene_fits.hpp"
-#include "calibrate/store/scene_fit_store.hpp"
 #include "cli/chosen_segments.hpp"
 #include "cli/dry_run.hpp"
 #include "cli/exit_code.hpp"
 #include "cli/interrupt.hpp"
 #include "cli/progress_bar.hpp"
 #include "cli/run_files.hpp"
+#include "cli/run_fits.hpp"
 #include "cli/search_progress.hpp"
 #include "cli/tell.hpp"
-#include "plastica/io/text_file.hpp"
 #include "plastica/run/simulate.hpp"
 
 namespace plastica::cli {
@@ -71,42 +61,12 @@ void print_dry_run(const SceneFitFile& file, const std::string& output) {
   }
 }
 
-/// @param records  put into another order where laws are compared
-void print_report(std::vector<SceneFitRecord>& records, double confidence) {
-  calibrate::ReportOptions options;
-  options.color = isatty(STDOUT_FILENO) != 0;
-  options.confidence = confidence;
-  fmt::print("{}", calibrate::laws_report(records, options));
-  if (calibrate::compares_laws(records)) fmt::print("\n");
-  const auto shown = std::span(records).first(calibrate::advised_first(records));
-  fmt::print("{}", calibrate::scene_fits_report(shown, options));
-}
-
-/// Writes what is asked for beside the result file and prints the report.
-/// @param within  what segments may do to a value, over it [1]; 0: anything
-int report(const CalibrateArguments& arguments, calibrate::SceneFitContents& contents,
-           double within) {
-  if (!arguments.json.empty()) {
-    io::write_text_file(arguments.json,
-                        calibrate::scene_fits_json(contents.records, contents.confidence) + "\n",
-                        io::overwrite_if(arguments.force || arguments.resume));
-  }
-  if (!arguments.quiet) {
-    print_report(contents.records, contents.confidence);
-    std::fflush(stdout);  // one file may take both
-  }
-  // Where laws are compared, one of them suffices.
-  const auto usable = [](const SceneFitRecord* record) {
-    return calibrate::is_usable(record->result);
-  };
-  const bool all = std::ranges::all_of(
-      calibrate::by_target(contents.records),
-      [&](const auto& records) { return std::ranges::any_of(records, usable); });
-  const auto moved = [within](const SceneFitRecord& record) {
-    return record.result.segments && calibrate::moved_by_segments(record.result).moved > within;
-  };
-  const bool kept = within == 0.0 || std::ranges::none_of(contents.records, moved);
-  return all && kept ? kDone : kNotAcceptable;
+/// Whether the segments move any value by more than was asked for.
+bool moved_too_far(const std::vector<SceneFitRecord>& records, double within) {
+  return within > 0.0 && std::ranges::any_of(records, [within](const SceneFitRecord& record) {
+           return record.result.segments &&
+                  calibrate::moved_by_segments(record.result).moved > within;
+         });
 }
 
 }  // namespace
@@ -140,11 +100,7 @@ int calibrate_scenes(const CalibrateArguments& arguments) {
   }
   calibrate::SceneFitContents contents;
   contents.meta = io::begin_meta(arguments.command_line, arguments.threads);
-  calibrate::JournaledOptions how;
-  how.journal = {io::journal_path(output), arguments.resume, arguments.force,
-                 contents.meta.instruction_set};
-  how.threads = arguments.threads;
-  how.stop = &interrupt.flag();
+  calibrate::JournaledOptions how = journaling(arguments, output, contents.meta, &interrupt.flag());
   ProgressBar bar("fitting", file.cases.size() * std::max<std::size_t>(1, file.options.laws.size()),
                   arguments.quiet);
   // A lone fit has a line of its own.
@@ -156,39 +112,21 @@ int calibrate_scenes(const CalibrateArguments& arguments) {
   calibrate::JournaledSceneFits batch(
       file.cases, file.options, how,
       [&search](const calibrate::SceneFitProgress& progress) { search.update(progress); });
-  if (found) {
-    contents = calibrate::read_scene_fit_store(output);
-    take_complete_output(output, contents.run, batch);
-    return report(arguments, contents, file.options.segments_within);
-  }
-  // Another run may have had the journal until now, and have written the output.
-  io::check_output_path(output, arguments.force);
-  tell_of_journal(batch, arguments.quiet);
-  if (!arguments.quiet && batch.stages() > 0) {
-    tell("{} finished stages of fits resumed from the journal\n", batch.stages());
-  }
-  std::vector<calibrate::SceneFitResult> results = batch.run();
-  bar.clear();
-  search.clear();
-  if (!batch.complete()) {
-    tell_interrupted(output);
-    return kInterrupted;
-  }
-  for (std::size_t i = 0; i < results.size(); ++i) {
-    contents.records.push_back(record_of(file.cases[batch.fits()[i].of], std::move(results[i])));
-    contents.records.back().seconds = batch.seconds()[i];
-  }
   contents.confidence = file.options.confidence;
   contents.inputs = std::move(file.inputs);
-  contents.meta.resumptions = batch.resumptions();
-  contents.meta.seconds =
-      std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-  contents.run = batch.run_id();
-  calibrate::write_scene_fit_store(output, contents, io::overwrite_if(arguments.force));
-  batch.finish();
-  const int code = report(arguments, contents, file.options.segments_within);
-  if (!arguments.quiet) tell("wrote {}\n", output);
-  return code;
+  const int code = run_fits(arguments, output, found, contents, begin, batch, [&] {
+    std::vector<calibrate::SceneFitResult> results = batch.run();
+    bar.clear();
+    search.clear();
+    std::vector<SceneFitRecord> records;
+    for (std::size_t i = 0; i < results.size(); ++i) {
+      records.push_back(record_of(file.cases[batch.fits()[i].of], std::move(results[i])));
+      records.back().seconds = batch.seconds()[i];
+    }
+    return records;
+  });
+  const bool moved = moved_too_far(contents.records, file.options.segments_within);
+  return code == kDone && moved ? kNotAcceptable : code;
 }
 
 }  // namespace plastica::cli

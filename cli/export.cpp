@@ -10,20 +10,17 @@
 #include <sstream>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <vector>
 
 #include "calibrate/engine/engine_text.hpp"
 #include "calibrate/engine/engine_world.hpp"
 #include "calibrate/report/csv_export.hpp"
-#include "calibrate/report/json.hpp"
-#include "calibrate/report/scene_fit_csv.hpp"
-#include "calibrate/report/scene_fit_json.hpp"
-#include "calibrate/store/fit_store.hpp"
-#include "calibrate/store/scene_fit_store.hpp"
 #include "cli/command.hpp"
 #include "cli/common_options.hpp"
 #include "cli/exit_code.hpp"
 #include "cli/export_beam.hpp"
+#include "cli/fit_reports.hpp"
 #include "cli/result_kind.hpp"
 #include "cli/run_files.hpp"
 #include "cli/tell.hpp"
@@ -130,34 +127,22 @@ std::string text_of_scene(const ExportArguments& arguments) {
   return out.str();
 }
 
-std::string text_of_fits(const ExportArguments& arguments) {
-  const std::string what = what_of(arguments, {"specimens", "curves"});
+/// Of fits of curves, or through scenes. @param kinds  of tables; the first is that of the fits
+template <typename Contents>
+std::string text_of_fits(const ExportArguments& arguments, const std::vector<std::string>& kinds) {
+  const std::string what = what_of(arguments, kinds);
   refuse_what_of_json(arguments);
-  const calibrate::FitStoreContents contents = calibrate::read_fit_store(arguments.beam.file);
-  if (arguments.beam.to == "json") {
-    const calibrate::FitOptions& fit = contents.options;
-    const calibrate::SpecimenDraws draws{fit.intervals.specimens, fit.seed, fit.confidence};
-    return calibrate::json_summary(contents.records, 2, draws) + '\n';
-  }
+  Contents contents;
+  read_fits(arguments.beam.file, contents);
+  if (arguments.beam.to == "json") return json_of(contents);
   std::ostringstream out;
   if (what == "curves") {
     calibrate::write_curves_csv(out, contents.records);
-  } else {
-    calibrate::write_specimens_csv(out, contents.records);
+  } else if (what == kinds.front()) {
+    calibrate::write_fits_csv(out, contents.records);
+  } else if constexpr (std::is_same_v<Contents, calibrate::SceneFitContents>) {
+    calibrate::write_targets_csv(out, contents.records);
   }
-  return out.str();
-}
-
-std::string text_of_scene_fits(const ExportArguments& arguments) {
-  const std::string what = what_of(arguments, {"fits", "targets", "curves"});
-  refuse_what_of_json(arguments);
-  const auto contents = calibrate::read_scene_fit_store(arguments.beam.file);
-  if (arguments.beam.to == "json")
-    return calibrate::scene_fits_json(contents.records, contents.confidence);
-  std::ostringstream out;
-  if (what == "fits") calibrate::write_scene_fits_csv(out, contents.records);
-  if (what == "targets") calibrate::write_scene_targets_csv(out, contents.records);
-  if (what == "curves") calibrate::write_scene_fit_curves_csv(out, contents.records);
   return out.str();
 }
 
@@ -210,9 +195,10 @@ std::string text_of(const ExportArguments& arguments) {
     return beam_text(arguments.beam, kind);
   }
   switch (kind) {
-    case Fits: return text_of_fits(arguments);
+    case Fits: return text_of_fits<calibrate::FitStoreContents>(arguments, {"specimens", "curves"});
     case Scene: return text_of_scene(arguments);
-    case SceneFits: return text_of_scene_fits(arguments);
+    case SceneFits:
+      return text_of_fits<calibrate::SceneFitContents>(arguments, {"fits", "targets", "curves"});
     case Sweep: break;
   }
   return text_of_sweep(arguments);

@@ -24,9 +24,6 @@ const Record& find(std::span<const Record> records, const NameOf& name_of, std::
                    fmt::format("must be a {} of the file: {}", what, names));
 }
 
-const std::string& name_of(const calibrate::FitRecord& record) { return record.target.name; }
-const std::string& name_of(const calibrate::SceneFitRecord& record) { return record.name; }
-
 /// By its label, or by its name: the law that is advised for it.
 template <typename Record>
 const Record& find_law(std::span<const Record> records, std::string_view what,

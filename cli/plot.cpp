@@ -6,10 +6,10 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "calibrate/report/plot.hpp"
-#include "calibrate/report/scene_fit_plot.hpp"
 #include "calibrate/store/fit_store.hpp"
 #include "calibrate/store/scene_fit_store.hpp"
 #include "cli/command.hpp"
@@ -106,18 +106,6 @@ void draw_sweep(const PlotArguments& arguments) {
                           std::cout);
 }
 
-void draw_fits(const PlotArguments& arguments) {
-  refuse_second_file(arguments, "fits are drawn of one file");
-  const auto contents = calibrate::read_fit_store(arguments.files.front());
-  calibrate::draw_plot(contents.records, arguments.request, std::cout);
-}
-
-void draw_scene_fits(const PlotArguments& arguments) {
-  refuse_second_file(arguments, "fits are drawn of one file");
-  const auto contents = calibrate::read_scene_fit_store(arguments.files.front());
-  calibrate::draw_scene_fit_plot(contents.records, arguments.request, std::cout);
-}
-
 int plot(const PlotArguments& arguments) {
   if (arguments.list) {
     list(arguments);
@@ -128,11 +116,20 @@ int plot(const PlotArguments& arguments) {
     for (const std::string& file : arguments.files) refuse_input("--output", output, file);
     io::check_output_path(output, arguments.force);
   }
-  const ResultKind kind = kind_of_result(arguments.files.front());
+  const std::string& file = arguments.files.front();
+  const ResultKind kind = kind_of_result(file);
   check_options(kind, arguments);
+  constexpr std::string_view kOneOfFits = "fits are drawn of one file";
   switch (kind) {
-    case ResultKind::Fits: draw_fits(arguments); break;
-    case ResultKind::SceneFits: draw_scene_fits(arguments); break;
+    case ResultKind::Fits:
+      refuse_second_file(arguments, kOneOfFits);
+      calibrate::draw_plot(calibrate::read_fit_store(file).records, arguments.request, std::cout);
+      break;
+    case ResultKind::SceneFits:
+      refuse_second_file(arguments, kOneOfFits);
+      calibrate::draw_plot(calibrate::read_scene_fit_store(file).records, arguments.request,
+                           std::cout);
+      break;
     case ResultKind::Scene: draw_scenes(arguments); break;
     case ResultKind::Sweep: draw_sweep(arguments); break;
   }

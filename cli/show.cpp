@@ -3,19 +3,12 @@
 
 #include <CLI/CLI.hpp>
 #include <array>
-#include <cstdio>
 #include <memory>
-#include <span>
 #include <string>
 
-#include "calibrate/report/law_choice.hpp"
-#include "calibrate/report/scene_fit_text.hpp"
-#include "calibrate/report/text.hpp"
-#include "calibrate/store/fit_store.hpp"
-#include "calibrate/store/scene_fit_store.hpp"
 #include "cli/command.hpp"
 #include "cli/exit_code.hpp"
-#include "cli/find_record.hpp"
+#include "cli/fit_reports.hpp"
 #include "cli/result_kind.hpp"
 #include "plastica/io/scene_store.hpp"
 #include "plastica/report/scene_text.hpp"
@@ -53,59 +46,16 @@ int show_sweep(const ShowArguments& arguments) {
   return kDone;
 }
 
+/// Of fits of curves, or through scenes.
+template <typename Contents>
 int show_fits(const ShowArguments& arguments) {
-  calibrate::FitStoreContents contents = calibrate::read_fit_store(arguments.file);
-  calibrate::ReportOptions options;
-  options.color = isatty(STDOUT_FILENO) != 0;
-  options.confidence = contents.options.confidence;
-  options.specimen_resamples = contents.options.intervals.specimens;
-  options.seed = contents.options.seed;
-  if (!arguments.which.empty()) {
-    const auto& record = find_record(contents.records, arguments.which, arguments.file);
-    fmt::print("{}", calibrate::fit_report(record, options));
-    return kDone;
+  Contents contents;
+  read_fits(arguments.file, contents);
+  if (arguments.which.empty()) {
+    print_fits(contents, arguments.all);
+  } else {
+    print_fit(contents, arguments.which, arguments.file);
   }
-  if (arguments.all) {
-    options.specimens_shown = 0;
-    options.groups_shown = 0;
-  }
-  fmt::print("{}", calibrate::laws_report(contents.records, options));
-  if (calibrate::compares_laws(contents.records)) fmt::print("\n");
-  const auto advised =
-      std::span(contents.records).first(calibrate::advised_first(contents.records));
-  const auto reported = arguments.all ? std::span(contents.records) : advised;
-  if (arguments.all || advised.size() == 1) {
-    for (const auto& record : reported) {
-      fmt::print("{}\n", calibrate::fit_report(record, options));
-    }
-  }
-  fmt::print("{}", calibrate::batch_report(advised, options));
-  return kDone;
-}
-
-int show_scene_fits(const ShowArguments& arguments) {
-  auto contents = calibrate::read_scene_fit_store(arguments.file);
-  calibrate::ReportOptions options;
-  options.color = isatty(STDOUT_FILENO) != 0;
-  options.confidence = contents.confidence;
-  if (!arguments.which.empty()) {
-    const auto& record = find_record(contents.records, arguments.which, arguments.file);
-    fmt::print("{}", calibrate::scene_fit_report(record, options));
-    return kDone;
-  }
-  if (arguments.all) {
-    options.specimens_shown = 0;
-    if (contents.records.size() > 1) {
-      for (const auto& record : contents.records) {
-        fmt::print("{}\n", calibrate::scene_fit_report(record, options));
-      }
-    }
-  }
-  fmt::print("{}", calibrate::laws_report(contents.records, options));
-  if (calibrate::compares_laws(contents.records)) fmt::print("\n");
-  const auto advised =
-      std::span(contents.records).first(calibrate::advised_first(contents.records));
-  fmt::print("{}", calibrate::scene_fits_report(advised, options));
   return kDone;
 }
 
@@ -117,9 +67,9 @@ int show(const ShowArguments& arguments) {
       ResultOption{"--all", arguments.all, {Fits, SceneFits, Sweep}}};
   refuse_options_of_others(kind, options);
   switch (kind) {
-    case Fits: return show_fits(arguments);
+    case Fits: return show_fits<calibrate::FitStoreContents>(arguments);
     case Scene: return show_scene(arguments);
-    case SceneFits: return show_scene_fits(arguments);
+    case SceneFits: return show_fits<calibrate::SceneFitContents>(arguments);
     case Sweep: break;
   }
   return show_sweep(arguments);

@@ -1,7 +1,6 @@
 #include "calibrate/report/json.hpp"
 
-#include <cmath>
-#include <optional>
+#include <algorithm>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -9,11 +8,12 @@
 #include <nlohmann/json.hpp>
 
 #include "calibrate/report/described.hpp"
-#include "calibrate/report/format.hpp"
-#include "calibrate/report/json_values.hpp"
+#include "calibrate/report/fit_entries.hpp"
 #include "calibrate/report/law_choice.hpp"
 #include "calibrate/report/law_json.hpp"
 #include "calibrate/report/outcome_json.hpp"
+#include "calibrate/report/parameter_words.hpp"
+#include "calibrate/report/scene_population.hpp"
 #include "calibrate/report/summary.hpp"
 #include "calibrate/result/describe_fit.hpp"
 #include "calibrate/result/describe_target.hpp"
@@ -23,33 +23,60 @@ namespace plastica::calibrate {
 namespace {
 
 using namespace report;
+
 Json pairs(const std::vector<std::pair<std::string, std::string>>& all) {
   Json object = Json::object();
   for (const auto& [key, value] : all) object[key] = value;
   return object;
 }
 
-Json fit_of(const FitRecord& record) {
+/// Adds the lists of a fit.
+void add_lists(Json& fit, const FitRecord& record) {
   const Target& target = record.target;
-  const FitResult& result = record.result;
   Json warnings = target.warnings;
-  for (const std::string& warning : result.warnings) warnings.push_back(warning);
+  for (const std::string& warning : record.result.warnings) warnings.push_back(warning);
   Json properties = Json::object();
   for (const auto& [name, value] : target.properties) properties[name] = number(value);
-  Json fit = described_json(&record, kDescribeFit);
-  fit["reason"] = text_or_null(reason_of(record));
-  fit["usable"] = is_usable(result);
-  fit["why_unusable"] = text_or_null(why_unusable(result));
-  fit["evaluations"] = result.evaluations();
-  fit["characteristics"] = described_json(&target.characteristics, kDescribeCharacteristics);
-  add_outcome(fit, result);
-  fit["stages"] = described_list(result.stages, kDescribeStage);
+  fit["characteristics"] = json_of(described(&target.characteristics, kDescribeCharacteristics));
+  fit["stages"] = described_list(record.result.stages, kDescribeStage);
   fit["group"] = pairs(target.group);
   fit["properties"] = std::move(properties);
   fit["repairs"] = described_list(target.repairs, kDescribeRepair);
   fit["corrections"] = described_list(target.corrections, kDescribeCorrection);
   fit["warnings"] = std::move(warnings);
-  return fit;
+}
+
+/// Null if the fit was not repeated with other segments.
+Json segments_of(const SceneFitResult& result) {
+  if (!result.segments) return nullptr;
+  const SceneSegments& segments = *result.segments;
+  Json parameters = Json::object();
+  for (std::size_t i = 0; i < segments.parameters.size(); ++i) {
+    Json& object = parameters[result.parameters[i].name()];
+    object = json_of(described(&segments.parameters[i], kDescribeSegments));
+    object["unit"] = si_unit(result.parameters[i].dimension);
+  }
+  return {{"segments", segments.segments},
+          {"note", text_or_null(segments.note)},
+          {"parameters", std::move(parameters)}};
+}
+
+void add_lists(Json& fit, const SceneFitRecord& record) {
+  const SceneFitResult& result = record.result;
+  fit["segments"] = segments_of(result);
+  Json targets = Json::array();
+  for (std::size_t t = 0; t < record.targets.size(); ++t) {
+    targets.push_back(json_of(target_entries(&record, t)));
+    targets.back()["repairs"] = described_list(record.targets[t].repairs, kDescribeRepair);
+  }
+  fit["targets"] = std::move(targets);
+  Json starts = described_list(result.starts, kDescribeStart);
+  for (std::size_t i = 0; i < result.starts.size(); ++i) {
+    starts[i]["from"] = numbers(result.starts[i].from);
+    starts[i]["to"] = numbers(result.starts[i].to);
+  }
+  fit["starts"] = std::move(starts);
+  fit["warnings"] = result.warnings;
 }
 
 Json statistics_of(const std::vector<GroupStatistic>& all) {
@@ -67,13 +94,55 @@ Json statistics_of(const std::vector<GroupStatistic>& all) {
   return object;
 }
 
+Json population_of(std::span<const SceneFitRecord> records, double confidence) {
+  const ScenePopulation population = scene_population(records, confidence);
+  Json parameters = Json::object();
+  for (const PopulationParameter& p : population.parameters) {
+    parameters[short_name(p.path)] = {
+        {"n", p.n},
+        {"left_out", p.left_out},
+        {"of_material", p.is_of_material},
+        {"segments_error", number(p.segments_error)},
+        {"mean", number(p.mean)},
+        {"standard_deviation", number(p.standard_deviation)},
+        {"rms_error", number(p.rms_error)},
+        {"specimen_deviation", number(p.specimen_deviation)},
+        {"mean_sampling_error", number(p.sampling_error)},
+        {"mean_interval", {number(p.mean_low), number(p.mean_high)}},
+        {"specimen_deviation_interval", {number(p.deviation_low), number(p.deviation_high)}},
+        {"unit", si_unit(p.dimension)}};
+  }
+  const std::size_t n = population.parameters.size();
+  return {{"parameters", std::move(parameters)},
+          {"covariance", matrix_json(population.covariance, n)},
+          {"specimen_covariance", matrix_json(population.specimen_covariance, n)},
+          {"specimen_covariance_low", matrix_json(population.covariance_low, n)},
+          {"specimen_covariance_high", matrix_json(population.covariance_high, n)},
+          {"confidence", confidence}};
+}
+
+template <typename Record>
+Json fits_of(std::span<const Record> records) {
+  Json fits = Json::array();
+  for (const Record& record : records) {
+    Json fit = json_of(fit_entries(&record));
+    add_outcome(fit, record.result);
+    add_lists(fit, record);
+    fits.push_back(std::move(fit));
+  }
+  return fits;
+}
+
+std::string text_of(const Json& all, int indent) {
+  return all.dump(indent, ' ', false, Json::error_handler_t::replace) + '\n';
+}
+
 }  // namespace
+
+// Groups, population and counts are those of the law that is advised.
 
 std::string json_summary(std::span<const FitRecord> records, int indent,
                          const SpecimenDraws& draws) {
-  Json fits = Json::array();
-  for (const FitRecord& record : records) fits.push_back(fit_of(record));
-  // Groups and counts are those of the law that is advised.
   std::vector<FitRecord> advised(records.begin(), records.end());
   const std::span<const FitRecord> shown = std::span(advised).first(advised_first(advised));
   Json groups = Json::array();
@@ -86,7 +155,7 @@ std::string json_summary(std::span<const FitRecord> records, int indent,
                       {"parameters", statistics_of(group.parameters)}});
   }
   const Counts counts = count_statuses(shown);
-  Json all = {{"fits", std::move(fits)},
+  Json all = {{"fits", fits_of(records)},
               {"groups", std::move(groups)},
               {"counts",
                {{"fitted", counts.fitted},
@@ -94,7 +163,23 @@ std::string json_summary(std::span<const FitRecord> records, int indent,
                 {"failed", counts.failed},
                 {"unusable", counts.unusable}}}};
   if (compares_laws(records)) all["laws"] = laws_json(records);
-  return all.dump(indent, ' ', false, Json::error_handler_t::replace) + '\n';
+  return text_of(all, indent);
+}
+
+std::string json_summary(std::span<const SceneFitRecord> records, double confidence, int indent) {
+  const std::vector<SceneFitRecord> shown = of_law(records, "");
+  const auto fitted = std::ranges::count(shown, FitStatus::Fitted,
+                                         [](const SceneFitRecord& r) { return r.result.status; });
+  Json all = {{"fits", fits_of(records)},
+              {"population", population_of(shown, confidence)},
+              {"counts",
+               {{"fitted", fitted},
+                {"failed", std::ssize(shown) - fitted},
+                {"unusable", std::ranges::count_if(shown, [](const SceneFitRecord& r) {
+                   return !why_unusable(r.result).empty();
+                 })}}}};
+  if (compares_laws(records)) all["laws"] = laws_json(records);
+  return text_of(all, indent);
 }
 
 }  // namespace plastica::calibrate

@@ -46,9 +46,6 @@ LawFit law_fit_of(const FitRecord& record) {
   return fit;
 }
 
-const std::string& name_of(const FitRecord& record) { return record.target.name; }
-const std::string& name_of(const SceneFitRecord& record) { return record.name; }
-
 template <typename Record>
 using Records = std::vector<const Record*>;
 

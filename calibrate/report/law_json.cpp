@@ -8,9 +8,6 @@
 namespace plastica::calibrate::report {
 namespace {
 
-const std::string& name_of(const FitRecord& record) { return record.target.name; }
-const std::string& name_of(const SceneFitRecord& record) { return record.name; }
-
 /// Laws beside each other, the best first.
 Json comparison_of(const LawComparison& comparison) {
   Json laws = Json::array();

@@ -14,9 +14,7 @@ Json parameter_json(const FittedParameter& parameter) {
   Json object = {{"path", parameter.path},
                  {"unit", si_unit(parameter.dimension)},
                  {"role", word_of(parameter.role)}};
-  JsonDescriber described(object, &parameter);
-  kDescribeParameter(described);
-  return object;
+  return json_of(described(&parameter, kDescribeParameter), std::move(object));
 }
 
 /// Rows of the matrix of the free parameters; empty if the fit gave none.

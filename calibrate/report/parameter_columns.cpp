@@ -5,35 +5,16 @@
 #include <algorithm>
 #include <cstddef>
 #include <string_view>
-#include <utility>
 
-#include "calibrate/report/described.hpp"
+#include "calibrate/report/csv_cells.hpp"
 
 namespace plastica::calibrate::report {
 namespace {
 
-template <typename Row>
-void append(std::vector<std::string>& to, const std::vector<std::string> CellDescriber<Row>::*list,
-            const CellDescriber<Row>& from) {
-  to.insert(to.end(), (from.*list).begin(), (from.*list).end());
-}
-
-/// @param parameter  null: empty cells
-CellDescriber<FittedParameter> columns_of(const FittedParameter* parameter,
-                                          const std::string& title, std::string_view unit) {
-  CellDescriber<FittedParameter> columns(parameter, title, unit);
-  kDescribeParameter(columns);
-  return columns;
-}
-
-/// @param segments  null: empty cells
-CellDescriber<SegmentsError> columns_of(const SegmentsError* segments, const std::string& title,
-                                        std::string_view unit) {
-  CellDescriber<SegmentsError> columns(segments, title, unit);
-  columns("extrapolated", kOwnUnits, PLASTICA_MEMBER(extrapolated));
-  columns("segments_error", kOwnUnits, PLASTICA_MEMBER(error));
-  return columns;
-}
+constexpr auto kDescribeExtrapolated = [](auto& d) {
+  d("extrapolated", kOwnUnits, PLASTICA_MEMBER(extrapolated));
+  d("segments_error", kOwnUnits, PLASTICA_MEMBER(error));
+};
 
 }  // namespace
 
@@ -56,10 +37,10 @@ void ParameterColumns::add_titles(std::vector<std::string>& header) const {
     const std::string of = "fit." + std::string(last_part(parameter.path));
     const std::string_view unit = si_unit(parameter.dimension);
     const FittedParameter* none = nullptr;
-    append(header, &CellDescriber<FittedParameter>::names, columns_of(none, of, unit));
+    report::add_titles(header, described(none, kDescribeParameter), of, unit);
     const SegmentsError* no_error = nullptr;
     if (has_segments_) {
-      append(header, &CellDescriber<SegmentsError>::names, columns_of(no_error, of, unit));
+      report::add_titles(header, described(no_error, kDescribeExtrapolated), of, unit);
     }
     for (const IntervalColumn& column : intervals_) {
       header.push_back(of + column.name);
@@ -72,13 +53,13 @@ void ParameterColumns::add_cells(const FitRow& row, std::vector<std::string>& ce
   const std::vector<const FittedParameter*> free = row.fit->free_parameters();
   for (const Parameter& parameter : parameters_) {
     const FittedParameter* fitted = row.fit->find_parameter(parameter.path);
-    append(cells, &CellDescriber<FittedParameter>::cells, columns_of(fitted, {}, {}));
+    report::add_cells(cells, described(fitted, kDescribeParameter));
     const auto at = static_cast<std::size_t>(std::ranges::find(free, fitted) - free.begin());
     const bool is_free = at < free.size();
     if (has_segments_) {
       const bool known = is_free && row.segments != nullptr;
       const SegmentsError* error = known ? &row.segments->parameters.at(at) : nullptr;
-      append(cells, &CellDescriber<SegmentsError>::cells, columns_of(error, {}, {}));
+      report::add_cells(cells, described(error, kDescribeExtrapolated));
     }
     for (const IntervalColumn& column : intervals_) {
       cells.push_back(is_free ? column.cell(row.fit->intervals, at) : std::string());

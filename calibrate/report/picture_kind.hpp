@@ -7,6 +7,8 @@
 #include <string>
 #include <string_view>
 
+#include "calibrate/report/interval_figures.hpp"
+#include "calibrate/report/laws_figure.hpp"
 #include "calibrate/report/plot.hpp"
 #include "plastica/base/check.hpp"
 #include "plastica/report/scene_figure.hpp"
@@ -49,9 +51,29 @@ constexpr std::array<PlotKind, N> listed(const std::array<PictureKind<Record>, N
   return list;
 }
 
-inline plastica::report::PlotScript drawn(const plastica::report::Figure& figure, bool terminal) {
+using plastica::report::PlotScript;
+
+inline PlotScript drawn(const plastica::report::Figure& figure, bool terminal) {
   return terminal ? plastica::report::figure_terminal(figure)
                   : plastica::report::figure_page(figure);
+}
+
+/// Likelihood intervals of one fit.
+template <typename Record>
+PlotScript profile_picture(const Record& record, bool terminal) {
+  return drawn(profile_figure(shown_intervals(record.result, name_of(record))), terminal);
+}
+
+/// Resampled values of one fit.
+template <typename Record>
+PlotScript bootstrap_picture(const Record& record, bool terminal) {
+  return drawn(bootstrap_figure(shown_intervals(record.result, name_of(record))), terminal);
+}
+
+/// What the laws that are compared make of one target, or fit.
+template <typename Record>
+PlotScript laws_picture(std::span<const Record> records, const std::string& name, bool terminal) {
+  return drawn(laws_figure(records, name), terminal);
 }
 
 }  // namespace plastica::calibrate::report

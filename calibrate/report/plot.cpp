@@ -2,10 +2,15 @@
 
 #include <algorithm>
 #include <array>
+#include <type_traits>
+#include <vector>
+
+#include <fmt/format.h>
 
 #include "calibrate/report/law_choice.hpp"
 #include "calibrate/report/laws_figure.hpp"
 #include "calibrate/report/plot_kinds.hpp"
+#include "calibrate/report/scene_fit_figures.hpp"
 #include "plastica/base/check.hpp"
 #include "plastica/report/picture.hpp"
 
@@ -14,63 +19,93 @@ namespace {
 
 using report::PlotScript;
 
-using report::kFitPictures;
+constexpr auto kCurveKinds = report::listed(report::kFitPictures);
+constexpr auto kSceneKinds = report::listed(report::kSceneFitPictures);
 
-constexpr auto kPlotKinds = report::listed(kFitPictures);
+const auto& pictures_of(std::span<const FitRecord>) { return report::kFitPictures; }
+const auto& pictures_of(std::span<const SceneFitRecord>) { return report::kSceneFitPictures; }
 
-const FitRecord& find_specimen(std::span<const FitRecord> records, const std::string& name) {
+/// The picture where none is asked for.
+std::string default_of(std::span<const FitRecord> records, bool is_one) {
+  return std::string(is_one || records.size() == 1 ? "curve" : "overview");
+}
+std::string default_of(std::span<const SceneFitRecord>, bool) { return "fit"; }
+
+void set_name(FitRecord& record, std::string name) { record.target.name = std::move(name); }
+void set_name(SceneFitRecord& record, std::string name) { record.name = std::move(name); }
+
+/// What a record is called in errors.
+template <typename Record>
+constexpr std::string_view kNoun = std::is_same_v<Record, FitRecord> ? "specimen" : "fit";
+
+template <typename Record>
+const Record& find_named(const std::vector<Record>& records, const std::string& name) {
   if (name.empty()) return records.front();
-  for (const FitRecord& record : records) {
-    if (record.target.name == name) return record;
-  }
   std::string names;
-  for (std::size_t i = 0; i < std::min<std::size_t>(records.size(), 8); ++i) {
-    names += (i == 0 ? "" : ", ") + records[i].target.name;
+  for (std::size_t i = 0; i < records.size(); ++i) {
+    if (name_of(records[i]) == name) return records[i];
+    if (i < 8) names += (i == 0 ? "" : ", ") + name_of(records[i]);
   }
   if (records.size() > 8) names += ", …";
-  throw InputError({}, "--case", name, "is not a specimen of this file; it has " + names);
+  throw InputError({}, "--case", name,
+                   fmt::format("is not a {} of this file; it has {}", kNoun<Record>, names));
 }
 
-PlotScript make(std::span<const FitRecord> all, PlotRequest request) {
-  if (all.empty()) throw InputError({}, "plot", request.what, "there is no specimen to draw");
+template <typename Record>
+PlotScript make(std::span<const Record> all, PlotRequest request) {
+  if (all.empty()) {
+    throw InputError({}, "plot", request.what,
+                     fmt::format("there is no {} to draw", kNoun<Record>));
+  }
   const bool terminal = request.output == "-";
   if (!request.what.empty()) {
-    const report::FitPicture& picture = report::find_picture(kFitPictures, request.what);
+    const auto& picture = report::find_picture(pictures_of(all), request.what);
     if (picture.of_laws != nullptr) {
       report::refuse_law(request);
       return picture.of_laws(all, request.specimen, terminal);
     }
   }
   split_label(all, request.specimen, request.law);
-  const std::vector<FitRecord> records = of_law(all, request.law);
-  const bool is_one = records.size() == 1 || !request.specimen.empty();
-  const report::FitPicture& picture =
-      request.what.empty() ? report::find_picture(kFitPictures, is_one ? "curve" : "overview")
-                           : report::find_picture(kFitPictures, request.what);
+  const std::vector<Record> records = of_law(all, request.law);
+  if (request.what.empty()) request.what = default_of(records, !request.specimen.empty());
+  const auto& picture = report::find_picture(pictures_of(all), request.what);
   if (picture.of_one != nullptr) {
-    FitRecord record = find_specimen(records, request.specimen);
-    record.target.name = label_of(record, compares_laws(all));
+    Record record = find_named(records, request.specimen);
+    set_name(record, label_of(record, compares_laws(all)));
     return picture.of_one(record, terminal);
   }
   if (!request.specimen.empty()) {
-    throw InputError({}, "--case", request.specimen, "goes with pictures of one specimen only");
+    throw InputError({}, "--case", request.specimen,
+                     fmt::format("does not go with the picture '{}'", picture.name));
   }
   return picture.of_all(records, terminal);
 }
 
+template <typename Record>
+void draw(std::span<const Record> records, const PlotRequest& request, std::ostream& out) {
+  plastica::report::check_picture_output(request.output);
+  plastica::report::draw_picture(make(records, request), request.output, out, request.overwrite);
+}
+
 }  // namespace
 
-std::span<const PlotKind> plot_kinds() { return kPlotKinds; }
+std::span<const PlotKind> plot_kinds() { return kCurveKinds; }
+std::span<const PlotKind> scene_fit_plot_kinds() { return kSceneKinds; }
 
 std::string plot_script(std::span<const FitRecord> records, const PlotRequest& request) {
+  return make(records, request).text();
+}
+std::string plot_script(std::span<const SceneFitRecord> records, const PlotRequest& request) {
   return make(records, request).text();
 }
 
 void draw_plot(std::span<const FitRecord> records, const PlotRequest& request,
                std::ostream& standard_output) {
-  plastica::report::check_picture_output(request.output);
-  plastica::report::draw_picture(make(records, request), request.output, standard_output,
-                                 request.overwrite);
+  draw(records, request, standard_output);
+}
+void draw_plot(std::span<const SceneFitRecord> records, const PlotRequest& request,
+               std::ostream& standard_output) {
+  draw(records, request, standard_output);
 }
 
 }  // namespace plastica::calibrate

@@ -10,8 +10,6 @@
 #include <fmt/format.h>
 
 #include "calibrate/report/format.hpp"
-#include "calibrate/report/interval_figures.hpp"
-#include "calibrate/report/laws_figure.hpp"
 #include "calibrate/report/plot_parts.hpp"
 #include "calibrate/report/summary.hpp"
 #include "plastica/base/check.hpp"
@@ -178,19 +176,6 @@ PlotScript overview_picture(std::span<const FitRecord> records, bool terminal) {
 
 PlotScript parameters_picture(std::span<const FitRecord> records, bool terminal) {
   return terminal ? parameters_terminal(records) : parameters_plot(records);
-}
-
-PlotScript profile_picture(const FitRecord& record, bool terminal) {
-  return drawn(profile_figure(shown_intervals(record.result, record.name())), terminal);
-}
-
-PlotScript bootstrap_picture(const FitRecord& record, bool terminal) {
-  return drawn(bootstrap_figure(shown_intervals(record.result, record.name())), terminal);
-}
-
-PlotScript laws_picture(std::span<const FitRecord> records, const std::string& specimen,
-                        bool terminal) {
-  return drawn(laws_figure(records, specimen), terminal);
 }
 
 PlotScript overview_plot(std::span<const FitRecord> records) {

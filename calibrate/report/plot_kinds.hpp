@@ -38,13 +38,6 @@ PlotScript parameters_plot(std::span<const FitRecord> records);
 PlotScript parameters_terminal(std::span<const FitRecord> records);
 PlotScript parameters_picture(std::span<const FitRecord> records, bool terminal);
 
-/// Likelihood intervals and resampled values of one specimen (interval_figures.hpp), and what the
-/// laws make of it (laws_figure.hpp).
-PlotScript profile_picture(const FitRecord& record, bool terminal);
-PlotScript bootstrap_picture(const FitRecord& record, bool terminal);
-PlotScript laws_picture(std::span<const FitRecord> records, const std::string& specimen,
-                        bool terminal);
-
 using FitPicture = PictureKind<FitRecord>;
 /// All kinds, as `--list` has them: a new one is a line here, its function above, and what that
 /// draws in a .cpp.

@@ -7,8 +7,6 @@
 
 #include <fmt/format.h>
 
-#include "calibrate/report/interval_figures.hpp"
-#include "calibrate/report/laws_figure.hpp"
 #include "calibrate/report/parameter_words.hpp"
 #include "calibrate/report/plot_parts.hpp"
 #include "calibrate/report/scene_fit_bands.hpp"
@@ -301,19 +299,6 @@ PlotScript correlation_plot(const SceneFitRecord& record, bool terminal) {
   script.add_unnamed(script.add_points(cells), "using 1:2:3 with image");
   script.end_panel();
   return script;
-}
-
-Figure profiles_figure(const SceneFitRecord& record) {
-  return profile_figure(shown_intervals(record.result, record.name));
-}
-
-Figure bootstraps_figure(const SceneFitRecord& record) {
-  return bootstrap_figure(shown_intervals(record.result, record.name));
-}
-
-PlotScript laws_plot(std::span<const SceneFitRecord> records, const std::string& name,
-                     bool terminal) {
-  return drawn(laws_figure(records, name), terminal);
 }
 
 }  // namespace plastica::calibrate::report

@@ -33,13 +33,6 @@ Figure population_figure(std::span<const SceneFitRecord> records);
 /// @throws InputError if it has none
 PlotScript correlation_plot(const SceneFitRecord& record, bool terminal);
 
-/// Likelihood intervals and resampled values of one fit (interval_figures.hpp), and what the laws
-/// make of its targets (laws_figure.hpp).
-Figure profiles_figure(const SceneFitRecord& record);
-Figure bootstraps_figure(const SceneFitRecord& record);
-PlotScript laws_plot(std::span<const SceneFitRecord> records, const std::string& name,
-                     bool terminal);
-
 template <auto figure>
 PlotScript draw_one(const SceneFitRecord& record, bool terminal) {
   return drawn(figure(record), terminal);
@@ -69,14 +62,14 @@ inline constexpr std::array kSceneFitPictures{
     SceneFitPicture{
         .name = "profile",
         .doc = "rise of the least cost over each parameter, of a fit with profiles (--case)",
-        .of_one = draw_one<profiles_figure>},
+        .of_one = profile_picture},
     SceneFitPicture{.name = "bootstrap",
                     .doc = "resampled values of the parameters and of pairs (--case)",
-                    .of_one = draw_one<bootstraps_figure>},
+                    .of_one = bootstrap_picture},
     SceneFitPicture{
         .name = "laws",
         .doc = "what each law of a comparison makes of the targets, and how far off it is (--case)",
-        .of_laws = laws_plot},
+        .of_laws = laws_picture},
     SceneFitPicture{
         .name = "population",
         .doc = "values and intervals of all fits, with mean and deviation of the specimens",

@@ -57,9 +57,6 @@ std::vector<LawParameter> parameters_of(const SceneFitRecord& record) {
   return all;
 }
 
-const std::string& target_name(const FitRecord& record) { return record.target.name; }
-const std::string& target_name(const SceneFitRecord& record) { return record.name; }
-
 std::size_t samples_of(const FitRecord& record) { return record.result.samples; }
 std::size_t samples_of(const SceneFitRecord& record) {
   std::size_t samples = 0;
@@ -263,7 +260,7 @@ std::string target_text(const Records<Record>& records, const Ink& ink) {
   add_parameters(sorted, table);
   add_comparison(sorted, comparison, table);
   std::string text =
-      ink.heading(fmt::format("Laws for {}, by {}\n", printable(target_name(*records.front())),
+      ink.heading(fmt::format("Laws for {}, by {}\n", printable(name_of(*records.front())),
                               calibrate::name_of(comparison.ranked_by))) +
       table.text(2, kWidth) + failures_of(sorted, "");
   if (!comparison.advised) return text;
@@ -299,7 +296,7 @@ std::string targets_text(const std::vector<Records<Record>>& targets, const Repo
                                 ? targets.size()
                                 : std::min(targets.size(), options.specimens_shown);
   for (std::size_t t = 0; t < shown; ++t) {
-    std::vector<std::string> cells{printable(target_name(*targets[t].front()))};
+    std::vector<std::string> cells{printable(name_of(*targets[t].front()))};
     for (const Record* record : targets[t]) {
       const bool fitted = record->result.status == FitStatus::Fitted;
       cells.push_back(fitted ? significant(100.0 * fraction_of(*record), 2) : "-");
@@ -315,7 +312,7 @@ std::string targets_text(const std::vector<Records<Record>>& targets, const Repo
   }
   std::string failures;
   for (std::size_t t = 0; t < shown; ++t) {
-    failures += failures_of(targets[t], target_name(*targets[t].front()));
+    failures += failures_of(targets[t], name_of(*targets[t].front()));
   }
   return ink.heading("Misfit by law\n") + table.text(2, kWidth) + failures;
 }

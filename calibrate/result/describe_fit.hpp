@@ -62,62 +62,51 @@ inline constexpr auto kDescribeTargetFit = [](auto& d) {
     "permanent strain of the fitted model where the target broke");
 };
 
-/// Of the FitOutcome of a record, but for its lists.
+/// Of a FitOutcome, whatever was fitted.
 inline constexpr auto kDescribeOutcome = [](auto& d) {
-  d("law", "", PLASTICA_MEMBER(result.law), "that was fitted");
-  d("status", "", PLASTICA_MEMBER(result.status), "how the fit ended");
-  d("reason", "", PLASTICA_MEMBER(result.reason), "why it gave nothing");
+  d("law", "", PLASTICA_MEMBER(law), "that was fitted");
+  d("status", "", PLASTICA_MEMBER(status), "how the fit ended");
+  d("reason", "", PLASTICA_MEMBER(reason), "why it gave nothing");
 };
 
-/// Of a FitRecord of a coupon.
+/// Of a FitResult, beside its outcome.
 inline constexpr auto kDescribeFit = [](auto& d) {
-  d("name", "", PLASTICA_MEMBER(target.name), "of the target");
-  kDescribeOutcome(d);
-  d("file", "", PLASTICA_MEMBER(target.file), "of the measured curve");
-  d("test", "", PLASTICA_MEMBER(target.test), "of the specimen");
-  d("measure", "", PLASTICA_MEMBER(target.measure), "of stress and strain");
-  d("loading", "", PLASTICA_MEMBER(target.loading), "monotonic or cyclic");
-  d("target_status", "", PLASTICA_MEMBER(target.status), "whether the curve can be fitted");
-  d("target_reason", "", PLASTICA_MEMBER(target.reason), "why it cannot");
-  d("samples", "1", PLASTICA_MEMBER(result.samples), "that entered the fit");
-  d("seed", "", PLASTICA_MEMBER(result.seed), "of the target's random numbers");
-  d("noise", "Pa", PLASTICA_MEMBER(result.noise), "stated standard deviation of the stress");
-  d("simpler_evaluations", "1", PLASTICA_MEMBER(result.simpler_evaluations),
+  d("samples", "1", PLASTICA_MEMBER(samples), "that entered the fit");
+  d("seed", "", PLASTICA_MEMBER(seed), "of the target's random numbers");
+  d("noise", "Pa", PLASTICA_MEMBER(noise), "stated standard deviation of the stress");
+  d("simpler_evaluations", "1", PLASTICA_MEMBER(simpler_evaluations),
     "of the fits of simpler laws whose values were tried as starts");
-  const auto fitted = [](const auto& record) { return record.result.status == FitStatus::Fitted; };
+  const auto fitted = [](const auto& result) { return result.status == FitStatus::Fitted; };
   d.only(fitted, [](auto& only) {
-    only("cost", "Pa^2", PLASTICA_MEMBER(result.cost), "objective, break term included");
-    only("misfit_rms", "Pa", PLASTICA_MEMBER(result.misfit_rms), "root of the stress misfit");
-    only("misfit_fraction", "1", PLASTICA_MEMBER(result.misfit_fraction),
+    only("cost", "Pa^2", PLASTICA_MEMBER(cost), "objective, break term included");
+    only("misfit_rms", "Pa", PLASTICA_MEMBER(misfit_rms), "root of the stress misfit");
+    only("misfit_fraction", "1", PLASTICA_MEMBER(misfit_fraction),
          "misfit over the largest stress");
-    only("misfit_word", "", PLASTICA_MEMBER(result.misfit_word), "close, fair or poor");
-    only("runs_test_p", "1", PLASTICA_MEMBER(result.runs_test_p),
+    only("misfit_word", "", PLASTICA_MEMBER(misfit_word), "close, fair or poor");
+    only("runs_test_p", "1", PLASTICA_MEMBER(runs_test_p),
          "of as few runs of residuals of one sign, if they were independent");
-    only("autocorrelation", "1", PLASTICA_MEMBER(result.autocorrelation),
-         "of neighbouring residuals");
-    only("effective_samples", "1", PLASTICA_MEMBER(result.effective_samples), "by their weights");
+    only("autocorrelation", "1", PLASTICA_MEMBER(autocorrelation), "of neighbouring residuals");
+    only("effective_samples", "1", PLASTICA_MEMBER(effective_samples), "by their weights");
   });
-  d("break_strain_total", "1", PLASTICA_MEMBER(result.break_strain_total),
+  d("break_strain_total", "1", PLASTICA_MEMBER(break_strain_total),
     "total strain at which the fitted model breaks");
   d.since(7, [](auto& later) {
-    later.optional("weighed_modulus", PLASTICA_MEMBER(result.modulus_prior), kDescribeModulusPrior);
-    later("unseen_squared", "1", PLASTICA_MEMBER(result.unseen),
+    later.optional("weighed_modulus", PLASTICA_MEMBER(modulus_prior), kDescribeModulusPrior);
+    later("unseen_squared", "1", PLASTICA_MEMBER(unseen),
           "square of the misfit by fits of other specimens, over the largest stress");
   });
 };
 
-/// Of a SceneFitRecord, but for its lists.
+/// Of a SceneFitResult, beside its outcome.
 inline constexpr auto kDescribeSceneFit = [](auto& d) {
-  d("name", "", PLASTICA_MEMBER(name), "of the fit");
-  kDescribeOutcome(d);
-  d("degrees_of_freedom", "1", PLASTICA_MEMBER(result.degrees_of_freedom),
+  d("degrees_of_freedom", "1", PLASTICA_MEMBER(degrees_of_freedom),
     "of the estimated noise; infinite: all targets state theirs");
-  d("outcome", "", PLASTICA_MEMBER(result.outcome), "of the best search");
-  d("runs", "1", PLASTICA_MEMBER(result.runs), "of scenes");
-  d("search_runs", "1", PLASTICA_MEMBER(result.search_runs), "of these, what the search took");
-  d("failed_runs", "1", PLASTICA_MEMBER(result.failed_runs), "of all, without a curve");
-  d("segment_iterations", "1", PLASTICA_MEMBER(result.segment_iterations), "of all runs");
-  d.optional("divided", PLASTICA_MEMBER(result.segments), [](auto& inner) {
+  d("outcome", "", PLASTICA_MEMBER(outcome), "of the best search");
+  d("runs", "1", PLASTICA_MEMBER(runs), "of scenes");
+  d("search_runs", "1", PLASTICA_MEMBER(search_runs), "of these, what the search took");
+  d("failed_runs", "1", PLASTICA_MEMBER(failed_runs), "of all, without a curve");
+  d("segment_iterations", "1", PLASTICA_MEMBER(segment_iterations), "of all runs");
+  d.optional("divided", PLASTICA_MEMBER(segments), [](auto& inner) {
     inner("segments", "1", PLASTICA_MEMBER(segments), "of the first beam");
     inner("segments_note", "", PLASTICA_MEMBER(note), "why a fit with other segments is missing");
   });

@@ -35,6 +35,16 @@ inline constexpr auto kDescribeCharacteristics = [](auto& d) {
   });
 };
 
+/// Of a Target, beside its name and what it has lists of.
+inline constexpr auto kDescribeSpecimen = [](auto& d) {
+  d("file", "", PLASTICA_MEMBER(file), "of the measured curve");
+  d("test", "", PLASTICA_MEMBER(test), "of the specimen");
+  d("measure", "", PLASTICA_MEMBER(measure), "of stress and strain");
+  d("loading", "", PLASTICA_MEMBER(loading), "monotonic or cyclic");
+  d("target_status", "", PLASTICA_MEMBER(status), "whether the curve can be fitted");
+  d("target_reason", "", PLASTICA_MEMBER(reason), "why it cannot");
+};
+
 /// Of a Repair.
 inline constexpr auto kDescribeRepair = [](auto& d) {
   d("kind", "", PLASTICA_MEMBER(kind), "what was mended");

@@ -72,4 +72,7 @@ struct FitRecord {
   const std::string& name() const { return target.name; }
 };
 
+/// What a record is called, alike for all kinds of records.
+inline const std::string& name_of(const FitRecord& record) { return record.target.name; }
+
 }  // namespace plastica::calibrate

@@ -27,6 +27,9 @@ struct SceneFitRecord {
   double seconds = std::numeric_limits<double>::quiet_NaN();
 };
 
+/// What a record is called, alike for all kinds of records.
+inline const std::string& name_of(const SceneFitRecord& record) { return record.name; }
+
 /// What there is to be said of a fit, but for its time.
 SceneFitRecord record_of(const SceneFitCase& one, SceneFitResult result);
 

@@ -2,7 +2,8 @@
 
 #include <variant>
 
-#include "calibrate/store/record_bytes.hpp"
+#include "calibrate/result/describe_target.hpp"
+#include "calibrate/store/coded_rows.hpp"
 #include "plastica/base/instruction_set.hpp"
 #include "plastica/base/renamed.hpp"
 #include "plastica/base/version.hpp"
@@ -26,6 +27,16 @@ void put_parameter(ByteWriter& writer, const Parameter& p) {
   writer.put(old_path(p.field->path)).put(p.role).put(p.value).put(p.lower).put(p.upper);
   writer.put(p.scale).put(p.tied_to != nullptr ? old_path(p.tied_to->path) : std::string());
   writer.put(p.factor);
+}
+
+/// Those parts of a target that can decide its fit: where it comes from, its raw curve, what was
+/// repaired and to which group it belongs can change without changing the fit.
+void put_target(ByteWriter& writer, const Target& t) {
+  store::Putter put(writer);
+  put(t.name, t.test, t.measure, t.loading, t.status, t.reason);
+  put(t.corrected.strain, t.corrected.stress);
+  store::code_described(put, t.characteristics, kDescribeCharacteristics);
+  put.each(t.properties, [](auto& to, auto& pair) { to(pair.first, pair.second); });  // strain rate
 }
 
 }  // namespace
@@ -53,7 +64,7 @@ std::uint64_t digest_of(const FitOptions& options) {
 
 std::string case_id(const Target& target, std::uint64_t options_digest) {
   ByteWriter writer;
-  put_deciding_parts(writer, target);
+  put_target(writer, target);
   const auto digest = io::Digest().integer(options_digest).bytes(writer.bytes()).value();
   return target.name + ' ' + io::hexadecimal(digest);
 }

@@ -4,8 +4,9 @@
 
 #include "plastica/io/value_rule.hpp"
 
-/// What files of fits must hold beyond types and shapes: the numbers that are not just finite, or
-/// not negative; not installed. What is optional may be missing (NaN) anyway.
+/// What files of fits, of curves or through scenes, must hold beyond types and shapes: the numbers
+/// that are not just finite, or not negative; not installed. What is optional may be missing (NaN)
+/// anyway.
 namespace plastica::calibrate::store {
 
 inline constexpr Range kBelowOne{0.0, 1.0, true, true};
@@ -24,11 +25,8 @@ inline constexpr std::array kFitRules{
     io::may_lack("properties/value"),
     io::may_lack("corrections/amount"),
     io::anything("stages/cost"),
-};
-
-inline constexpr std::array kSceneFitRules{
+    // Through scenes.
     io::anything("fits/degrees_of_freedom"),
-    io::may_lack("correlation/values"),
     io::ValueRule{"targets/break_half_interval", io::kNotNegative},
     io::ValueRule{"targets/weight", io::kNotNegative},
     io::anything("targets/cost"),
@@ -50,12 +48,7 @@ inline constexpr std::array kSceneFitRules{
     io::may_lack("curves/fitted_error"),
     io::ValueRule{"starts/cost", io::kNotNegative, io::Order::Any, true, true},
     io::may_lack("starts/to/values"),
-    io::ValueRule{"options/confidence", kBelowOne},
-    io::ValueRule{"meta/fit_seconds", io::kNotNegative, io::Order::Any, true},
-};
-
-/// Of the tables of parameters, which both kinds have: a table each, or one of all until version 4.
-inline constexpr std::array kParameterRules{
+    // Parameters: a table each, or, through scenes, one of all until version 4.
     io::anything("parameters/*/lower"),
     io::anything("parameters/*/upper"),
     io::anything("parameters/*/standard_error"),
@@ -76,10 +69,7 @@ inline constexpr std::array kParameterRules{
     io::anything("parameters/interval_high"),
     io::anything("parameters/degrees_of_freedom"),
     io::anything("parameters/verdict_number"),
-};
-
-/// Of the tables of intervals, which both kinds have.
-inline constexpr std::array kIntervalRules{
+    // Profiles and bootstraps.
     io::anything("profiles/low"),
     io::anything("profiles/high"),
     io::may_lack("profiles/threshold"),
@@ -89,9 +79,7 @@ inline constexpr std::array kIntervalRules{
     io::anything("bootstraps/standard_error/values"),
     io::anything("bootstraps/low/values"),
     io::anything("bootstraps/high/values"),
-};
-
-inline constexpr std::array kOptionRules{
+    // Options and meta.
     io::ValueRule{"options/noise", io::kAboveZero, io::Order::Any, true},
     io::ValueRule{"options/weights/from", io::kNotNegative, io::Order::RisesStrictly},
     io::ValueRule{"options/weights/weight", io::kNotNegative},
@@ -100,6 +88,7 @@ inline constexpr std::array kOptionRules{
     io::ValueRule{"options/cost_tolerance", io::kNotNegative},
     io::ValueRule{"options/confidence", kBelowOne},
     io::anything("options/seed"),
+    io::ValueRule{"meta/fit_seconds", io::kNotNegative, io::Order::Any, true},
 };
 
 }  // namespace plastica::calibrate::store

@@ -4,7 +4,6 @@
 #include <chrono>
 #include <cstddef>
 #include <limits>
-#include <stdexcept>
 #include <string_view>
 #include <utility>
 
@@ -12,8 +11,8 @@
 
 #include "calibrate/fit/scene_laws.hpp"
 #include "calibrate/search/search_record.hpp"
+#include "calibrate/store/result_bytes.hpp"
 #include "calibrate/store/scene_fit_digest.hpp"
-#include "calibrate/store/scene_result_bytes.hpp"
 #include "plastica/base/parallel_for.hpp"
 #include "plastica/base/version.hpp"
 #include "plastica/io/digest.hpp"
@@ -24,7 +23,7 @@ namespace {
 std::uint64_t scene_journal_kind() {
   return io::Digest()
       .text("plastica/scene-fits")
-      .integer(kSceneResultVersion)
+      .integer(kResultVersion)
       .integer(kSearchRecordVersion)
       .value();
 }
@@ -54,38 +53,35 @@ SceneFitOptions without_extras(SceneFitOptions options) {
 JournaledSceneFits::JournaledSceneFits(std::span<const SceneFitCase> cases,
                                        const SceneFitOptions& options, JournaledOptions how,
                                        std::function<void(const SceneFitProgress&)> within)
-    : cases_(cases),
+    : JournaledFits(std::move(how), scene_journal_kind(), "fits and stages of fits"),
+      cases_(cases),
       options_(options),
-      how_(std::move(how)),
-      within_(std::move(within)),
-      journal_(how_.journal, scene_journal_kind(), "fits and stages of fits") {
+      within_(std::move(within)) {
+  std::vector<std::string> ids;
   for (std::size_t of = 0; of < cases.size(); ++of) {
     const SceneFitCase& one = cases[of];
     if (options.laws.empty()) {
       fits_.push_back({of, std::nullopt});
-      ids_.push_back(id_of(one, options));
+      ids.push_back(id_of(one, options));
     }
     for (const Law law : options.laws) {
       fits_.push_back({of, law});
       SceneFitCase named = one;
       named.name = fmt::format("{}:{}", one.name, name_of(law));
-      ids_.push_back(id_of(named, without_extras(options)));
-      // The word is that of the first journals, so that these stay usable.
+      ids.push_back(id_of(named, without_extras(options)));
+      // The word is part of `run_id`, which outputs of older versions have.
       if (makes_complete()) complete_ids_.push_back(id_of(named, options) + " whole");
     }
   }
-  std::size_t usable_records = 0;
-  for (const std::vector<std::string>* ids : {&ids_, &complete_ids_}) {
-    for (const std::string& id : *ids) {
+  resume(std::move(ids));
+  for (const std::vector<std::string>* all : {&ids_, &complete_ids_}) {
+    for (const std::string& id : *all) {
       const std::size_t stages = journal_.found_under(stage_of(id, ""));
-      const bool complete = journal_.find(id) != nullptr;
-      if (complete && ids == &ids_) ++resumed_;
-      if (!complete) stages_ += stages;
-      usable_records += stages + (complete ? 1 : 0);
+      const bool ended = journal_.find(id) != nullptr;
+      if (!ended) stages_ += stages;
+      stale_ -= stages + (ended && all == &complete_ids_ ? 1 : 0);
     }
   }
-  stale_ = journal_.found() - usable_records;
-  results_.resize(fits_.size());
   seconds_.assign(fits_.size(), std::numeric_limits<double>::quiet_NaN());
   kept_.resize(fits_.size());
 }
@@ -99,37 +95,9 @@ bool JournaledSceneFits::makes_complete() const {
 }
 
 std::string JournaledSceneFits::run_id() const {
-  io::Digest digest;
   std::vector<std::string> ids = ids_;
   ids.insert(ids.end(), complete_ids_.begin(), complete_ids_.end());
-  std::sort(ids.begin(), ids.end());  // as results are stored: in whatever order they come
-  for (const std::string& id : ids) digest.text(id);
-  return io::hexadecimal(digest.value());
-}
-
-void JournaledSceneFits::take_from_journal() {
-  for (std::size_t i = 0; i < fits_.size(); ++i) {
-    const std::vector<std::byte>* bytes = journal_.find(ids_[i]);
-    if (bytes == nullptr) continue;
-    results_[i] = scene_result_from_bytes(*bytes);
-    ++progress_.done;
-    if (results_[i]->status == FitStatus::Failed) ++progress_.failed;
-  }
-  if (how_.progress) how_.progress(progress_);
-}
-
-void JournaledSceneFits::take(std::size_t index, bool complete, SceneFitResult&& result) {
-  journal_.keep(complete ? complete_ids_[index] : ids_[index], bytes_of(result));
-  const bool failed = result.status == FitStatus::Failed;
-  results_[index] = std::move(result);
-  const std::lock_guard lock(mutex_);
-  if (complete) {
-    ++completed_;
-    return;
-  }
-  ++progress_.done;
-  if (failed) ++progress_.failed;
-  if (how_.progress) how_.progress(progress_);
+  return run_id_of(std::move(ids));
 }
 
 /// Fits one law of a case whose simpler laws have been fitted.
@@ -199,8 +167,14 @@ void JournaledSceneFits::fit_side_by_side(const std::vector<std::size_t>& of,
       std::optional<SceneFitResult> result = fit(i, complete.has_value());
       if (!result) return;
       const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
-      if (!complete) seconds_[i] = took.count();
-      take(i, complete.has_value(), std::move(*result));
+      if (complete) {
+        journal_.keep(complete_ids_[i], bytes_of(*result));
+        ++completed_;
+      } else {
+        seconds_[i] = took.count();
+        keep(i, *result);
+      }
+      results_[i] = std::move(*result);
     }
   });
 }
@@ -217,8 +191,7 @@ Law JournaledSceneFits::advised() const {
 }
 
 std::vector<SceneFitResult> JournaledSceneFits::run() {
-  progress_ = {.resumed = resumed_, .total = fits_.size()};
-  take_from_journal();
+  start_run();
   std::vector<std::size_t> missing;
   for (std::size_t of = 0; of < cases_.size(); ++of) {
     const auto begin = results_.begin() + static_cast<std::ptrdiff_t>(first_fit(of));
@@ -233,7 +206,7 @@ std::vector<SceneFitResult> JournaledSceneFits::run() {
     for (std::size_t i = 0; i < fits_.size(); ++i) {
       if (fits_[i].law != law) continue;
       const std::vector<std::byte>* bytes = journal_.find(complete_ids_[i]);
-      if (bytes != nullptr) results_[i] = scene_result_from_bytes(*bytes);
+      if (bytes != nullptr) results_[i] = result_from_bytes<SceneFitResult>(*bytes);
       if (bytes != nullptr || results_[i]->status == FitStatus::Failed) {
         ++completed_;
       } else {
@@ -242,19 +215,12 @@ std::vector<SceneFitResult> JournaledSceneFits::run() {
     }
     fit_side_by_side(unfinished, law);
   }
-  complete_ =
-      progress_.done == progress_.total && (!makes_complete() || completed_ == cases_.size());
-  if (!complete_) journal_.sync();
+  end_run(progress_.done == progress_.total && (!makes_complete() || completed_ == cases_.size()));
   std::vector<SceneFitResult> results;
   for (std::optional<SceneFitResult>& result : results_) {
     results.push_back(result ? std::move(*result) : SceneFitResult{});
   }
   return results;
-}
-
-void JournaledSceneFits::finish() {
-  if (!complete_) throw std::logic_error("JournaledSceneFits::finish: it is not complete");
-  journal_.finish();
 }
 
 }  // namespace plastica::calibrate

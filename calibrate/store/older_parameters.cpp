@@ -20,13 +20,14 @@ constexpr auto kDescribeWhoseParameter = [](auto& d) {
 };
 
 /// Version 3 says that a parameter is at a bound, but not at which, and knows no coordinates.
-void read_rows_3(const TableReader& tables, const std::vector<FittedParameter*>& parameters) {
+void read_rows_3(const FileToRead& file, const std::vector<FittedParameter*>& parameters) {
   struct Row : FittedParameter {
     bool is_at_bound = false;
     Judgement judged;
   };
   std::vector<Row> rows(parameters.size());
-  tables.columns("parameters", pointers_to(std::span(rows)), [](auto& columns) {
+  ReadRows<Row> of_file(file, pointers_to(std::span(rows)));
+  of_file.columns("parameters", [](auto& columns) {
     columns("value", "", PLASTICA_MEMBER(value));
     columns("start", "", PLASTICA_MEMBER(start));
     columns("lower", "", PLASTICA_MEMBER(lower));
@@ -60,10 +61,10 @@ void read_rows_3(const TableReader& tables, const std::vector<FittedParameter*>&
 
 void read_parameters_4(const io::Hdf5Group& root, int version, std::vector<FitRecord>& records,
                        const FitOptions& options) {
-  const TableReader tables(root, kParameterRules, version);
+  const FileToRead file{root, kFitRules, version};
   const auto present = root.read<std::uint8_t>("parameters/present");
   if (present.size() != records.size()) {
-    tables.refuse("parameters/present", "does not have a row for each fit");
+    file.refuse("parameters/present", "does not have a row for each fit");
   }
   for (std::size_t i = 0; i < records.size(); ++i) {
     if (present[i] == 0) continue;
@@ -81,8 +82,9 @@ void read_parameters_4(const io::Hdf5Group& root, int version, std::vector<FitRe
       const auto found = std::ranges::find(own, parameter.field->path, &FittedParameter::path);
       rows.push_back(found == own.end() ? nullptr : &*found);
     }
-    tables.columns("parameters/" + parameter.name(), rows, kDescribeParameter);
-    if (tables.version() >= 4) continue;
+    ReadRows<FittedParameter>(file, rows)
+        .columns("parameters/" + parameter.name(), kDescribeParameter);
+    if (version >= 4) continue;
     // Version 3 has both errors, whose squares differ by that of the sampling.
     for (FittedParameter* p : rows) {
       if (p == nullptr || !p->has_error()) continue;
@@ -93,16 +95,16 @@ void read_parameters_4(const io::Hdf5Group& root, int version, std::vector<FitRe
 }
 
 void read_scene_parameters_4(const io::Hdf5Group& root, int version,
-                             std::vector<SceneFitRecord*>& records) {
-  const TableReader tables(root, kParameterRules, version);
-  const auto member = PLASTICA_MEMBER(result.parameters);
-  const auto parameters = tables.items("parameters", records, member, kDescribeWhoseParameter);
-  if (tables.version() == 3) {
-    read_rows_3(tables, parameters.rows);
+                             const std::vector<FitOutcome*>& fits) {
+  const FileToRead file{root, kFitRules, version};
+  ReadRows<FitOutcome> rows(file, fits);
+  auto parameters = rows.list("parameters", PLASTICA_MEMBER(parameters), kDescribeWhoseParameter);
+  if (version == 3) {
+    read_rows_3(file, parameters.rows());
   } else {
-    tables.columns("parameters", parameters.rows, kDescribeParameter);
+    parameters.columns("parameters", kDescribeParameter);
   }
-  for (FittedParameter* parameter : parameters.rows) {
+  for (FittedParameter* parameter : parameters.rows()) {
     parameter->path = new_path(parameter->path);
     if (find_field_or_null(parameter->path) != nullptr) continue;
     io::refuse_value(root, "parameters/path", parameter->path, "must be a field");

@@ -4,7 +4,6 @@
 
 #include "calibrate/fit/options.hpp"
 #include "calibrate/result/result.hpp"
-#include "calibrate/result/scene_fit_record.hpp"
 #include "calibrate/store/tables.hpp"
 
 /// Parameters as files of versions 3 and 4 have them; not installed.
@@ -16,6 +15,6 @@ void read_parameters_4(const io::Hdf5Group& root, int version, std::vector<FitRe
 
 /// Through scenes: one table, a row for each parameter of each fit.
 void read_scene_parameters_4(const io::Hdf5Group& root, int version,
-                             std::vector<SceneFitRecord*>& records);
+                             const std::vector<FitOutcome*>& fits);
 
 }  // namespace plastica::calibrate::store

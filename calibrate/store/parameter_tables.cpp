@@ -5,7 +5,9 @@
 #include <stdexcept>
 #include <string_view>
 
+#include "calibrate/inference/held_out.hpp"
 #include "calibrate/store/fit_rules.hpp"
+#include "calibrate/store/interval_store.hpp"
 #include "plastica/model/field.hpp"
 
 namespace plastica::calibrate::store {
@@ -70,28 +72,29 @@ void write_parameters(io::Hdf5Group& root, std::span<const FitOutcome* const> fi
     io::Hdf5Group table = root.group(path);
     table.write("row", numbers, {{}, kDeflate});
     table.set_attribute("row", "meaning", "which of the fit's parameters it is; -1: none");
-    write_columns(table, std::move(rows), kDescribeParameter, si_unit(parameter.dimension));
+    WrittenRows<FittedParameter>(root, std::move(rows))
+        .columns(path, kDescribeParameter, si_unit(parameter.dimension));
     root.set_attribute(path, "path", parameter.path);
     root.set_attribute(path, "role", word_of(parameter.role));
   }
 }
 
 void read_parameters(const io::Hdf5Group& root, int version, std::span<FitOutcome* const> fits) {
-  const TableReader tables(root, kParameterRules, version);
+  const FileToRead file{root, kFitRules, version};
   const std::vector<std::string> paths = root.read_texts("parameters/path");
   std::vector<std::vector<std::int64_t>> rows;
   std::vector<std::vector<std::int64_t>> of_fit(fits.size());
   for (const std::string& path : paths) {
     const std::string table = table_of(path);
     rows.push_back(root.read<std::int64_t>(table + "/row"));
-    if (rows.back().size() != fits.size()) tables.refuse(table + "/row", "must have one a fit");
+    if (rows.back().size() != fits.size()) file.refuse(table + "/row", "must have one a fit");
     for (std::size_t i = 0; i < fits.size(); ++i) {
       if (rows.back()[i] != -1) of_fit[i].push_back(rows.back()[i]);
     }
   }
   for (std::size_t i = 0; i < fits.size(); ++i) {
     if (!are_all_rows(of_fit[i])) {
-      tables.refuse("parameters", "must have each parameter of a fit in a row of its own");
+      file.refuse("parameters", "must have each parameter of a fit in a row of its own");
     }
     fits[i]->parameters.resize(of_fit[i].size());
   }
@@ -108,8 +111,19 @@ void read_parameters(const io::Hdf5Group& root, int version, std::span<FitOutcom
       parameters[i]->dimension = field->dimension;
       parameters[i]->role = role;
     }
-    tables.columns(table, std::move(parameters), kDescribeParameter);
+    ReadRows<FittedParameter>(file, std::move(parameters)).columns(table, kDescribeParameter);
   }
+}
+
+void check_outcome(const io::Hdf5Group& root, const FitOutcome& fit, std::size_t moved) {
+  if (!fit.correlation.empty() && fit.correlation.size() != moved * moved) {
+    io::refuse_value(root, "correlation", "",
+                     "must have a row and a column for each free parameter");
+  }
+  if (!fit.held_out.empty() && fit.held_out.size() != kParts) {
+    io::refuse_value(root, "held_out", "", "must have a number for each part of a fit, or none");
+  }
+  check_intervals(root, fit);
 }
 
 }  // namespace plastica::calibrate::store

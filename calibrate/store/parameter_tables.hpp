@@ -1,15 +1,27 @@
 #pragma once
 
+#include <cstddef>
 #include <span>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 #include "calibrate/result/fit_outcome.hpp"
 #include "calibrate/store/tables.hpp"
 
-/// Parameters of fits, a table each: /parameters/NAME has a row for each fit of the file, whatever
-/// it was fitted to; not installed.
+/// What a file holds of all fits, whatever they were fitted to: their parameters, a table each,
+/// /parameters/NAME, with a row for each fit; not installed.
 namespace plastica::calibrate::store {
+
+/// What the fits of records gave, for the functions below.
+/// @param records  pointers to them
+template <typename Record>
+auto outcomes_of(const std::vector<Record*>& records) {
+  using Outcome = std::conditional_t<std::is_const_v<Record>, const FitOutcome, FitOutcome>;
+  std::vector<Outcome*> fits;
+  for (Record* record : records) fits.push_back(&record->result);
+  return fits;
+}
 
 /// Whose table it is.
 struct StoredParameter {
@@ -31,5 +43,10 @@ void write_parameters(io::Hdf5Group& root, std::span<const FitOutcome* const> fi
 /// @param version  of the file, 5 or later
 /// @throws InputError
 void read_parameters(const io::Hdf5Group& root, int version, std::span<FitOutcome* const> fits);
+
+/// Whether matrix, held out parts and intervals that were read are those of a fit.
+/// @param moved  how many parameters the matrix is of
+/// @throws InputError if not
+void check_outcome(const io::Hdf5Group& root, const FitOutcome& fit, std::size_t moved);
 
 }  // namespace plastica::calibrate::store

@@ -2,6 +2,8 @@
 
 #include <cmath>
 #include <limits>
+#include <span>
+#include <utility>
 
 #include "calibrate/store/columns.hpp"
 #include "calibrate/store/fit_rules.hpp"
@@ -24,24 +26,15 @@ struct ParameterRow {
 };
 
 constexpr auto kParameterColumns = [](auto& columns) {
-  columns(
-      "path", "", [](auto& row) -> auto& { return row.path; });
-  columns(
-      "role", "", [](auto& row) -> auto& { return row.role; });
-  columns(
-      "value", "", [](auto& row) -> auto& { return row.value; });
-  columns(
-      "lower", "", [](auto& row) -> auto& { return row.lower; });
-  columns(
-      "upper", "", [](auto& row) -> auto& { return row.upper; });
-  columns(
-      "value_units", "", [](auto& row) -> auto& { return row.units; });
-  columns(
-      "scale", "", [](auto& row) -> auto& { return row.scale; });
-  columns(
-      "tied_to", "", [](auto& row) -> auto& { return row.tied_to; });
-  columns(
-      "factor", "1", [](auto& row) -> auto& { return row.factor; });
+  columns("path", "", PLASTICA_MEMBER(path));
+  columns("role", "", PLASTICA_MEMBER(role));
+  columns("value", "", PLASTICA_MEMBER(value));
+  columns("lower", "", PLASTICA_MEMBER(lower));
+  columns("upper", "", PLASTICA_MEMBER(upper));
+  columns("value_units", "", PLASTICA_MEMBER(units));
+  columns("scale", "", PLASTICA_MEMBER(scale));
+  columns("tied_to", "", PLASTICA_MEMBER(tied_to));
+  columns("factor", "1", PLASTICA_MEMBER(factor));
 };
 
 void write_parameters(io::Hdf5Group& group, const std::vector<Parameter>& parameters) {
@@ -52,19 +45,13 @@ void write_parameters(io::Hdf5Group& group, const std::vector<Parameter>& parame
                     p.tied_to != nullptr ? std::string(p.tied_to->path) : "", p.factor,
                     std::string(si_unit(p.field->dimension))});
   }
-  std::vector<const ParameterRow*> pointers;
-  pointers.reserve(rows.size());
-  for (const ParameterRow& row : rows) pointers.push_back(&row);
-  ColumnWriter<ParameterRow> columns(group, std::move(pointers));
+  ColumnWriter<ParameterRow> columns(group, pointers_to(std::span(std::as_const(rows))));
   kParameterColumns(columns);
 }
 
 std::vector<Parameter> read_parameters(const io::Hdf5Group& group) {
   std::vector<ParameterRow> rows(group.read_texts("path").size());
-  std::vector<ParameterRow*> pointers;
-  pointers.reserve(rows.size());
-  for (ParameterRow& row : rows) pointers.push_back(&row);
-  ColumnReader<ParameterRow> columns(group, std::move(pointers), kOptionRules, kNewest);
+  ColumnReader<ParameterRow> columns(group, pointers_to(std::span(rows)), kFitRules, kNewest);
   kParameterColumns(columns);
   const SourceLocation where{group.file(), 0};
   std::vector<Parameter> parameters;
@@ -86,26 +73,18 @@ std::vector<Parameter> read_parameters(const io::Hdf5Group& group) {
 }
 
 constexpr auto kWeightColumns = [](auto& columns) {
-  columns(
-      "from", "1", [](auto& row) -> auto& { return row.from; });
-  columns(
-      "weight", "1", [](auto& row) -> auto& { return row.weight; });
+  columns("from", "1", PLASTICA_MEMBER(from));
+  columns("weight", "1", PLASTICA_MEMBER(weight));
 };
 
 void write_weights(io::Hdf5Group group, const std::vector<WeightStep>& weights) {
-  std::vector<const WeightStep*> rows;
-  rows.reserve(weights.size());
-  for (const WeightStep& step : weights) rows.push_back(&step);
-  ColumnWriter<WeightStep> columns(group, std::move(rows));
+  ColumnWriter<WeightStep> columns(group, pointers_to(std::span(weights)));
   kWeightColumns(columns);
 }
 
 std::vector<WeightStep> read_weights(const io::Hdf5Group& group) {
   std::vector<WeightStep> weights(group.read<double>("from").size());
-  std::vector<WeightStep*> rows;
-  rows.reserve(weights.size());
-  for (WeightStep& step : weights) rows.push_back(&step);
-  ColumnReader<WeightStep> columns(group, std::move(rows), kOptionRules, kNewest);
+  ColumnReader<WeightStep> columns(group, pointers_to(std::span(weights)), kFitRules, kNewest);
   kWeightColumns(columns);
   return weights;
 }
@@ -152,10 +131,10 @@ FitOptions read_options(const io::Hdf5Group& group, int version) {
   FitOptions options;
   options.objective = enumerator_of<Objective>(group, "objective", group.read_text("objective"));
   const auto real = [&](std::string_view name) {
-    return io::read_number<double>(group, name, kOptionRules);
+    return io::read_number<double>(group, name, kFitRules);
   };
   const auto count = [&](std::string_view name) {
-    return io::read_number<int>(group, name, kOptionRules);
+    return io::read_number<int>(group, name, kFitRules);
   };
   if (const double noise = real("noise"); !std::isnan(noise)) options.noise = noise;
   options.weights = read_weights(group.open_group("weights"));
@@ -165,7 +144,7 @@ FitOptions read_options(const io::Hdf5Group& group, int version) {
   options.stopping = {count("global_evaluations"), count("local_evaluations"),
                       real("parameter_tolerance"), real("cost_tolerance")};
   options.laws = laws_of(group.read_texts("laws"), group.path() + "/laws", {group.file(), 0});
-  options.seed = io::read_number<std::uint64_t>(group, "seed", kOptionRules);
+  options.seed = io::read_number<std::uint64_t>(group, "seed", kFitRules);
   options.confidence = real("confidence");
   options.intervals = {count("profile") != 0, count("bootstrap"), count("bootstrap_block"),
                        count("bootstrap_specimens")};

@@ -1,124 +1,241 @@
 #pragma once
 
-#include <fmt/format.h>
-
+#include <algorithm>
+#include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <span>
+#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <type_traits>
 #include <utility>
 #include <vector>
 
-#include "calibrate/inference/held_out.hpp"
+#include <fmt/format.h>
+
 #include "calibrate/store/columns.hpp"
+#include "calibrate/store/samples.hpp"
 #include "plastica/io/result_file.hpp"
 
-/// Tables of what each fit of a file has a list of: a row per item, in the order of the fits, and a
-/// column `fit` that says whose it is; not installed.
+/// Rows of a result file: its fits, or the items of what each fit has a list of; not installed.
+///
+/// A layout (layout.hpp) says of rows, once for writing and reading, what of them stands where:
+///   columns(PATH, DESCRIPTION)        a table, an element a row;
+///   numbers(PATH, UNITS, MEMBER)      a list of numbers for each row;
+///   samples(PATH, COLUMNS)            curves, see samples.hpp;
+///   list(PATH, MEMBER, DESCRIPTION)   a table of what each row has a list of; its column `fit`
+///   says
+///                                     whose an item is. Gives the items as rows;
+///   part(MEMBER), maybe(MEMBER)       members of the rows as rows, the second those of a
+///                                     std::optional;
+///   since(VERSION, LAYOUT)            what files have from a version on.
+/// WrittenRows write it, ReadRows read it; CodedRows (coded_rows.hpp) put it into journals.
 namespace plastica::calibrate::store {
 
-/// The items of all records, and whose they are.
+/// @tparam Row  a null one is missing
 template <typename Row>
-struct Items {
-  std::vector<Row*> rows;
-  std::vector<std::uint64_t> fits;  ///< of each row
-};
-
-/// @param records  pointers to them
-/// @param member  from a record to its list
-template <typename Records, typename Member>
-auto items_of(const Records& records, const Member& member) {
-  using Row = std::remove_reference_t<decltype(*member(*records[0]).begin())>;
-  Items<Row> items;
-  for (std::size_t i = 0; i < records.size(); ++i) {
-    for (Row& row : member(*records[i])) {
-      items.rows.push_back(&row);
-      items.fits.push_back(i);
-    }
-  }
-  return items;
-}
-
-template <typename Row, typename Description>
-void write_columns(io::Hdf5Group& group, std::vector<const Row*> rows,
-                   const Description& description, std::string_view own_units = {}) {
-  ColumnWriter<Row> writer(group, std::move(rows), own_units);
-  description(writer);
-}
-
-/// Writes a table, for more columns. @return its group
-/// @param owner  the column that says whose a row is
-template <typename Row, typename Description>
-io::Hdf5Group write_items(io::Hdf5Group& root, const std::string& path, const Items<Row>& items,
-                          const Description& description, std::string_view owner = "fit") {
-  io::Hdf5Group group = root.group(path);
-  group.write(owner, items.fits, {{}, kDeflate});
-  using Bare = std::remove_const_t<Row>;
-  write_columns<Bare>(group, {items.rows.begin(), items.rows.end()}, description);
-  return group;
-}
-
-/// @throws InputError for another number of parts held out than none or all
-inline void check_parts(const io::Hdf5Group& root, const std::string& path, std::size_t count) {
-  if (count == 0 || count == kParts) return;
-  io::refuse_value(root, path, "", "must have a number for each part of a fit, or none");
-}
-
-/// Reads tables of a file.
-class TableReader {
+class WrittenRows {
  public:
-  /// @param version  of the file
-  TableReader(const io::Hdf5Group& root, std::span<const io::ValueRule> rules, int version)
-      : root_(root), rules_(rules), version_(version) {}
+  WrittenRows(io::Hdf5Group& root, std::vector<const Row*> rows)
+      : root_(root), rows_(std::move(rows)) {}
 
-  const io::Hdf5Group& root() const { return root_; }
-  int version() const { return version_; }
-
-  [[noreturn]] void refuse(const std::string& path, const std::string& rule) const {
-    io::refuse_value(root_, path, "", rule);
+  /// @param own_units  see ColumnWriter
+  template <typename Description>
+  void columns(const std::string& path, const Description& description,
+               std::string_view own_units = {}) {
+    io::Hdf5Group group = root_.group(path);
+    ColumnWriter<Row> writer(group, rows_, own_units);
+    description(writer);
   }
 
-  template <typename Row, typename Description>
-  void columns(const std::string& path, std::vector<Row*> rows,
-               const Description& description) const {
-    const io::Hdf5Group group = root_.open_group(path);
-    ColumnReader<Row> reader(group, std::move(rows), rules_, version_);
-    description(reader);
+  template <typename Member>
+  void numbers(const std::string& path, std::string_view units, const Member& member) {
+    using Value = typename std::remove_cvref_t<decltype(member(*rows_[0]))>::value_type;
+    io::Ragged<Stored<Value>> lists;
+    for (const Row* row : rows_) {
+      const auto& list = member(*row);
+      lists.push_back(std::vector<Stored<Value>>(list.begin(), list.end()));
+    }
+    root_.write_ragged(path, lists, {units, kDeflate});
   }
 
-  /// Lengthens the records' lists by the rows of a table, and fills these.
-  /// @param records  pointers to them
-  template <typename Records, typename Member, typename Description>
-  auto items(const std::string& path, const Records& records, const Member& member,
-             const Description& description, const std::string& owner = "fit") const {
-    using Row = std::remove_reference_t<decltype(*member(*records[0]).begin())>;
-    Items<Row> items;
-    items.fits = root_.read<std::uint64_t>(path + "/" + owner);
-    std::vector<std::size_t> next(records.size(), 0);
-    for (const std::uint64_t fit : items.fits) {
-      if (fit >= records.size()) {
-        refuse(fmt::format("{}/{}", path, owner),
-               fmt::format("names a {} that is not in the file", owner));
+  template <typename Columns>
+  void samples(const std::string& path, const Columns& columns) {
+    SampleWriter<Row> writer(root_.group(path), rows_);
+    columns(writer);
+    writer.write_offsets();
+  }
+
+  /// @param owner  the column that says whose an item is
+  template <typename Member, typename Description>
+  auto list(const std::string& path, const Member& member, const Description& description,
+            std::string_view owner = "fit") {
+    using Item = std::remove_cvref_t<decltype(*member(*rows_[0]).begin())>;
+    std::vector<const Item*> items;
+    std::vector<std::uint64_t> owners;
+    for (std::size_t i = 0; i < rows_.size(); ++i) {
+      if (rows_[i] == nullptr) continue;
+      for (const Item& item : member(*rows_[i])) {
+        items.push_back(&item);
+        owners.push_back(i);
       }
-      member(*records[fit]).emplace_back();
     }
-    // Only now that no list grows any more.
-    for (const std::uint64_t fit : items.fits) {
-      items.rows.push_back(&member(*records[fit])[next[fit]++]);
-    }
-    columns(path, items.rows, description);
-    return items;
+    root_.group(path).write(owner, owners, {{}, kDeflate});
+    WrittenRows<Item> of_items(root_, std::move(items));
+    of_items.columns(path, description);
+    return of_items;
   }
 
-  io::Ragged<double> lists(const std::string& path, std::size_t n) const {
-    return io::read_lists(root_, path, n, rules_);
+  template <typename Member>
+  auto part(const Member& member) const {
+    using Part = std::remove_cvref_t<decltype(member(*rows_[0]))>;
+    std::vector<const Part*> parts;
+    for (const Row* row : rows_) parts.push_back(&member(*row));
+    return WrittenRows<Part>(root_, std::move(parts));
+  }
+
+  template <typename Member>
+  auto maybe(const Member& member) const {
+    using Part = typename std::remove_cvref_t<decltype(member(*rows_[0]))>::value_type;
+    std::vector<const Part*> parts;
+    for (const Row* row : rows_) parts.push_back(member(*row) ? &*member(*row) : nullptr);
+    return WrittenRows<Part>(root_, std::move(parts));
+  }
+
+  template <typename Layout>
+  void since(int /*version*/, const Layout& layout) {
+    layout(*this);
   }
 
  private:
-  const io::Hdf5Group& root_;
-  std::span<const io::ValueRule> rules_;
-  int version_;
+  io::Hdf5Group& root_;
+  std::vector<const Row*> rows_;
 };
+
+/// The file that rows are read from.
+struct FileToRead {
+  const io::Hdf5Group& root;
+  std::span<const io::ValueRule> rules;
+  int version = kNewest;
+
+  [[noreturn]] void refuse(const std::string& path, const std::string& rule) const {
+    io::refuse_value(root, path, "", rule);
+  }
+};
+
+template <typename Row>
+class ReadRows {
+ public:
+  /// @param rows  are filled; a null one is left out
+  ReadRows(const FileToRead& file, std::vector<Row*> rows) : file_(file), rows_(std::move(rows)) {}
+
+  const std::vector<Row*>& rows() const { return rows_; }
+
+  template <typename Description>
+  void columns(const std::string& path, const Description& description) {
+    const io::Hdf5Group group = file_.root.open_group(path);
+    ColumnReader<Row> reader(group, rows_, file_.rules, file_.version);
+    description(reader);
+  }
+
+  template <typename Member>
+  void numbers(const std::string& path, std::string_view /*units*/, const Member& member) {
+    using Value = typename std::remove_cvref_t<decltype(member(*rows_[0]))>::value_type;
+    const auto lists = file_.root.template read_ragged<Stored<Value>>(path);
+    if (lists.rows() != rows_.size()) {
+      io::refuse_value(file_.root, path, std::to_string(lists.rows()) + " rows",
+                       "must have " + std::to_string(rows_.size()));
+    }
+    const std::string values = path + "/values";
+    io::check_numbers<Value>(file_.root, values, lists.values, io::rule_of(file_.rules, values));
+    for (std::size_t i = 0; i < rows_.size(); ++i) {
+      const auto row = lists.row(i);
+      member(*rows_[i]).assign(row.begin(), row.end());
+    }
+  }
+
+  template <typename Columns>
+  void samples(const std::string& path, const Columns& columns) {
+    SampleReader<Row> reader(file_.root.open_group(path), rows_, file_.rules);
+    columns(reader);
+  }
+
+  /// Lengthens the rows' lists by the items of a table, and fills these.
+  template <typename Member, typename Description>
+  auto list(const std::string& path, const Member& member, const Description& description,
+            const std::string& owner = "fit") {
+    using Item = std::remove_reference_t<decltype(*member(*rows_[0]).begin())>;
+    const auto owners = file_.root.template read<std::uint64_t>(path + "/" + owner);
+    std::vector<std::size_t> next(rows_.size(), 0);
+    for (const std::uint64_t of : owners) {
+      if (of >= rows_.size()) {
+        file_.refuse(path + "/" + owner, fmt::format("names a {} that is not in the file", owner));
+      }
+      if (rows_[of] == nullptr) {
+        file_.refuse(path + "/" + owner, fmt::format("names a {} that has none", owner));
+      }
+      member(*rows_[of]).emplace_back();
+    }
+    // Only now that no list grows any more.
+    std::vector<Item*> items;
+    for (const std::uint64_t of : owners) items.push_back(&member(*rows_[of])[next[of]++]);
+    ReadRows<Item> of_items(file_, std::move(items));
+    of_items.columns(path, description);
+    return of_items;
+  }
+
+  template <typename Member>
+  auto part(const Member& member) const {
+    using Part = std::remove_cvref_t<decltype(member(*rows_[0]))>;
+    std::vector<Part*> parts;
+    for (Row* row : rows_) parts.push_back(&member(*row));
+    return ReadRows<Part>(file_, std::move(parts));
+  }
+
+  template <typename Member>
+  auto maybe(const Member& member) const {
+    using Part = typename std::remove_cvref_t<decltype(member(*rows_[0]))>::value_type;
+    std::vector<Part*> parts;
+    for (Row* row : rows_) parts.push_back(member(*row) ? &*member(*row) : nullptr);
+    return ReadRows<Part>(file_, std::move(parts));
+  }
+
+  template <typename Layout>
+  void since(int version, const Layout& layout) {
+    if (file_.version >= version) layout(*this);
+  }
+
+ private:
+  FileToRead file_;
+  std::vector<Row*> rows_;
+};
+
+/// Pointers to records in the order in which a file has them: of their names, then of their laws.
+/// @throws std::logic_error if two have both the same
+template <typename Record>
+std::vector<const Record*> in_order(const std::vector<Record>& records) {
+  std::vector<const Record*> sorted = pointers_to(std::span(records));
+  const auto key = [](const Record* record) {
+    return std::pair<std::string_view, Law>(name_of(*record), record->result.law);
+  };
+  std::ranges::sort(sorted, std::less<>(), key);
+  const auto twice = std::ranges::adjacent_find(sorted, std::equal_to<>(), key);
+  if (twice == sorted.end()) return sorted;
+  throw std::logic_error("a result file: " + name_of(**twice) + " is the name of two fits");
+}
+
+/// Reports find the fits of a name beside each other, and a fit by its name and law.
+/// @throws InputError
+template <typename Record>
+void check_order(const io::Hdf5Group& root, const std::vector<Record>& records) {
+  const auto follows = [](const Record& a, const Record& b) {
+    return std::pair(std::string_view(name_of(a)), a.result.law) >=
+           std::pair(std::string_view(name_of(b)), b.result.law);
+  };
+  if (std::ranges::adjacent_find(records, follows) != records.end()) {
+    io::refuse_value(root, "fits/name", "", "must rise, or be the same with a law that rises");
+  }
+}
 
 }  // namespace plastica::calibrate::store

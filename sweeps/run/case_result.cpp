@@ -38,7 +38,6 @@ std::vector<double> times_of(const Response& response) {
   return time;
 }
 
-/// Where and when a chain broke first; what the scene cuts is no break.
 Measured chain_quantity(const Response& response, const Quantity& quantity) {
   if (quantity.kind == QuantityKind::LimitLoad) {
     if (!response.limit) return {std::nullopt, "there is no limit load"};

@@ -73,7 +73,7 @@ TEST(BadRequest, OfAResultIsRefusedInOneLine) {
       {{"plot", "x.h5", "--what", "pie"},
        "--what = pie: must be curve, residuals, overview, parameters, profile, bootstrap or laws"},
       {{"plot", "x.h5", "--what", "overview", "--case", "a"},
-       "--case = a: goes with pictures of one specimen only"},
+       "--case = a: does not go with the picture 'overview'"},
       {{"plot", "x.h5", "-o", "x.gif"},
        "--output = x.gif: must end in .svg, .png, .pdf or .gp, or be -"},
       {{"plot", "x.h5", "-o", "none/x.svg"},

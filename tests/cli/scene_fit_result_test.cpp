@@ -55,7 +55,9 @@ TEST(SceneFitResult, IsShownAsAWholeOrByFit) {
 TEST(SceneFitResult, IsExportedAsTablesAndJson) {
   const Workplace place;
   write_results(place);
-  EXPECT_TRUE(shown(place, {"export", "x.h5"}).starts_with("name,law,status,reason,fit."));
+  const std::string fits = shown(place, {"export", "x.h5"});
+  EXPECT_TRUE(fits.starts_with("name,law,status,reason,degrees_of_freedom [1],outcome,")) << fits;
+  EXPECT_EQ(lines_of(fits), 1U + 2U + 1U);
   EXPECT_EQ(lines_of(shown(place, {"export", "x.h5", "--what", "targets"})), 1U + 2U + 2U + 1U);
   EXPECT_EQ(lines_of(shown(place, {"export", "x.h5", "--what", "curves"})), 1U + 50U + 50U + 30U);
   const auto json = nlohmann::json::parse(shown(place, {"export", "x.h5", "--to", "json"}));

@@ -11,7 +11,7 @@
 
 #include "calibrate/inference/held_out.hpp"
 #include "calibrate/store/journaled_scene_fits.hpp"
-#include "calibrate/store/scene_result_bytes.hpp"
+#include "calibrate/store/result_bytes.hpp"
 #include "tests/calibrate/fit/bent_bar.hpp"
 #include "tests/lib/io/scratch_folder.hpp"
 #include "tests/support/tolerance.hpp"

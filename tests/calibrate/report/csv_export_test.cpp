@@ -18,7 +18,7 @@ using testing::rejected_record;
 
 std::string specimens_of(const std::vector<FitRecord>& records) {
   std::ostringstream out;
-  write_specimens_csv(out, records);
+  write_fits_csv(out, records);
   return out.str();
 }
 

@@ -102,7 +102,7 @@ TEST(FitIntervalsReport, WritesMeansOfSpecimensAsJsonAndText) {
 
 TEST(FitIntervalsReport, WritesColumnsOfThoseThatAnySpecimenHas) {
   std::ostringstream out, bare;
-  write_specimens_csv(out, std::vector{with_intervals(), fitted_record("b")});
+  write_fits_csv(out, std::vector{with_intervals(), fitted_record("b")});
   const std::string header = out.str().substr(0, out.str().find('\n'));
   EXPECT_TRUE(has(header,
                   "fit.youngs_modulus.verdict_number,fit.youngs_modulus.profile_low [Pa],"
@@ -120,7 +120,7 @@ TEST(FitIntervalsReport, WritesColumnsOfThoseThatAnySpecimenHas) {
   ASSERT_EQ(cells.size(), 3U);
   EXPECT_EQ(cells[1], cells[0]);
   EXPECT_EQ(cells[2], cells[0]);
-  write_specimens_csv(bare, std::vector{fitted_record()});
+  write_fits_csv(bare, std::vector{fitted_record()});
   EXPECT_FALSE(has(bare.str(), "profile"));
 }
 

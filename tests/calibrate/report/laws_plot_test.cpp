@@ -4,7 +4,6 @@
 #include <vector>
 
 #include "calibrate/report/plot.hpp"
-#include "calibrate/report/scene_fit_plot.hpp"
 #include "tests/calibrate/report/records.hpp"
 #include "tests/calibrate/report/scene_records.hpp"
 #include "tests/support/has.hpp"
@@ -53,7 +52,7 @@ TEST(LawsPlot, ShowsWhatEachLawMakesOfACurveAndHowFarOffItIs) {
 }
 
 TEST(LawsPlot, ShowsEachTargetOfAFitThroughScenes) {
-  const std::string script = scene_fit_plot_script(two_scene_laws(), {.what = "laws"});
+  const std::string script = plot_script(two_scene_laws(), {.what = "laws"});
   for (const char* wanted :
        {"'bent'", "'twisted'", "title 'ideal, 8.3 %'", "title 'voce, 0.83 %'"}) {
     EXPECT_TRUE(has(script, wanted)) << wanted;
@@ -72,9 +71,8 @@ TEST(LawsPlot, DrawsOtherPicturesOfTheAdvisedLawOrOfTheOneThatIsNamed) {
   const std::vector<SceneFitRecord> scenes = two_scene_laws();
   std::vector<SceneFitRecord> voce{scenes[1]};
   voce[0].name = "bar:voce";
-  EXPECT_EQ(scene_fit_plot_script(scenes, {.law = "voce"}), scene_fit_plot_script(voce, {}));
-  EXPECT_EQ(scene_fit_plot_script(scenes, {.specimen = "bar:voce"}),
-            scene_fit_plot_script(voce, {}));
+  EXPECT_EQ(plot_script(scenes, {.law = "voce"}), plot_script(voce, {}));
+  EXPECT_EQ(plot_script(scenes, {.specimen = "bar:voce"}), plot_script(voce, {}));
 }
 
 TEST(LawsPlot, RefusesWhatAFileHasNot) {

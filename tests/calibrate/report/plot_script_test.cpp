@@ -165,7 +165,7 @@ TEST(PlotScript, SaysWhatThereIsToDraw) {
   EXPECT_EQ(message_of(records, {.specimen = "c"}),
             "--case = c: is not a specimen of this file; it has a, b");
   EXPECT_EQ(message_of(records, {.what = "overview", .specimen = "a"}),
-            "--case = a: goes with pictures of one specimen only");
+            "--case = a: does not go with the picture 'overview'");
   EXPECT_EQ(message_of({}, {}), "plot: there is no specimen to draw");
   EXPECT_EQ(message_of({rejected_record("a", "x")}, {.what = "parameters"}),
             "--what = parameters: there is no fitted specimen");

@@ -1,4 +1,4 @@
-#include "calibrate/report/scene_fit_plot.hpp"
+#include "calibrate/report/plot.hpp"
 
 #include <gtest/gtest.h>
 
@@ -22,7 +22,7 @@ using testing::lone_scene_record;
 using testing::scene_record;
 
 std::string script_of(const SceneFitRecord& record, const std::string& what) {
-  return scene_fit_plot_script(std::vector{record}, {.what = what});
+  return plot_script(std::vector{record}, {.what = what});
 }
 
 TEST(SceneFitPlot, OfAFitHasAPanelPerTargetWithTheBreakMarked) {
@@ -71,7 +71,7 @@ TEST(SceneFitPlot, OfCorrelationsWritesEachNumber) {
       std::numeric_limits<double>::quiet_NaN();
   for (const char* output : {"", "-"}) {
     const std::string script =
-        scene_fit_plot_script(std::vector{record}, {.what = "correlation", .output = output});
+        plot_script(std::vector{record}, {.what = "correlation", .output = output});
     EXPECT_TRUE(has(script, "set label '-0.42' at 2, 3 center"));
     EXPECT_TRUE(has(script, "set label '-' at 3, 2 center"));
     EXPECT_TRUE(has(script, "'yield_stress' 2"));
@@ -92,10 +92,10 @@ TEST(SceneFitPlot, OfSegmentsLeadsToTheContinuousBeam) {
 }
 
 TEST(SceneFitPlot, OfThePopulationHasAPanelPerParameter) {
-  const std::string script = scene_fit_plot_script(
-      std::vector{lone_scene_record("a", 200e9, 380e6), failed_scene_record("b", "no"),
-                  lone_scene_record("c", 210e9, 390e6)},
-      {.what = "population"});
+  const std::string script =
+      plot_script(std::vector{lone_scene_record("a", 200e9, 380e6), failed_scene_record("b", "no"),
+                              lone_scene_record("c", 210e9, 390e6)},
+                  {.what = "population"});
   EXPECT_TRUE(has(script, "set title 'youngs_modulus [GPa]'"));
   EXPECT_TRUE(has(script, "set title 'yield_stress [MPa]'"));
   EXPECT_TRUE(has(script, "\n3 210 207.6 212.4"));
@@ -106,7 +106,7 @@ TEST(SceneFitPlot, OfThePopulationHasAPanelPerParameter) {
 TEST(SceneFitPlot, RefusesWhatThereIsNot) {
   const std::vector<SceneFitRecord> records{scene_record("a"), failed_scene_record("f", "no")};
   const auto message = [&](const PlotRequest& request) {
-    return message_of([&] { scene_fit_plot_script(records, request); });
+    return message_of([&] { plot_script(records, request); });
   };
   EXPECT_EQ(message({.what = "pie"}),
             "--what = pie: must be fit, residuals, starts, correlation, segments, profile, "
@@ -122,7 +122,8 @@ TEST(SceneFitPlot, RefusesWhatThereIsNot) {
             "--what = correlation: f has no correlations");
   EXPECT_EQ(message({.what = "segments", .specimen = "f"}),
             "--what = segments: f was not repeated with other segments");
-  EXPECT_EQ(message_of([] { scene_fit_plot_script({}, {}); }), "plot: there is no fit to draw");
+  EXPECT_EQ(message_of([] { plot_script(std::vector<SceneFitRecord>(), {}); }),
+            "plot: there is no fit to draw");
 }
 
 TEST(SceneFitPlot, LetsNoTextOfAUserLeaveItsQuotes) {
@@ -134,7 +135,7 @@ TEST(SceneFitPlot, LetsNoTextOfAUserLeaveItsQuotes) {
   other.result.law = Law::Voce;
   for (const PlotKind& kind : scene_fit_plot_kinds()) {
     const std::string script =
-        scene_fit_plot_script(std::vector{record, other}, {.what = std::string(kind.name)});
+        plot_script(std::vector{record, other}, {.what = std::string(kind.name)});
     EXPECT_FALSE(has(script, "\nsystem(")) << kind.name;
     EXPECT_FALSE(has(script, "\nplot 1")) << kind.name;
     EXPECT_FALSE(has(script, "p'q")) << kind.name;

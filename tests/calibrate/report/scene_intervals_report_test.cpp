@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "calibrate/report/scene_fit_csv.hpp"
-#include "calibrate/report/scene_fit_json.hpp"
-#include "calibrate/report/scene_fit_plot.hpp"
+#include "calibrate/report/csv_export.hpp"
+#include "calibrate/report/json.hpp"
+#include "calibrate/report/plot.hpp"
 #include "calibrate/report/scene_fit_text.hpp"
 #include "tests/calibrate/report/scene_records.hpp"
 #include "tests/support/has.hpp"
@@ -46,7 +46,7 @@ TEST(SceneIntervalsReport, PutsAllIntervalsSideBySide) {
 }
 
 TEST(SceneIntervalsReport, WritesThemAsJson) {
-  const Json fit = Json::parse(scene_fits_json(std::vector{record_with_intervals()}))["fits"][0];
+  const Json fit = Json::parse(json_summary(std::vector{record_with_intervals()}))["fits"][0];
   const Json& profile = fit["intervals"]["profile"]["yield_stress"];
   EXPECT_EQ(profile["interval"], Json({375e6, 2e9}));
   EXPECT_EQ(profile["ends"], Json({"crossed", "bound"}));
@@ -56,13 +56,13 @@ TEST(SceneIntervalsReport, WritesThemAsJson) {
   EXPECT_EQ(bootstrap["failed"], 1);
   EXPECT_EQ(bootstrap["parameters"]["break_strain"]["interval"], Json({0.020, 0.022}));
   EXPECT_TRUE(fit["intervals"]["bootstrap_specimens"].is_null());
-  const Json bare = Json::parse(scene_fits_json(std::vector{scene_record()}))["fits"][0];
+  const Json bare = Json::parse(json_summary(std::vector{scene_record()}))["fits"][0];
   EXPECT_FALSE(bare.contains("intervals"));
 }
 
 TEST(SceneIntervalsReport, WritesColumnsOfThoseThatAnyFitHas) {
   std::ostringstream out, bare;
-  write_scene_fits_csv(out, std::vector{record_with_intervals(), scene_record("b")});
+  write_fits_csv(out, std::vector{record_with_intervals(), scene_record("b")});
   const std::string header = out.str().substr(0, out.str().find('\n'));
   EXPECT_TRUE(has(header,
                   "fit.youngs_modulus.segments_error [Pa],"
@@ -82,7 +82,7 @@ TEST(SceneIntervalsReport, WritesColumnsOfThoseThatAnyFitHas) {
   EXPECT_EQ(cells[1], cells[0]);
   EXPECT_EQ(cells[2], cells[0]);
   EXPECT_TRUE(has(out.str(), ",crossed,bound,")) << out.str();
-  write_scene_fits_csv(bare, std::vector{scene_record()});
+  write_fits_csv(bare, std::vector{scene_record()});
   EXPECT_FALSE(has(bare.str(), "profile"));
 }
 
@@ -94,8 +94,7 @@ TEST(SceneIntervalsReport, SaysTheThresholdsOfAllParameters) {
 }
 
 TEST(SceneIntervalsReport, DrawsProfiles) {
-  const std::string script =
-      scene_fit_plot_script(std::vector{record_with_intervals()}, {.what = "profile"});
+  const std::string script = plot_script(std::vector{record_with_intervals()}, {.what = "profile"});
   EXPECT_TRUE(has(script, "set title 'youngs_modulus [GPa]'"));
   EXPECT_TRUE(has(script, "set arrow from 202, graph 0"));
   EXPECT_TRUE(has(script, "set arrow from 209, graph 0"));
@@ -103,27 +102,25 @@ TEST(SceneIntervalsReport, DrawsProfiles) {
   for (const char* name : {"'least cost'", "'threshold'", "'parabola of the covariance'"}) {
     EXPECT_TRUE(has(script, std::string("title ") + name)) << name;
   }
-  EXPECT_EQ(
-      message_of([] { scene_fit_plot_script(std::vector{scene_record()}, {.what = "profile"}); }),
-      "--what = profile: both has no profile: calibrate with --profile");
+  EXPECT_EQ(message_of([] { plot_script(std::vector{scene_record()}, {.what = "profile"}); }),
+            "--what = profile: both has no profile: calibrate with --profile");
 }
 
 TEST(SceneIntervalsReport, DrawsBootstraps) {
   const std::string script =
-      scene_fit_plot_script(std::vector{record_with_intervals()}, {.what = "bootstrap"});
+      plot_script(std::vector{record_with_intervals()}, {.what = "bootstrap"});
   EXPECT_TRUE(has(script, "set title 'yield_stress [MPa] over youngs_modulus'"));
   EXPECT_TRUE(has(script, "204 379"));
   EXPECT_TRUE(has(script, "set arrow from 203, graph 0")) << "a percentile";
-  EXPECT_EQ(
-      message_of([] { scene_fit_plot_script(std::vector{scene_record()}, {.what = "bootstrap"}); }),
-      "--what = bootstrap: both has no bootstrap: calibrate with --bootstrap 400");
+  EXPECT_EQ(message_of([] { plot_script(std::vector{scene_record()}, {.what = "bootstrap"}); }),
+            "--what = bootstrap: both has no bootstrap: calibrate with --bootstrap 400");
 }
 
 TEST(SceneIntervalsReport, DrawsNoBootstrapOfWhatIsNotIdentified) {
   constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
   SceneFitRecord record = record_with_intervals();
   record.result.intervals.residuals.intervals[2] = {kNan, kNan, kNan};
-  const std::string script = scene_fit_plot_script(std::vector{record}, {.what = "bootstrap"});
+  const std::string script = plot_script(std::vector{record}, {.what = "bootstrap"});
   EXPECT_FALSE(has(script, "nan"));
   EXPECT_FALSE(has(script, "break_strain"));
 }
@@ -136,7 +133,7 @@ TEST(SceneIntervalsReport, DrawsBandsWhereTheCurveHasErrors) {
   for (TargetFit& of_target : record.result.targets) {
     of_target.degrees_of_freedom = std::numeric_limits<double>::infinity();
   }
-  const auto script_of = [&] { return scene_fit_plot_script(std::vector{record}, {}); };
+  const auto script_of = [&] { return plot_script(std::vector{record}, {}); };
   EXPECT_FALSE(has(script_of(), "of the curve"));
   record.result.targets[0].fitted_error = {1.0, 2.0};
   record.result.targets[0].noise = 0.0;

@@ -5,18 +5,23 @@
 #include <span>
 #include <vector>
 
-#include "calibrate/fit/scene_fit.hpp"
+#include "calibrate/result/result.hpp"
+#include "calibrate/result/scene_fit_result.hpp"
 
 namespace plastica::calibrate {
 
 /// Version of the records below: to be raised whenever a field of a result is added, removed or
 /// moved. Records of another version are refused.
-inline constexpr std::uint32_t kSceneResultVersion = 7;
+inline constexpr std::uint32_t kResultVersion = 12;
 
-/// A result of a fit through scenes as bytes, with every field: what the journal keeps of it.
+/// A result as bytes, with every field: what the journal keeps of a finished fit.
+std::vector<std::byte> bytes_of(const FitResult& result);
 std::vector<std::byte> bytes_of(const SceneFitResult& result);
+
 /// The result that `bytes_of` was given, bit by bit.
+/// @tparam Result  FitResult or SceneFitResult
 /// @throws io::StorageError if the bytes are torn or of another version
-SceneFitResult scene_result_from_bytes(std::span<const std::byte> bytes);
+template <typename Result>
+Result result_from_bytes(std::span<const std::byte> bytes);
 
 }  // namespace plastica::calibrate

@@ -1,0 +1,76 @@
+#include "calibrate/store/journaled_fits.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+#include <utility>
+
+#include "calibrate/store/result_bytes.hpp"
+#include "plastica/io/digest.hpp"
+
+namespace plastica::calibrate {
+
+template <typename Result>
+JournaledFits<Result>::JournaledFits(JournaledOptions how, std::uint64_t kind,
+                                     std::string_view noun)
+    : how_(std::move(how)), journal_(how_.journal, kind, noun) {}
+
+template <typename Result>
+void JournaledFits<Result>::resume(std::vector<std::string> ids) {
+  ids_ = std::move(ids);
+  results_.resize(ids_.size());
+  progress_.total = ids_.size();
+  for (std::size_t i = 0; i < ids_.size(); ++i) {
+    const std::vector<std::byte>* bytes = journal_.find(ids_[i]);
+    if (bytes == nullptr) continue;
+    results_[i] = result_from_bytes<Result>(*bytes);
+    count(*results_[i]);
+    ++progress_.resumed;
+  }
+  stale_ = journal_.found() - progress_.resumed;
+}
+
+template <typename Result>
+void JournaledFits<Result>::count(const Result& result) {
+  ++progress_.done;
+  if (result.status == FitStatus::Failed) ++progress_.failed;
+  if (result.status == FitStatus::Rejected) ++progress_.rejected;
+}
+
+template <typename Result>
+void JournaledFits<Result>::start_run() {
+  if (std::exchange(has_run_, true)) throw std::logic_error("JournaledFits: it has run already");
+  if (how_.progress) how_.progress(progress_);
+}
+
+template <typename Result>
+void JournaledFits<Result>::keep(std::size_t index, const Result& result) {
+  journal_.keep(ids_[index], bytes_of(result));
+  const std::lock_guard lock(mutex_);
+  count(result);
+  if (how_.progress) how_.progress(progress_);
+}
+
+template <typename Result>
+void JournaledFits<Result>::end_run(bool complete) {
+  complete_ = complete;
+  if (!complete_) journal_.sync();
+}
+
+template <typename Result>
+void JournaledFits<Result>::finish() {
+  if (!complete_) throw std::logic_error("JournaledFits::finish: the run is not complete");
+  journal_.finish();
+}
+
+template class JournaledFits<FitResult>;
+template class JournaledFits<SceneFitResult>;
+
+std::string run_id_of(std::vector<std::string> ids, std::optional<std::uint64_t> besides) {
+  std::sort(ids.begin(), ids.end());
+  io::Digest digest;
+  if (besides) digest.integer(*besides);
+  for (const std::string& id : ids) digest.text(id);
+  return io::hexadecimal(digest.value());
+}
+
+}  // namespace plastica::calibrate

@@ -1,0 +1,103 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "plastica/base/stop_flag.hpp"
+#include "plastica/io/case_journal.hpp"
+
+namespace plastica::calibrate {
+
+/// How far a run of fits has come.
+struct BatchProgress {
+  std::size_t done = 0;  ///< fitted, failed and rejected, those of the journal included
+  std::size_t failed = 0;
+  std::size_t rejected = 0;
+  std::size_t resumed = 0;  ///< of the done: resumed from the journal, so that they took no time
+  std::size_t total = 0;
+};
+
+struct JournaledOptions {
+  io::JournalPolicy journal{};
+  int threads = 0;  ///< 0: as many as the machine has
+  /// Once raised, no further fit is begun, and those under way end soon and count as not begun. May
+  /// be null.
+  StopFlag stop = nullptr;
+  /// Called once before the first fit and after each, one call at a time, from any thread.
+  std::function<void(const BatchProgress&)> progress{};
+};
+
+/// Fits that survive the interruption of their run, whatever they are of: each that has ended goes
+/// to a journal under an id, which is a name and a digest of all that decides its bits, and a later
+/// run takes from it those whose ids it has, too. The results have the same bits as those of a run
+/// without interruption.
+/// @tparam Result  FitResult or SceneFitResult
+template <typename Result>
+class JournaledFits {
+ public:
+  JournaledFits(const JournaledFits&) = delete;
+  JournaledFits& operator=(const JournaledFits&) = delete;
+
+  /// Number of fits resumed from the journal.
+  std::size_t resumed() const { return progress_.resumed; }
+  /// Number of records in the journal that are stale: what they are of has changed.
+  std::size_t stale() const { return stale_; }
+  /// Bytes at the journal's end that were dropped: a record torn by a crash. 0: none.
+  std::uint64_t dropped_bytes() const { return journal_.dropped_bytes(); }
+  /// See `io::CaseJournal`.
+  const std::string& other_instruction_set() const { return journal_.other_instruction_set(); }
+  /// How often this run was interrupted and resumed, this time included.
+  int resumptions() const { return journal_.resumptions(); }
+
+  /// Whether all was fitted.
+  bool complete() const { return complete_; }
+  /// Deletes the journal, once the results of a complete run are stored elsewhere.
+  /// @throws std::logic_error if it is not complete; io::StorageError
+  void finish();
+  /// Deletes the journal, since an output has the results of the same run already.
+  /// @throws io::StorageError
+  void discard() { journal_.finish(); }
+
+ protected:
+  /// Reads the journal, if one is there, and opens it for writing.
+  /// @param kind  says what its records are
+  /// @param noun  what they are called in messages
+  /// @throws InputError, io::StorageError as `io::CaseJournal`
+  JournaledFits(JournaledOptions how, std::uint64_t kind, std::string_view noun);
+  ~JournaledFits() = default;
+
+  /// Takes the results of the fits from the journal that it has. @param ids  of all fits (n_fits)
+  void resume(std::vector<std::string> ids);
+  /// To be called once, before the first fit. @throws std::logic_error when it is called again
+  void start_run();
+  /// Keeps a fit that has ended, and tells so; may be called by several threads.
+  void keep(std::size_t index, const Result& result);
+  void end_run(bool complete);
+
+  JournaledOptions how_;
+  std::vector<std::string> ids_;                ///< of the fits (n_fits)
+  std::vector<std::optional<Result>> results_;  ///< those of the journal (n_fits)
+  BatchProgress progress_;
+  std::size_t stale_ = 0;
+  io::CaseJournal journal_;
+
+ private:
+  void count(const Result& result);
+
+  std::mutex mutex_;  ///< of the progress
+  bool has_run_ = false;
+  bool complete_ = false;
+};
+
+/// Says what a run computes, as a digest of its ids in whatever order they come, as results are
+/// stored. Two runs with the same have the same results, bit by bit.
+/// @param besides  what else the results depend on, if there is something
+std::string run_id_of(std::vector<std::string> ids, std::optional<std::uint64_t> besides = {});
+
+}  // namespace plastica::calibrate

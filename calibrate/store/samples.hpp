@@ -1,0 +1,146 @@
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <span>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "calibrate/store/columns.hpp"
+
+/// Curves of a result file: columns of samples, those of one row behind those of the other, and
+/// `offsets` where each row begins; not installed. Which columns says a function that calls
+///   columns(NAME, UNITS, MEMBER)         a list that has a number for each sample of its row;
+///   columns.maybe(NAME, UNITS, MEMBER)   the same, a pointer to it: null where a row has none;
+///   columns.table(NAME, MEMBER, WIDTH)   so many numbers for each sample.
+namespace plastica::calibrate::store {
+
+template <typename Row>
+class SampleWriter {
+ public:
+  SampleWriter(io::Hdf5Group group, const std::vector<const Row*>& rows)
+      : group_(std::move(group)), rows_(rows) {}
+
+  template <typename Member>
+  void operator()(const std::string& name, std::string_view units, const Member& member) {
+    std::vector<double> all;
+    std::vector<std::uint64_t> offsets{0};
+    for (const Row* row : rows_) {
+      const std::vector<double>& own = member(*row);
+      all.insert(all.end(), own.begin(), own.end());
+      offsets.push_back(all.size());
+    }
+    if (offsets_.empty()) offsets_ = offsets;
+    if (offsets != offsets_) refuse(name);
+    group_.write(name, all, {units, kDeflate});
+  }
+
+  template <typename Member>
+  void maybe(const std::string& name, std::string_view units, const Member& member) {
+    std::vector<double> all(offsets_.back(), std::numeric_limits<double>::quiet_NaN());
+    for (std::size_t i = 0; i < rows_.size(); ++i) {
+      const std::vector<double>* own = member(*rows_[i]);
+      if (own == nullptr) continue;
+      if (own->size() != offsets_[i + 1] - offsets_[i]) refuse(name);
+      std::ranges::copy(*own, all.begin() + static_cast<std::ptrdiff_t>(offsets_[i]));
+    }
+    group_.write(name, all, {units, kDeflate});
+  }
+
+  /// A row that is narrower than another leaves the last columns empty.
+  template <typename Member, typename Width>
+  void table(const std::string& name, const Member& member, const Width& width_of) {
+    std::size_t width = 0;
+    for (const Row* row : rows_) width = std::max(width, width_of(*row));
+    std::vector<double> all(offsets_.back() * width, std::numeric_limits<double>::quiet_NaN());
+    for (std::size_t i = 0; i < rows_.size(); ++i) {
+      const std::vector<double>& own = member(*rows_[i]);
+      const std::size_t n = width_of(*rows_[i]);
+      const std::size_t samples = offsets_[i + 1] - offsets_[i];
+      if (own.size() != samples * n) refuse(name);
+      for (std::size_t k = 0; k < samples; ++k) {
+        std::copy_n(own.data() + k * n, n, all.data() + (offsets_[i] + k) * width);
+      }
+    }
+    group_.write_table<double>(name, all, width, {{}, kDeflate});
+  }
+
+  void write_offsets() { group_.write("offsets", offsets_, {{}, kDeflate}); }
+
+ private:
+  [[noreturn]] void refuse(const std::string& name) const {
+    throw std::logic_error(group_.path() + "/" + name + ": a row does not have a number a sample");
+  }
+
+  io::Hdf5Group group_;
+  const std::vector<const Row*>& rows_;
+  std::vector<std::uint64_t> offsets_;
+};
+
+template <typename Row>
+class SampleReader {
+ public:
+  SampleReader(io::Hdf5Group group, const std::vector<Row*>& rows,
+               std::span<const io::ValueRule> rules)
+      : group_(std::move(group)),
+        rows_(rows),
+        rules_(rules),
+        offsets_(group_.read<std::uint64_t>("offsets")) {}
+
+  template <typename Member>
+  void operator()(const std::string& name, std::string_view units, const Member& member) {
+    maybe(name, units, [&](Row& row) { return &member(row); });
+  }
+
+  template <typename Member>
+  void maybe(const std::string& name, std::string_view /*units*/, const Member& member) {
+    const auto all = io::read_numbers<double>(group_, name, rules_);
+    check_offsets(name, all.size());
+    for (std::size_t i = 0; i < rows_.size(); ++i) {
+      std::vector<double>* own = member(*rows_[i]);
+      if (own == nullptr) continue;
+      own->assign(all.begin() + static_cast<std::ptrdiff_t>(offsets_[i]),
+                  all.begin() + static_cast<std::ptrdiff_t>(offsets_[i + 1]));
+    }
+  }
+
+  template <typename Member, typename Width>
+  void table(const std::string& name, const Member& member, const Width& width_of) {
+    const std::size_t samples = offsets_.empty() ? 0 : offsets_.back();
+    const std::size_t shape[] = {samples, io::Hdf5Group::kAnyExtent};
+    const auto all = group_.read_array<double>(name, shape);
+    check_offsets(name, samples);
+    io::check_values(group_, name, all, io::rule_of(rules_, io::path_from_root(group_, name)));
+    const std::size_t width = group_.shape(name)[1];
+    for (std::size_t i = 0; i < rows_.size(); ++i) {
+      const std::size_t n = width_of(*rows_[i]);
+      if (n > width) {
+        io::refuse_value(group_, name, "", "has fewer columns than a fit has free parameters");
+      }
+      for (std::size_t k = offsets_[i]; k < offsets_[i + 1]; ++k) {
+        const auto row = all.begin() + static_cast<std::ptrdiff_t>(k * width);
+        member(*rows_[i]).insert(member(*rows_[i]).end(), row,
+                                 row + static_cast<std::ptrdiff_t>(n));
+      }
+    }
+  }
+
+ private:
+  void check_offsets(const std::string& name, std::size_t size) const {
+    const bool fits = offsets_.size() == rows_.size() + 1 && offsets_.front() == 0 &&
+                      offsets_.back() == size && std::ranges::is_sorted(offsets_);
+    if (!fits) io::refuse_value(group_, name, "", "has offsets that do not fit its values");
+  }
+
+  io::Hdf5Group group_;
+  const std::vector<Row*>& rows_;
+  std::span<const io::ValueRule> rules_;
+  std::vector<std::uint64_t> offsets_;
+};
+
+}  // namespace plastica::calibrate::store

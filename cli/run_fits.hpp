@@ -1,0 +1,84 @@
+#pragma once
+
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <string>
+
+#include "calibrate/report/law_choice.hpp"
+#include "calibrate/result/usable.hpp"
+#include "calibrate/store/journaled_fits.hpp"
+#include "cli/calibrate_arguments.hpp"
+#include "cli/exit_code.hpp"
+#include "cli/fit_reports.hpp"
+#include "cli/run_files.hpp"
+#include "plastica/io/text_file.hpp"
+
+/// What `plastica calibrate` does with fits of either kind, once it has read its inputs.
+namespace plastica::cli {
+
+/// Writes what is asked for beside the result file and prints the report. @return the exit code
+template <class Contents>
+int report_fits(const CalibrateArguments& arguments, Contents& contents) {
+  if (!arguments.json.empty()) {
+    io::write_text_file(arguments.json, json_of(contents),
+                        io::overwrite_if(arguments.force || arguments.resume));
+  }
+  if (!arguments.quiet) {
+    print_fits(contents);
+    std::fflush(stdout);  // one file may take both
+  }
+  // Where laws are compared, one of them suffices.
+  const auto usable = [](const auto* record) { return calibrate::is_usable(record->result); };
+  const bool all = std::ranges::all_of(
+      calibrate::by_target(contents.records),
+      [&](const auto& records) { return std::ranges::any_of(records, usable); });
+  return all ? kDone : kNotAcceptable;
+}
+
+/// Fits what neither a found output nor the journal has, stores all and reports.
+/// @param found  whether the output is there, see `finds_output`
+/// @param contents  has all but records, id and end of the run
+/// @param begin  of the run
+/// @param fit  runs the batch. @return the records of its results
+/// @return the exit code
+template <class Contents, class Batch, class Fit>
+int run_fits(const CalibrateArguments& arguments, const std::string& output, bool found,
+             Contents& contents, std::chrono::steady_clock::time_point begin, Batch& batch,
+             const Fit& fit) {
+  if (found) {
+    read_fits(output, contents);
+    take_complete_output(output, contents.run, batch);
+    return report_fits(arguments, contents);
+  }
+  // Another run may have had the journal until now, and have written the output.
+  io::check_output_path(output, arguments.force);
+  tell_of_journal(batch, arguments.quiet);
+  contents.records = fit();
+  if (!batch.complete()) {
+    tell_interrupted(output);
+    return kInterrupted;
+  }
+  contents.run = batch.run_id();
+  contents.meta.resumptions = batch.resumptions();
+  contents.meta.seconds =
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  write_fits(output, contents, io::overwrite_if(arguments.force));
+  batch.finish();
+  const int code = report_fits(arguments, contents);
+  if (!arguments.quiet) tell("wrote {}\n", output);
+  return code;
+}
+
+/// How the fits of a run are journaled.
+inline calibrate::JournaledOptions journaling(const CalibrateArguments& arguments,
+                                              const std::string& output, const io::RunMeta& meta,
+                                              StopFlag stop) {
+  calibrate::JournaledOptions how;
+  how.journal = {io::journal_path(output), arguments.resume, arguments.force, meta.instruction_set};
+  how.threads = arguments.threads;
+  how.stop = stop;
+  return how;
+}
+
+}  // namespace plastica::cli
