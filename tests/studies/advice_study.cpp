@@ -73,7 +73,8 @@ double off_closed_form(const ClosedForm& form, const Outcome& outcome,
   return std::isnan(off) ? std::numeric_limits<double>::infinity() : std::max(0.0, off - form.off);
 }
 
-/// All settings between the coarsest and twice as fine as one, by factors of `ratio` in each axis.
+/// All settings between the coarsest and twice as fine as one in each axis, by factors of `ratio`,
+/// that do not take more work.
 std::vector<Setting> grid_to(const Setup& setup, const Advice& finest, double ratio) {
   std::vector<Setting> grid{{}};
   for (std::size_t k = 0; k < finest.axes.size(); ++k) {
@@ -91,6 +92,15 @@ std::vector<Setting> grid_to(const Setup& setup, const Advice& finest, double ra
     }
     grid = std::move(longer);
   }
+  // What is advised is within the tolerance: the cheapest is not dearer.
+  constexpr double kDearer = 1.3;
+  std::erase_if(grid, [&](const Setting& setting) {
+    double work = 1.0;
+    for (std::size_t k = 0; k < setting.size(); ++k) {
+      work *= finest.axes[k].size(finest.setting[k]) / finest.axes[k].size(setting[k]);
+    }
+    return work > kDearer;
+  });
   for (Setting& setting : grid) setting = taken_setting(setup, finest.axes, setting);
   std::ranges::sort(grid);
   grid.erase(std::ranges::unique(grid).begin(), grid.end());
