@@ -3,6 +3,7 @@
 #include <compare>
 #include <cstddef>
 #include <map>
+#include <string_view>
 #include <vector>
 
 #include "sweeps/advise/advice.hpp"
@@ -48,8 +49,9 @@ class AdviceRuns {
   bool has(const Trial& trial) const { return outcomes_.count(trial) > 0; }
   const Outcome& outcome(const Trial& trial) const { return outcomes_.at(trial); }
   const std::map<Trial, Outcome>& outcomes() const { return outcomes_; }
-  Deviation off(const Trial& coarse, const Trial& fine) const {
-    return deviation(outcome(coarse), outcome(fine), probes_.watched);
+  /// @param than  as of `deviation`
+  Deviation off(const Trial& coarse, const Trial& fine, std::string_view than = "finer") const {
+    return deviation(outcome(coarse), outcome(fine), probes_.watched, than);
   }
   /// The work of a run by the cost of its kernels, see `kernel_cost`.
   double cost(const Trial& trial) const;

@@ -5,6 +5,7 @@
 #include <iterator>
 #include <limits>
 #include <string>
+#include <string_view>
 #include <utility>
 
 #include "plastica/base/status.hpp"
@@ -16,6 +17,8 @@ namespace {
 constexpr double kWorthChanging = 0.7;
 /// What a word adds below this part of the allowed error is not measured again.
 constexpr double kSlight = 1e-3;
+
+constexpr std::string_view kRicher = "richer";
 
 bool is_same(double error) { return error <= kSameWord; }
 
@@ -93,7 +96,7 @@ bool WordChooser::compare_levels(const Trial& trial) {
     const Trial space = with(trial, w, axes[w].richest);
     if (!is_accepted(runs_.setup_of(space))) continue;
     if (!runs_.run_all({least, space})) return false;
-    const Deviation off = runs_.off(least, space);
+    const Deviation off = runs_.off(least, space, kRicher);
     if (!is_same(off.largest)) continue;
     same_level_ = w;
     options_[w] = {{0, 1.0, off.largest, {}},
@@ -104,7 +107,7 @@ bool WordChooser::compare_levels(const Trial& trial) {
 
 void WordChooser::note_option(std::size_t w, std::size_t choice) {
   const Trial one = with(richest_, w, choice);
-  const Deviation off = runs_.off(one, richest_);
+  const Deviation off = runs_.off(one, richest_, kRicher);
   options_[w].push_back({choice, runs_.cost(one) / runs_.cost(richest_), off.largest, off.reason});
 }
 
@@ -266,7 +269,7 @@ bool WordChooser::compare(Trial trial, std::size_t w, std::size_t choice, OtherW
   }
   const Trial poorer = with(trial, w, choice);
   if (!runs_.run_all({trial, poorer, richer})) return false;
-  const Deviation off = runs_.off(poorer, richer);
+  const Deviation off = runs_.off(poorer, richer, kRicher);
   found = {choice, runs_.cost(poorer) / runs_.cost(trial), off.largest, off.reason};
   return true;
 }

@@ -76,8 +76,10 @@ TEST(Advice, KeepsItsWord) {
       const Advice advice = advise(scene.setup, options);
       std::string line = fmt::format("{:<26} {:4.1f} %", scene.name, 100.0 * within);
       if (advice.end != AdviceEnd::Found) {
-        // The force of an impact has no limit; the path of the other fails.
-        EXPECT_TRUE(scene.name == "crash_bumper" || scene.name == "report_fig06_twisted")
+        // The force of an impact has no limit, the path of the second fails, and what wears out in
+        // fibres gathers in ever shorter joints.
+        EXPECT_TRUE(scene.name == "crash_bumper" || scene.name == "report_fig06_twisted" ||
+                    scene.name == "report_proposal6_wear")
             << scene.name;
         fmt::print("{}  nothing in {} runs: {} {}\n", line, advice.runs, advised_text(advice),
                    advice.reason);
