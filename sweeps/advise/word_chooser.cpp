@@ -274,13 +274,15 @@ bool WordChooser::compare(Trial trial, std::size_t w, std::size_t choice, OtherW
   return true;
 }
 
-bool WordChooser::confirm(const Trial& trial, double within) {
+bool WordChooser::confirm(const Trial& trial, double within, bool all) {
   const auto& axes = runs_.word_axes();
   for (std::size_t w = 0; w < axes.size(); ++w) {
     if (!has_choice(w)) continue;
     const std::size_t chosen = trial.words[w];
     OtherWord measured;
-    if (chosen != axes[w].richest && lines_[w].error > std::max(kSlight * within, kSameWord)) {
+    const bool matters =
+        all ? w != same_level_ : lines_[w].error > std::max(kSlight * within, kSameWord);
+    if (chosen != axes[w].richest && matters) {
       if (!compare(trial, w, chosen, measured)) return false;
       lines_[w].error = measured.error;
     }
@@ -299,7 +301,7 @@ Trial WordChooser::enriched(const Trial& trial) const {
   const auto& axes = runs_.word_axes();
   Trial made = trial;
   for (std::size_t w = 0; w < axes.size(); ++w) {
-    if (has_choice(w) && !is_same(lines_[w].error)) made = with(made, w, axes[w].richest);
+    if (has_choice(w) && w != same_level_) made = with(made, w, axes[w].richest);
   }
   return is_accepted(runs_.setup_of(made)) ? made : comparable(made);
 }
