@@ -62,14 +62,14 @@ Found found_for_budget(AdviceRuns& runs, double budget) {
     const double within = std::max({error_for(fits.candidate, kAimed * left),
                                     std::sqrt(too_small * promised), promised / kLargestFall});
     adviser.search(within, fits.candidate.trial);
-    const Found next = found_by(adviser);
+    Found next = found_by(adviser);
     const bool used_up = next.end == AdviceEnd::TooManyRuns || next.end == AdviceEnd::TooMuchWork;
     if (next.end == AdviceEnd::Interrupted) return next;
     if (used_up) break;
     const bool better = next.end == AdviceEnd::Found && next.candidate.promised < promised &&
                         runs.expected_seconds(next.candidate.trial) <= budget;
     if (better) {
-      fits = next;
+      fits = std::move(next);
     } else {
       too_small = within;
     }

@@ -8,6 +8,9 @@
 namespace plastica::sweeps {
 namespace {
 
+/// Of a fibre section that others are compared with: some 40 are 0.002 % off (docs/accuracy.md).
+constexpr double kRichFibres = 40.0;
+
 /// The scene with all that advice may choose in it, so that it has every axis of numbers.
 Setup richest_of(const Setup& setup, const std::vector<WordAxis>& axes) {
   Words words;
@@ -23,7 +26,13 @@ AdviceRuns::AdviceRuns(const Setup& setup, const AdviceOptions& options)
       word_axes_(plastica::sweeps::word_axes(setup)),
       axes_(fineness_axes(richest_of(setup, word_axes_))),
       own_setting_(own_setting(setup, axes_)),
-      probes_(watched_probes(setup, options.probes)) {}
+      idle_setting_(own_setting_),
+      probes_(watched_probes(setup, options.probes)) {
+  for (std::size_t k = 0; k < axes_.size(); ++k) {
+    if (axes_[k].field->path != "solver.fibres") continue;
+    idle_setting_[k] = std::max(idle_setting_[k], kRichFibres);
+  }
+}
 
 Setup AdviceRuns::setup_of(const Trial& trial) const {
   return setup_at(setup_with(setup_, word_axes_, trial.words), axes_, trial.setting);
@@ -37,7 +46,7 @@ bool AdviceRuns::acts(std::size_t axis, const Words& words) const {
 
 Trial AdviceRuns::taken(Trial trial) const {
   for (std::size_t k = 0; k < axes_.size(); ++k) {
-    if (!acts(k, trial.words)) trial.setting[k] = own_setting_[k];
+    if (!acts(k, trial.words)) trial.setting[k] = idle_setting_[k];
   }
   trial.setting = taken_setting(setup_, axes_, std::move(trial.setting));
   return trial;
@@ -54,9 +63,8 @@ Trial AdviceRuns::scaled(const Trial& trial, const std::vector<double>& factors)
 }
 
 bool AdviceRuns::run_all(std::vector<Trial> trials) {
-  std::ranges::sort(trials);
-  const auto again = std::ranges::unique(trials);
-  trials.erase(again.begin(), again.end());
+  std::sort(trials.begin(), trials.end());
+  trials.erase(std::unique(trials.begin(), trials.end()), trials.end());
   std::erase_if(trials, [&](const Trial& trial) { return has(trial); });
   if (runs_ + static_cast<int>(trials.size()) > options_.max_runs) {
     end_ = AdviceEnd::TooManyRuns;

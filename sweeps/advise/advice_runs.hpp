@@ -1,8 +1,9 @@
 #pragma once
 
-#include <compare>
 #include <cstddef>
 #include <map>
+#include <string_view>
+#include <tuple>
 #include <vector>
 
 #include "sweeps/advise/advice.hpp"
@@ -16,7 +17,10 @@ struct Trial {
   Words words;
   Setting setting;
 
-  friend auto operator<=>(const Trial&, const Trial&) = default;
+  friend bool operator==(const Trial&, const Trial&) = default;
+  friend bool operator<(const Trial& a, const Trial& b) {
+    return std::tie(a.words, a.setting) < std::tie(b.words, b.setting);
+  }
 };
 
 /// Runs a scene in different ways, each once, and keeps what they came to.
@@ -35,7 +39,7 @@ class AdviceRuns {
   /// Whether a number does anything with these words: fibres do nothing where joints have caps.
   bool acts(std::size_t axis, const Words& words) const;
   /// The trial as a run takes it: steps that divide the samples, and numbers that do nothing as the
-  /// file has them, so that what is one run is one trial.
+  /// file has them (fibres at least 40), so that what is one run is one trial.
   Trial taken(Trial trial) const;
   /// That of the scene's file.
   Trial own() const;
@@ -48,8 +52,9 @@ class AdviceRuns {
   bool has(const Trial& trial) const { return outcomes_.count(trial) > 0; }
   const Outcome& outcome(const Trial& trial) const { return outcomes_.at(trial); }
   const std::map<Trial, Outcome>& outcomes() const { return outcomes_; }
-  Deviation off(const Trial& coarse, const Trial& fine) const {
-    return deviation(outcome(coarse), outcome(fine), probes_.watched);
+  /// @param than  as of `deviation`
+  Deviation off(const Trial& coarse, const Trial& fine, std::string_view than = "finer") const {
+    return deviation(outcome(coarse), outcome(fine), probes_.watched, than);
   }
   /// The work of a run by the cost of its kernels, see `kernel_cost`.
   double cost(const Trial& trial) const;
@@ -73,6 +78,7 @@ class AdviceRuns {
   std::vector<WordAxis> word_axes_;
   std::vector<FinenessAxis> axes_;
   Setting own_setting_;
+  Setting idle_setting_;  ///< of numbers that do nothing, until richer words need them
   WatchedProbes probes_;
   std::map<Trial, Outcome> outcomes_;
   int runs_ = 0;

@@ -36,7 +36,7 @@ constexpr int kDecisions = 3;
 
 }  // namespace
 
-Adviser::Adviser(AdviceRuns& runs) : runs_(runs), models_(runs.axes()), words_(runs) {}
+Adviser::Adviser(AdviceRuns& runs) : runs_(runs), models_(runs.axes().size()), words_(runs) {}
 
 Trial Adviser::coarsest() const {
   Trial trial = runs_.own();
@@ -141,7 +141,7 @@ bool Adviser::settle_words(Candidate& candidate, bool& changed) {
 }
 
 bool Adviser::verify(Candidate& candidate) {
-  if (!words_.confirm(candidate.trial, within_)) return false;
+  if (!words_.confirm(candidate.trial, within_, measure_all_)) return false;
   candidate.lines = words_.lines();
   if (candidate.numbers + words_.error() > within_) {
     // Either finer numbers make room for the words, or the words are not what they seemed.

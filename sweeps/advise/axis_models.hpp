@@ -11,8 +11,7 @@ namespace plastica::sweeps {
 /// Changes along the axes of numbers, from which errors of other settings are foretold.
 class AxisModels {
  public:
-  explicit AxisModels(const std::vector<FinenessAxis>& axes)
-      : axes_(axes), seen_(axes.size()), known_(axes.size()) {}
+  explicit AxisModels(std::size_t axes) : seen_(axes), known_(axes) {}
 
   /// The error along an axis, of a change that was measured; notes it for later.
   /// @param size, finer_size  of the setting and of the run that is finer along the axis
@@ -40,7 +39,6 @@ class AxisModels {
     AxisError error{};
   };
 
-  const std::vector<FinenessAxis>& axes_;
   std::vector<std::vector<Seen>> seen_;  ///< by axis, in the order of the settings
   std::vector<bool> known_;
 };

@@ -84,12 +84,12 @@ std::string break_text(const Outcome& outcome) {
 }
 
 /// Why the two are not one outcome, but for its numbers; empty: they are.
-std::string other_outcome(const Outcome& coarse, const Outcome& fine) {
+std::string other_outcome(const Outcome& coarse, const Outcome& fine, std::string_view than) {
   if (!break_alike(coarse.break_place, coarse.segments, fine.break_place, fine.segments)) {
-    return fmt::format("it {}, and finer it {}", break_text(coarse), break_text(fine));
+    return fmt::format("it {}, and {} it {}", break_text(coarse), than, break_text(fine));
   }
   if (coarse.status != fine.status) {
-    return fmt::format("it is {}, and finer {}", name_of(coarse.status), name_of(fine.status));
+    return fmt::format("it is {}, and {} {}", name_of(coarse.status), than, name_of(fine.status));
   }
   for (std::size_t i = 0; i < std::max(coarse.numbers.size(), fine.numbers.size()); ++i) {
     const bool in_both = i < std::min(coarse.numbers.size(), fine.numbers.size()) &&
@@ -128,15 +128,15 @@ Outcome outcome_of(const BatchRow& row, const std::vector<WatchedProbe>& watched
 }
 
 bool end_alike(const Outcome& coarse, const Outcome& fine) {
-  return other_outcome(coarse, fine).empty();
+  return other_outcome(coarse, fine, {}).empty();
 }
 
 Deviation deviation(const Outcome& coarse, const Outcome& fine,
-                    const std::vector<WatchedProbe>& watched) {
+                    const std::vector<WatchedProbe>& watched, std::string_view than) {
   for (const Outcome* one : {&coarse, &fine}) {
     if (!usable(one->status)) return incomparable(one->reason);
   }
-  if (std::string other = other_outcome(coarse, fine); !other.empty()) {
+  if (std::string other = other_outcome(coarse, fine, than); !other.empty()) {
     return incomparable(std::move(other));
   }
   const Matched matched = matched_samples(coarse, fine);

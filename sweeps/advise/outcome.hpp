@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "plastica/run/batch.hpp"
@@ -56,7 +57,8 @@ bool end_alike(const Outcome& coarse, const Outcome& fine);
 /// history, the root mean square of its difference over that of the finer one. Of the time of the
 /// first break, a limit load, buckling factors and frequencies the difference over the finer run's.
 /// Two that do not break alike (`break_alike`) cannot be compared.
+/// @param than  what the finer one is, for the reason
 Deviation deviation(const Outcome& coarse, const Outcome& fine,
-                    const std::vector<WatchedProbe>& watched);
+                    const std::vector<WatchedProbe>& watched, std::string_view than = "finer");
 
 }  // namespace plastica::sweeps

@@ -5,6 +5,7 @@
 #include <iterator>
 #include <limits>
 #include <string>
+#include <string_view>
 #include <utility>
 
 #include "plastica/base/status.hpp"
@@ -16,6 +17,8 @@ namespace {
 constexpr double kWorthChanging = 0.7;
 /// What a word adds below this part of the allowed error is not measured again.
 constexpr double kSlight = 1e-3;
+
+constexpr std::string_view kRicher = "richer";
 
 bool is_same(double error) { return error <= kSameWord; }
 
@@ -93,7 +96,7 @@ bool WordChooser::compare_levels(const Trial& trial) {
     const Trial space = with(trial, w, axes[w].richest);
     if (!is_accepted(runs_.setup_of(space))) continue;
     if (!runs_.run_all({least, space})) return false;
-    const Deviation off = runs_.off(least, space);
+    const Deviation off = runs_.off(least, space, kRicher);
     if (!is_same(off.largest)) continue;
     same_level_ = w;
     options_[w] = {{0, 1.0, off.largest, {}},
@@ -104,7 +107,7 @@ bool WordChooser::compare_levels(const Trial& trial) {
 
 void WordChooser::note_option(std::size_t w, std::size_t choice) {
   const Trial one = with(richest_, w, choice);
-  const Deviation off = runs_.off(one, richest_);
+  const Deviation off = runs_.off(one, richest_, kRicher);
   options_[w].push_back({choice, runs_.cost(one) / runs_.cost(richest_), off.largest, off.reason});
 }
 
@@ -266,18 +269,20 @@ bool WordChooser::compare(Trial trial, std::size_t w, std::size_t choice, OtherW
   }
   const Trial poorer = with(trial, w, choice);
   if (!runs_.run_all({trial, poorer, richer})) return false;
-  const Deviation off = runs_.off(poorer, richer);
+  const Deviation off = runs_.off(poorer, richer, kRicher);
   found = {choice, runs_.cost(poorer) / runs_.cost(trial), off.largest, off.reason};
   return true;
 }
 
-bool WordChooser::confirm(const Trial& trial, double within) {
+bool WordChooser::confirm(const Trial& trial, double within, bool all) {
   const auto& axes = runs_.word_axes();
   for (std::size_t w = 0; w < axes.size(); ++w) {
     if (!has_choice(w)) continue;
     const std::size_t chosen = trial.words[w];
     OtherWord measured;
-    if (chosen != axes[w].richest && lines_[w].error > std::max(kSlight * within, kSameWord)) {
+    const bool matters =
+        all ? w != same_level_ : lines_[w].error > std::max(kSlight * within, kSameWord);
+    if (chosen != axes[w].richest && matters) {
       if (!compare(trial, w, chosen, measured)) return false;
       lines_[w].error = measured.error;
     }
@@ -296,7 +301,7 @@ Trial WordChooser::enriched(const Trial& trial) const {
   const auto& axes = runs_.word_axes();
   Trial made = trial;
   for (std::size_t w = 0; w < axes.size(); ++w) {
-    if (has_choice(w) && !is_same(lines_[w].error)) made = with(made, w, axes[w].richest);
+    if (has_choice(w) && w != same_level_) made = with(made, w, axes[w].richest);
   }
   return is_accepted(runs_.setup_of(made)) ? made : comparable(made);
 }

@@ -36,10 +36,12 @@ class WordChooser {
   void doubt() { decided_ = false; }
 
   /// Measures again, at a setting, what the chosen models leave out, and what the next simpler ones
-  /// would. @return as `decide`
-  bool confirm(const Trial& trial, double within);
-  /// The trial with the richest of all models that differ from the chosen ones by more than
-  /// rounding.
+  /// would.
+  /// @param all  those, too, that have left out next to nothing: what does not yield in a coarse
+  ///             beam may in a finer one
+  /// @return as `decide`
+  bool confirm(const Trial& trial, double within, bool all);
+  /// The trial with the richest of all models, in space only if that has made a difference.
   Trial enriched(const Trial& trial) const;
 
   const Words& words() const { return words_; }

@@ -58,6 +58,18 @@ TEST(Advice, OfTheRobotsArmHoldsAgainstARunThatIsFinestInBoth) {
   EXPECT_LE(deviation(advised, finer, watched).largest, advice.promised);
 }
 
+TEST(Advice, IsNotTakenInByTwoRunsOnTheSameWrongSideOfALimit) {
+  // With 10 segments the beam swings out of the way of the load and with 20, too; the limit load of
+  // 1.5 first yields (see the scene) is found by 32 and more.
+  const plastica::Setup setup = shipped_scene("limit_load_cantilever");
+  const Advice advice = advise(setup, asked(0.05));
+  ASSERT_EQ(advice.end, AdviceEnd::Found);
+  const plastica::Setup at = advised_setup(setup, advice);
+  const Response response = simulate(at.scene, at.solver);
+  ASSERT_TRUE(response.limit.has_value());
+  EXPECT_NEAR(response.limit->below, 0.8875, advice.promised * 0.8875);
+}
+
 TEST(Advice, SaysWhereItFindsNothing) {
   // The force of an impact has no limit that refinement comes to.
   AdviceOptions options = asked(0.001);
@@ -84,6 +96,19 @@ TEST(Advice, RefusesWhatItCannotLookAt) {
   setup.scene.probes[0].quantity = ProbeQuantity::LoadFactor;
   EXPECT_EQ(message_of([&] { advise(setup, asked(0.01)); }),
             "probe: is missing: advice needs one to look at");
+}
+
+TEST(Advice, RefusesWhatHangsOnTheNumberOfSegments) {
+  // The end of the third segment is elsewhere with each number of them.
+  plastica::Setup setup = cantilever();
+  setup.scene.probes[0].at.segment = 3;
+  EXPECT_EQ(message_of([&] { advise(setup, asked(0.01)); }),
+            "probe.at: is the end of a segment, which moves with their number: give a fraction");
+  setup = cantilever();
+  setup.scene.beam.segments = 2;
+  setup.scene.beam.segment_fractions = {0.25, 0.75};
+  EXPECT_EQ(message_of([&] { advise(setup, asked(0.01)); }),
+            "beam.segment_lengths: fixes the segments, whose number is to be advised");
 }
 
 }  // namespace

@@ -122,6 +122,17 @@ TEST(AdvisedYieldModel, IsThatOfFibresPastFirstYieldOfARectangle) {
   EXPECT_NEAR(end_of(setup, advice) / exact, 1.0, advice.promised + 5e-3);
 }
 
+TEST(AdvisedYieldModel, IsNotElasticWhereOnlyAFineBeamYields) {
+  // Loaded to 1.2 first yields it stays 0.54 mm bent (Prager and Hodge); the coarsest beam, whose
+  // clamp joint has four fibres, does not yield at all.
+  const plastica::Setup setup = shipped_scene("bend_and_release");
+  for (const double within : {0.01, 0.002}) {
+    const Advice advice = advise(setup, asked(within));
+    ASSERT_EQ(advice.end, AdviceEnd::Found) << within;
+    EXPECT_EQ(told_of(advice, "rules.yield_model").chosen, "fibre, first_yield") << within;
+  }
+}
+
 TEST(AdvisedYieldModel, StaysWhatItsFileCallsElastic) {
   for (const WordAxis& axis : word_axes(loaded_to(1.4, "yield_model = 'elastic'"))) {
     EXPECT_NE(axis.field().path, "rules.yield_model");
