@@ -5,7 +5,7 @@
 
 #include "plastica/model/scene.hpp"
 
-namespace CLI {
+namespace CLI {  // NOLINT(readability-identifier-naming): of the library CLI11
 class App;
 }
 

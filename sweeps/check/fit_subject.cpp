@@ -1,9 +1,8 @@
 #include "sweeps/check/fit_subject.hpp"
 
-#include <stdlib.h>
-
 #include <algorithm>
 #include <cerrno>
+#include <cstdlib>
 #include <cstring>
 #include <filesystem>
 #include <utility>

@@ -120,7 +120,7 @@ class FileComparison {
       if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
     }
     for (const std::string& name : names) {
-      const std::string at = path + "/" + name;
+      const std::string at = fmt::format("{}/{}", path, name);
       if (is_left_out(at)) continue;
       const Hdf5Kind a = first_.kind(at);
       const Hdf5Kind b = second_.kind(at);
@@ -216,7 +216,7 @@ class FileComparison {
       if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
     }
     for (const std::string& name : names) {
-      const std::string place = path + " @" + name;
+      const std::string place = fmt::format("{} @{}", path, name);
       if (!is_left_out(place)) compare_attribute(at, name, place);
     }
   }

@@ -56,7 +56,7 @@ void ResultRows::take_axes(const Hdf5Group& root, const std::string& group, std:
   if (root.kind(axes) != Hdf5Kind::Group) return;
   std::vector<std::string> names(rows);
   for (const std::string& axis : root.open_group(axes).children()) {
-    const std::string path = axes + "/" + axis;
+    const std::string path = fmt::format("{}/{}", axes, axis);
     const bool words = is_column(root, path, Hdf5Kind::Text, rows);
     if (!words && !is_column(root, path, Hdf5Kind::Real, rows)) return;
     const auto texts = words ? root.read_texts(path) : std::vector<std::string>{};

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <atomic>
 #include <cmath>
 #include <fstream>
 #include <limits>
@@ -131,6 +132,14 @@ TEST_F(FitClaims, AreOfFitsThroughScenesToo) {
   const ClaimVerdict law = verdict("law = 'voce'\nfitted = { at_least = 1 }\n", of);
   EXPECT_FALSE(law.holds);
   EXPECT_EQ(law.reason, "no fit is by the law voce");
+}
+
+TEST_F(FitClaims, StopBetweenFits) {
+  const std::atomic<bool> stop{true};
+  EXPECT_FALSE(run_fits(read_fit_subject(folder_.file("fit.toml")), 1, &stop, {}));
+  CheckOptions options;
+  options.stop = &stop;
+  EXPECT_TRUE(run_check(read("failed = { at_most = 0 }\n"), options).empty());
 }
 
 /// Of fits that are made up: what no number may come of.
