@@ -132,8 +132,7 @@ template <typename Contents>
 std::string text_of_fits(const ExportArguments& arguments, const std::vector<std::string>& kinds) {
   const std::string what = what_of(arguments, kinds);
   refuse_what_of_json(arguments);
-  Contents contents;
-  read_fits(arguments.beam.file, contents);
+  const Contents contents = read_fits<Contents>(arguments.beam.file);
   if (arguments.beam.to == "json") return json_of(contents);
   std::ostringstream out;
   if (what == "curves") {

@@ -15,19 +15,17 @@
 namespace plastica::cli {
 namespace {
 
-calibrate::ReportOptions options_of(const calibrate::FitStoreContents& contents) {
+calibrate::ReportOptions options_of(double confidence) {
   calibrate::ReportOptions options;
   options.color = isatty(STDOUT_FILENO) != 0;
-  options.confidence = contents.options.confidence;
-  options.specimen_resamples = contents.options.intervals.specimens;
-  options.seed = contents.options.seed;
+  options.confidence = confidence;
   return options;
 }
 
-calibrate::ReportOptions options_of(const calibrate::SceneFitContents& contents) {
-  calibrate::ReportOptions options;
-  options.color = isatty(STDOUT_FILENO) != 0;
-  options.confidence = contents.confidence;
+calibrate::ReportOptions options_of(const calibrate::FitStoreContents& contents) {
+  calibrate::ReportOptions options = options_of(contents.options.confidence);
+  options.specimen_resamples = contents.options.intervals.specimens;
+  options.seed = contents.options.seed;
   return options;
 }
 
@@ -41,22 +39,6 @@ std::span<Record> print_laws(std::vector<Record>& records,
 }
 
 }  // namespace
-
-void read_fits(const std::string& path, calibrate::FitStoreContents& contents) {
-  contents = calibrate::read_fit_store(path);
-}
-void read_fits(const std::string& path, calibrate::SceneFitContents& contents) {
-  contents = calibrate::read_scene_fit_store(path);
-}
-
-void write_fits(const std::string& path, const calibrate::FitStoreContents& contents,
-                io::Overwrite overwrite) {
-  calibrate::write_fit_store(path, contents, overwrite);
-}
-void write_fits(const std::string& path, const calibrate::SceneFitContents& contents,
-                io::Overwrite overwrite) {
-  calibrate::write_scene_fit_store(path, contents, overwrite);
-}
 
 std::string json_of(const calibrate::FitStoreContents& contents) {
   const calibrate::FitOptions& fit = contents.options;
@@ -80,7 +62,7 @@ void print_fits(calibrate::FitStoreContents& contents, bool all) {
 }
 
 void print_fits(calibrate::SceneFitContents& contents, bool all) {
-  calibrate::ReportOptions options = options_of(contents);
+  calibrate::ReportOptions options = options_of(contents.confidence);
   if (all) options.specimens_shown = 0;
   if (all && contents.records.size() > 1) {
     for (const auto& record : contents.records) {
@@ -99,7 +81,7 @@ void print_fit(const calibrate::FitStoreContents& contents, const std::string& n
 void print_fit(const calibrate::SceneFitContents& contents, const std::string& name,
                const std::string& file) {
   const auto& record = find_record(contents.records, name, file);
-  fmt::print("{}", calibrate::scene_fit_report(record, options_of(contents)));
+  fmt::print("{}", calibrate::scene_fit_report(record, options_of(contents.confidence)));
 }
 
 }  // namespace plastica::cli

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <type_traits>
 
 #include "calibrate/store/fit_store.hpp"
 #include "calibrate/store/scene_fit_store.hpp"
@@ -8,14 +9,15 @@
 /// What commands write of the contents of a result file of fits, of curves or through scenes.
 namespace plastica::cli {
 
-/// Reads either kind of file. @throws InputError
-void read_fits(const std::string& path, calibrate::FitStoreContents& contents);
-void read_fits(const std::string& path, calibrate::SceneFitContents& contents);
-
-void write_fits(const std::string& path, const calibrate::FitStoreContents& contents,
-                io::Overwrite overwrite);
-void write_fits(const std::string& path, const calibrate::SceneFitContents& contents,
-                io::Overwrite overwrite);
+/// Reads a file of either kind. @throws InputError
+template <class Contents>
+Contents read_fits(const std::string& path) {
+  if constexpr (std::is_same_v<Contents, calibrate::SceneFitContents>) {
+    return calibrate::read_scene_fit_store(path);
+  } else {
+    return calibrate::read_fit_store(path);
+  }
+}
 
 /// The summary for scripts.
 std::string json_of(const calibrate::FitStoreContents& contents);

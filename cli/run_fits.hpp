@@ -4,6 +4,7 @@
 #include <chrono>
 #include <cstdio>
 #include <string>
+#include <type_traits>
 
 #include "calibrate/report/law_choice.hpp"
 #include "calibrate/result/usable.hpp"
@@ -47,7 +48,7 @@ int run_fits(const CalibrateArguments& arguments, const std::string& output, boo
              Contents& contents, std::chrono::steady_clock::time_point begin, Batch& batch,
              const Fit& fit) {
   if (found) {
-    read_fits(output, contents);
+    contents = read_fits<Contents>(output);
     take_complete_output(output, contents.run, batch);
     return report_fits(arguments, contents);
   }
@@ -63,7 +64,11 @@ int run_fits(const CalibrateArguments& arguments, const std::string& output, boo
   contents.meta.resumptions = batch.resumptions();
   contents.meta.seconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-  write_fits(output, contents, io::overwrite_if(arguments.force));
+  if constexpr (std::is_same_v<Contents, calibrate::SceneFitContents>) {
+    calibrate::write_scene_fit_store(output, contents, io::overwrite_if(arguments.force));
+  } else {
+    calibrate::write_fit_store(output, contents, io::overwrite_if(arguments.force));
+  }
   batch.finish();
   const int code = report_fits(arguments, contents);
   if (!arguments.quiet) tell("wrote {}\n", output);

@@ -126,7 +126,7 @@ Json fits_of(std::span<const Record> records) {
   Json fits = Json::array();
   for (const Record& record : records) {
     Json fit = json_of(fit_entries(&record));
-    add_outcome(fit, record.result);
+    add_outcome(fit, record.result, record.result.correlated_parameters());
     add_lists(fit, record);
     fits.push_back(std::move(fit));
   }

@@ -17,12 +17,12 @@ Json parameter_json(const FittedParameter& parameter) {
   return json_of(described(&parameter, kDescribeParameter), std::move(object));
 }
 
-/// Rows of the matrix of the free parameters; empty if the fit gave none.
-Json correlation_json(const FitOutcome& outcome) {
+/// Rows of the matrix; empty if the fit gave none.
+Json correlation_json(const FitOutcome& outcome,
+                      const std::vector<const FittedParameter*>& correlated) {
   std::vector<std::string> names;
-  for (const FittedParameter* parameter : outcome.free_parameters()) {
-    names.push_back(parameter->name());
-  }
+  names.reserve(correlated.size());
+  for (const FittedParameter* parameter : correlated) names.push_back(parameter->name());
   Json matrix = matrix_json(outcome.correlation, names.size());
   if (matrix.empty()) names.clear();
   return {{"parameters", std::move(names)}, {"matrix", std::move(matrix)}};
@@ -37,13 +37,14 @@ Json matrix_json(std::span<const double> values, std::size_t n) {
   return rows;
 }
 
-void add_outcome(Json& fit, const FitOutcome& outcome) {
+void add_outcome(Json& fit, const FitOutcome& outcome,
+                 const std::vector<const FittedParameter*>& correlated) {
   Json parameters = Json::object();
   for (const FittedParameter& parameter : outcome.parameters) {
     parameters[parameter.name()] = parameter_json(parameter);
   }
   fit["parameters"] = std::move(parameters);
-  fit["correlation"] = correlation_json(outcome);
+  fit["correlation"] = correlation_json(outcome, correlated);
   const FitIntervals& intervals = outcome.intervals;
   const bool any = !intervals.profiles.empty() || intervals.residuals.resamples > 0 ||
                    intervals.specimens.resamples > 0;

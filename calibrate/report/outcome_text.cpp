@@ -34,23 +34,23 @@ std::string parameters_text(
   return '\n' + ink.heading("Parameters\n") + table.text(2, kWidth);
 }
 
-std::vector<StrongCorrelation> strong_correlations(const FitOutcome& fit) {
-  const std::vector<const FittedParameter*> free = fit.free_parameters();
-  const std::size_t n = free.size();
+std::vector<StrongCorrelation> strong_correlations(const std::vector<const FittedParameter*>& of,
+                                                   const std::vector<double>& correlation) {
+  const std::size_t n = of.size();
   std::vector<StrongCorrelation> all;
-  if (fit.correlation.size() != n * n) return all;
+  if (correlation.size() != n * n) return all;
   for (std::size_t a = 0; a < n; ++a) {
     for (std::size_t b = a + 1; b < n; ++b) {
-      const double value = fit.correlation[a * n + b];
-      if (std::fabs(value) > kStrongCorrelation) all.push_back({free[a], free[b], value});
+      const double value = correlation[a * n + b];
+      if (std::fabs(value) > kStrongCorrelation) all.push_back({of[a], of[b], value});
     }
   }
   return all;
 }
 
-std::string correlations_text(const FitOutcome& fit, const Ink& ink) {
+std::string correlations_text(const std::vector<StrongCorrelation>& all, const Ink& ink) {
   Table table({{"", Align::Left}, {"", Align::Right}});
-  for (const StrongCorrelation& pair : strong_correlations(fit)) {
+  for (const StrongCorrelation& pair : all) {
     table.add({short_name(pair.a->path) + ", " + short_name(pair.b->path),
                fmt::format("{:+.3f}", pair.value)});
   }

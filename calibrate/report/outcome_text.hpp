@@ -25,9 +25,17 @@ struct StrongCorrelation {
   const FittedParameter* b = nullptr;
   double value = 0.0;
 };
-/// Those beyond `kStrongCorrelation`.
-std::vector<StrongCorrelation> strong_correlations(const FitOutcome& fit);
-std::string correlations_text(const FitOutcome& fit, const plastica::report::Ink& ink);
+/// Those beyond `kStrongCorrelation`. @param of  what the matrix is of (n)
+std::vector<StrongCorrelation> strong_correlations(const std::vector<const FittedParameter*>& of,
+                                                   const std::vector<double>& correlation);
+std::string correlations_text(const std::vector<StrongCorrelation>& all,
+                              const plastica::report::Ink& ink);
+
+/// @tparam Result  of any kind of fit
+template <typename Result>
+std::vector<StrongCorrelation> strong_correlations(const Result& result) {
+  return strong_correlations(result.correlated_parameters(), result.correlation);
+}
 
 std::string warnings_text(std::initializer_list<const std::vector<std::string>*> lists,
                           const plastica::report::Ink& ink);

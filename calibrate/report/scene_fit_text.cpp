@@ -170,7 +170,8 @@ std::string scene_fit_report(const SceneFitRecord& record, const ReportOptions& 
     }
   }
   return text + intervals_text(shown_intervals(result), options) + errors_text(record, ink) +
-         segments_text(record, ink) + targets_text(record, ink) + correlations_text(result, ink) +
+         segments_text(record, ink) + targets_text(record, ink) +
+         correlations_text(strong_correlations(result), ink) +
          warnings_text({&result.warnings}, ink);
 }
 

@@ -245,7 +245,7 @@ std::string fit_report(const FitRecord& record, const ReportOptions& options) {
                           [&](const FittedParameter& p) { return notes_on(p, record); });
   if (!record.result.parameters.empty()) text += misfit_text(record, ink);
   text += intervals_text(shown_intervals(record.result), options) +
-          correlations_text(record.result, ink) + fit_text(record, ink) +
+          correlations_text(strong_correlations(record.result), ink) + fit_text(record, ink) +
           warnings_text({&record.target.warnings, &record.result.warnings}, ink);
   const std::vector<std::string> advice = advice_for(record);
   if (!advice.empty()) text += '\n' + ink.heading("Advice\n");

@@ -3,6 +3,7 @@
 #include <stdexcept>
 
 #include "calibrate/inference/compare_laws.hpp"
+#include "calibrate/result/result.hpp"
 
 namespace plastica::calibrate {
 
@@ -35,6 +36,14 @@ std::vector<const FittedParameter*> FitOutcome::free_parameters() const {
     if (parameter.role == ParameterRole::Free) free.push_back(&parameter);
   }
   return free;
+}
+
+std::vector<const FittedParameter*> FitResult::correlated_parameters() const {
+  std::vector<const FittedParameter*> correlated;
+  for (const std::uint32_t index : trace.active) {
+    if (index < parameters.size()) correlated.push_back(&parameters[index]);
+  }
+  return correlated;
 }
 
 }  // namespace plastica::calibrate

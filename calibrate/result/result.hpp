@@ -62,6 +62,8 @@ struct FitResult : FitOutcome {
   Curve fitted;
 
   std::size_t evaluations() const { return trace.costs.size(); }
+  /// Those that `correlation` is of: the free ones that the target depends on.
+  std::vector<const FittedParameter*> correlated_parameters() const;
 };
 
 /// A target and what its fit gave: one row of a batch, what journal and file hold.

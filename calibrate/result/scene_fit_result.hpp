@@ -63,6 +63,8 @@ struct SceneFitResult : FitOutcome {
   std::optional<SceneSegments> segments;
 
   int evaluations() const;  ///< of all searches
+  /// Those that `correlation` is of.
+  std::vector<const FittedParameter*> correlated_parameters() const { return free_parameters(); }
 };
 
 }  // namespace plastica::calibrate

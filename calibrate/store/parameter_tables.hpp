@@ -19,6 +19,7 @@ template <typename Record>
 auto outcomes_of(const std::vector<Record*>& records) {
   using Outcome = std::conditional_t<std::is_const_v<Record>, const FitOutcome, FitOutcome>;
   std::vector<Outcome*> fits;
+  fits.reserve(records.size());
   for (Record* record : records) fits.push_back(&record->result);
   return fits;
 }

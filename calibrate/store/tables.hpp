@@ -166,19 +166,21 @@ class ReadRows {
   auto list(const std::string& path, const Member& member, const Description& description,
             const std::string& owner = "fit") {
     using Item = std::remove_reference_t<decltype(*member(*rows_[0]).begin())>;
-    const auto owners = file_.root.template read<std::uint64_t>(path + "/" + owner);
+    const std::string column = path + "/" + owner;
+    const auto owners = file_.root.template read<std::uint64_t>(column);
     std::vector<std::size_t> next(rows_.size(), 0);
     for (const std::uint64_t of : owners) {
       if (of >= rows_.size()) {
-        file_.refuse(path + "/" + owner, fmt::format("names a {} that is not in the file", owner));
+        file_.refuse(column, fmt::format("names a {} that is not in the file", owner));
       }
       if (rows_[of] == nullptr) {
-        file_.refuse(path + "/" + owner, fmt::format("names a {} that has none", owner));
+        file_.refuse(column, fmt::format("names a {} that has none of these", owner));
       }
       member(*rows_[of]).emplace_back();
     }
     // Only now that no list grows any more.
     std::vector<Item*> items;
+    items.reserve(owners.size());
     for (const std::uint64_t of : owners) items.push_back(&member(*rows_[of])[next[of]++]);
     ReadRows<Item> of_items(file_, std::move(items));
     of_items.columns(path, description);

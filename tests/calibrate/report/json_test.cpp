@@ -93,6 +93,16 @@ TEST(JsonSummary, WritesNullForWhatIsNotFinite) {
   EXPECT_EQ(fit["cost"], nullptr);
 }
 
+// A specimen that does not break says nothing of the break strain: two of three are correlated.
+TEST(JsonSummary, HasTheCorrelationOfThoseThatTheCurveDependsOn) {
+  FitRecord record = fitted_record();
+  record.result.trace.active = {0, 1};
+  record.result.correlation = {1.0, -0.62, -0.62, 1.0};
+  const OrderedJson correlation = summary_of({record})["fits"][0]["correlation"];
+  EXPECT_EQ(correlation["parameters"], OrderedJson({"youngs_modulus", "yield_stress"}));
+  EXPECT_EQ(correlation["matrix"][0][1], -0.62);
+}
+
 TEST(JsonSummary, SummarizesTheGroups) {
   const OrderedJson groups = summary_of({fitted_record("a", 280e6), fitted_record("b", 290e6),
                                          fitted_record("c", 200e6, "150")})["groups"];

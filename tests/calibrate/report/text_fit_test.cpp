@@ -151,6 +151,15 @@ TEST(FitReport, ListsStrongCorrelationsOnly) {
   EXPECT_FALSE(has(text, "yield_stress, break_strain"));
 }
 
+// A specimen that does not break says nothing of the break strain: two of three are correlated.
+TEST(FitReport, ListsCorrelationsOfThoseThatTheCurveDependsOn) {
+  FitRecord record = fitted_record();
+  parameter_of(record, "break_strain").identified = false;
+  record.result.trace.active = {0, 1};
+  record.result.correlation = {1.0, -0.97, -0.97, 1.0};
+  EXPECT_TRUE(has(fit_report(record), "  youngs_modulus, yield_stress  -0.970\n"));
+}
+
 TEST(FitReport, SaysHowWellTheModelFollowsInAPlainWord) {
   FitRecord record = fitted_record();
   const auto unwrapped = [](std::string text) {

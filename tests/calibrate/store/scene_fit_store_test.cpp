@@ -220,5 +220,24 @@ TEST_F(SceneFitStore, NamesARowOfAFitThatIsNotThere) {
   }
 }
 
+TEST_F(SceneFitStore, NamesSegmentsOfAFitThatWasNotRepeated) {
+  SceneFitRecord bare = filled_scene_record("b");
+  bare.result.segments.reset();
+  write_scene_fit_store(path_, scene_contents_of({filled_scene_record("a"), bare}));
+  const std::string other = folder_.file("other.h5");
+  {
+    const io::Hdf5File from = io::Hdf5File::open(path_);
+    auto rows = from.root().read<std::uint64_t>("segments/fit");
+    rows.back() = 1;
+    auto to = io::Hdf5File::create(other);
+    io::write_schema(to.root(), kSceneFitSchema, kSceneFitVersion);
+    copy_but(from.root(), to.root(), "segments/fit");
+    to.root().write("segments/fit", rows);
+    to.commit();
+  }
+  EXPECT_EQ(message_of([&] { read_scene_fit_store(other); }),
+            other + ": /segments/fit: names a fit that has none of these");
+}
+
 }  // namespace
 }  // namespace plastica::calibrate
