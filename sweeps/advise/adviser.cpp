@@ -140,6 +140,13 @@ bool Adviser::settle_words(Candidate& candidate, bool& changed) {
   return true;
 }
 
+bool Adviser::run_finest(const Candidate& candidate, double factor) {
+  const Trial finest = words_.enriched(finer_in_all(candidate, factor));
+  if (!runs_.run_all({finest})) return false;
+  finest_ = finest;
+  return true;
+}
+
 bool Adviser::verify(Candidate& candidate) {
   if (!words_.confirm(candidate.trial, within_, measure_all_)) return false;
   candidate.lines = words_.lines();
@@ -150,14 +157,12 @@ bool Adviser::verify(Candidate& candidate) {
   }
   // What yields may show its errors late: where no order was seen, a run twice as fine is no proof.
   double factor = yields_unseen(candidate) ? kRefined * kRefined : kRefined;
-  finest_ = words_.enriched(finer_in_all(candidate, factor));
-  if (!runs_.run_all({*finest_})) return false;
+  if (!run_finest(candidate, factor)) return false;
   Deviation off = runs_.off(candidate.trial, *finest_);
   if (off.reason.empty() && factor == kRefined && outcomes_vary()) {
     // Near a break, a limit or another path it may be on the same wrong side, too.
     factor *= kRefined;
-    finest_ = words_.enriched(finer_in_all(candidate, factor));
-    if (!runs_.run_all({*finest_})) return false;
+    if (!run_finest(candidate, factor)) return false;
     const Deviation further = runs_.off(candidate.trial, *finest_);
     if (further.largest > off.largest) off = further;
   }

@@ -27,7 +27,14 @@ void note_numbers(const Response& response, Outcome& outcome) {
     outcome.break_place = broken->place;
   }
   if (response.limit) outcome.numbers.push_back({"limit load", response.limit->below});
-  if (response.critical) note_each("critical load", response.critical->factor, outcome);
+  if (response.critical) {
+    // One that lies beyond the last equilibrium is the limit load itself, found or not by rounding.
+    std::vector<double> passed = response.critical->factor;
+    if (response.limit) {
+      std::erase_if(passed, [&](double factor) { return factor >= response.limit->below; });
+    }
+    note_each("critical load", passed, outcome);
+  }
   if (response.buckling) note_each("buckling factor", response.buckling->factor, outcome);
   if (response.vibration) note_each("frequency", response.vibration->frequency, outcome);
 }

@@ -235,6 +235,13 @@ bool has_no_advice(const std::string& scene) {
          scene == "report_proposal6_wear";
 }
 
+/// Scenes that take minutes: their breaks move along the beam, or their forces have no limit, so
+/// that thousands of segments are tried. The sample leaves them out.
+bool takes_long(const CorpusScene& scene) {
+  return has_no_advice(scene.name) || scene.name == "breaking_cantilever" ||
+         scene.name == "report_fig06_bent" || scene.group.ends_with("breaking");
+}
+
 TEST(Advice, KeepsItsWord) {
   const bool full = is_full();
   const std::vector<double> tolerances = full ? std::vector{0.05, 0.01, 0.002} : std::vector{0.05};
@@ -242,7 +249,7 @@ TEST(Advice, KeepsItsWord) {
   std::vector<Trial> trials;
   std::size_t number = 0;
   for (const CorpusScene& scene : advice_corpus()) {
-    if (!full && number++ % 3 != 0) continue;
+    if (!full && (takes_long(scene) || number++ % 3 != 0)) continue;
     if (only != nullptr && scene.name != only) continue;
     const std::vector<WatchedProbe> watched = watched_probes(scene.setup, {}).watched;
     std::vector<Trial> of_scene;

@@ -86,10 +86,10 @@ Advice for_budget(double seconds) {
 TEST(AdviceForABudget, TakesNoLongerAndIsMoreAccurateForMore) {
   // The coarsest takes some 30 us: noise of a factor of ten does not turn this round.
   const Advice little = for_budget(3e-3);
-  const Advice more = for_budget(0.1);
+  const Advice more = for_budget(0.03);
   for (const Advice* one : {&little, &more}) ASSERT_EQ(one->end, AdviceEnd::Found);
   EXPECT_LE(little.expected_seconds, 3e-3);
-  EXPECT_LE(more.expected_seconds, 0.1);
+  EXPECT_LE(more.expected_seconds, 0.03);
   EXPECT_LT(more.promised, little.promised);
   const plastica::Setup setup = stocky();
   const double exact = -bending_deflection(setup, 1.0) * (1.0 + shear_ratio(setup));

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <atomic>
+
 #include <cmath>
 #include <string>
 
@@ -78,6 +80,29 @@ TEST(Advice, SaysWhereItFindsNothing) {
   EXPECT_EQ(advice.end, AdviceEnd::TooMuchWork);
   EXPECT_NE(advice_text(advice, options, "crash_bumper.toml").find("nothing within 0.1 %"),
             std::string::npos);
+}
+
+TEST(Advice, EndsInOrderWhereverItIsStopped) {
+  const Setup setup =
+      tip_cantilever(0.02, "['0 N', '-400 N', '0 N']", "yield_model = 'fibre'", "steps = 10");
+  int found = 0;
+  for (int runs = 4; runs < 60; ++runs) {
+    AdviceOptions options = asked(0.05);
+    options.max_runs = runs;
+    const Advice advice = advise(setup, options);
+    EXPECT_LE(advice.runs, runs);
+    const bool ends = advice.end == AdviceEnd::Found || advice.end == AdviceEnd::TooManyRuns;
+    EXPECT_TRUE(ends) << runs;
+    found += advice.end == AdviceEnd::Found ? 1 : 0;
+  }
+  EXPECT_GT(found, 0);
+  for (int runs = 1; runs < 20; ++runs) {
+    std::atomic<bool> stop = false;
+    AdviceOptions options = asked(0.05);
+    options.stop = &stop;
+    options.progress = [&](int done) { stop = done >= runs; };
+    EXPECT_EQ(advise(setup, options).end, AdviceEnd::Interrupted) << runs;
+  }
 }
 
 TEST(Advice, PromisesNothingAtTheFinestThereIs) {

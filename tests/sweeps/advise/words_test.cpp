@@ -77,6 +77,21 @@ TEST(AdvisedLevel, IsNoChoiceWhereAPlaneWouldDropALoad) {
   for (const WordAxis& axis : word_axes(setup)) EXPECT_NE(axis.field().path, "solver.level");
 }
 
+TEST(AdvisedLevel, IsTheLeastOfABeamThatIsLoadedToItsLimit) {
+  // 8 M_p/L^2 of a beam on two supports. The run in space finds an unstable mode at that load.
+  const plastica::Setup setup = shipped_scene("profile_limit_load");
+  const Advice advice = advise(setup, asked(0.05));
+  ASSERT_EQ(advice.end, AdviceEnd::Found);
+  EXPECT_EQ(told_of(advice, "solver.level").chosen, "auto");
+  const plastica::Setup at = advised_setup(setup, advice);
+  const Response response = simulate(at.scene, at.solver);
+  ASSERT_TRUE(response.limit.has_value());
+  const SectionProperties s = section_properties(at.scene.section, at.scene.material.poisson_ratio);
+  const double limit = 8.0 * at.scene.material.yield_stress * s.plastic_section_modulus_x /
+                       std::pow(at.scene.beam.length, 2.0);
+  EXPECT_NEAR(response.limit->below, limit / 90e3, advice.promised * limit / 90e3);
+}
+
 /// The load of first yield of the cantilever, M_y/L.
 double first_yield(const Setup& setup) {
   const SectionProperties s =
