@@ -93,9 +93,6 @@ bool Adviser::estimate(Candidate& candidate) {
     trials.push_back(finer(trial, k));
   }
   if (!runs_.run_all(trials)) return false;
-  if (runs_.outcome(trial).status == Status::Rejected) {
-    throw InputError({}, "scene", "", runs_.outcome(trial).reason);
-  }
   double largest = 0.0;
   moves_ = moves_ && measured.empty();
   for (std::size_t i = 0; i < measured.size(); ++i) {
@@ -255,6 +252,18 @@ bool Adviser::diverges(const Candidate& candidate) {
   return ++since_least_ >= kPatience;
 }
 
+bool Adviser::try_own_methods() {
+  const Trial other = words_.with_own_methods(now_.trial);
+  if (other == now_.trial) return false;
+  for (std::size_t k = 0; k < runs_.axes().size(); ++k) models_.forget(k);
+  models_.doubt();
+  words_.doubt();
+  least_sum_ = std::numeric_limits<double>::infinity();
+  since_least_ = 0;
+  now_ = {.trial = other};
+  return true;
+}
+
 void Adviser::search(double within, const std::optional<Trial>& start) {
   within_ = within;
   best_.reset();
@@ -268,6 +277,7 @@ void Adviser::search(double within, const std::optional<Trial>& start) {
     const bool cheaper = !best_ || runs_.cost(now_.trial) < runs_.cost(best_->trial);
     if (now_.within && cheaper) best_ = now_;
     if (!best_ && diverges(now_)) {
+      if (try_own_methods()) continue;
       end_ = AdviceEnd::Diverging;
       return;
     }

@@ -52,6 +52,10 @@ class Adviser {
   Trial next_of(const Candidate& candidate);
   /// Whether refinement has stopped to help: the sum has not fallen for some settings.
   bool diverges(const Candidate& candidate);
+  /// Goes on from where it is by the scene's own methods, where those that were chosen lead
+  /// nowhere.
+  /// @return false if it has them already
+  bool try_own_methods();
 
   AdviceRuns& runs_;
   double within_ = 0.0;  ///< the error that is allowed [1]

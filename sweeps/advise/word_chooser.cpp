@@ -247,6 +247,17 @@ void WordChooser::fill_lines() {
   }
 }
 
+Trial WordChooser::with_own_methods(Trial trial) {
+  own_methods_ = true;
+  const auto& axes = runs_.word_axes();
+  for (std::size_t w = 0; w < axes.size(); ++w) {
+    if (axes[w].kind != WordKind::Method) continue;
+    trial.words[w] = words_[w] = axes[w].own;
+    lines_[w] = {};
+  }
+  return runs_.taken(std::move(trial));
+}
+
 bool WordChooser::decide(const Trial& trial, const std::vector<AxisError>& errors, double within) {
   within_ = within;
   words_ = trial.words;
@@ -255,7 +266,8 @@ bool WordChooser::decide(const Trial& trial, const std::vector<AxisError>& error
   fill_lines();
   const auto& axes = runs_.word_axes();
   for (std::size_t w = 0; w < axes.size(); ++w) {
-    if (axes[w].kind == WordKind::Method && !choose_method(trial, w, errors)) return false;
+    if (axes[w].kind != WordKind::Method || own_methods_) continue;
+    if (!choose_method(trial, w, errors)) return false;
   }
   decided_ = true;
   return true;

@@ -44,6 +44,9 @@ class WordChooser {
   /// The trial with the richest of all models, in space only if that has made a difference.
   Trial enriched(const Trial& trial) const;
 
+  /// From now on the methods are those of the scene's file. @return the trial by these
+  Trial with_own_methods(Trial trial);
+
   const Words& words() const { return words_; }
   const std::vector<WordLine>& lines() const { return lines_; }
   /// Of all words [1].
@@ -75,6 +78,7 @@ class WordChooser {
   AdviceRuns& runs_;
   double within_ = 0.0;  ///< of the decision that is being made
   bool decided_ = false;
+  bool own_methods_ = false;
   Words words_;
   std::size_t same_level_ = 0;                ///< number of its axis; that of axes: none
   Trial richest_{};                           ///< as it was run last
