@@ -177,11 +177,19 @@ TEST_F(InterruptedLongCase, OfACheckJudgesNothing) {
   EXPECT_EQ(result.out, "");
 }
 
-TEST_F(InterruptedLongCase, OfTheStabilityStudyIsNoPoint) {
-  // The longest points come first: of these, minutes each.
+TEST_F(InterruptedLongCase, OfTheScanOfASceneIsNoPoint) {
+  place_.write("beam.toml", long_path());
   const CommandResult result =
-      interrupt({"stability", "--only", "planar", "--threads", "2", "--quiet"});
-  EXPECT_TRUE(result.err.ends_with("plastica: interrupted after 0 points\n")) << result.err;
+      interrupt({"stability", "beam.toml", "--vary", "beam.length", "--quiet"});
+  EXPECT_EQ(result.err, "plastica: interrupted; nothing is written of a scan\n");
+}
+
+TEST_F(InterruptedLongCase, OfAdviceWritesNothing) {
+  place_.write("beam.toml", long_motion());
+  const CommandResult result = interrupt({"advise", "beam.toml", "--within", "0.001 %",
+                                          "--max-work", "1e15", "--quiet", "-o", "advised.toml"});
+  EXPECT_NE(result.out.find("interrupted"), std::string::npos) << result.out << result.err;
+  EXPECT_FALSE(place_.has("advised.toml"));
 }
 
 }  // namespace
