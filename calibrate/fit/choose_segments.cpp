@@ -6,6 +6,7 @@
 #include <optional>
 #include <utility>
 
+#include "calibrate/problem/scene_parameters.hpp"
 #include "calibrate/trial/remesh.hpp"
 #include "plastica/base/check.hpp"
 #include "plastica/run/simulate.hpp"

@@ -103,7 +103,7 @@ std::vector<Setting> grid_to(const Setup& setup, const Advice& finest, double ra
   });
   for (Setting& setting : grid) setting = taken_setting(setup, finest.axes, setting);
   std::ranges::sort(grid);
-  grid.erase(std::ranges::unique(grid).begin(), grid.end());
+  grid.erase(std::unique(grid.begin(), grid.end()), grid.end());
   return grid;
 }
 
