@@ -63,7 +63,7 @@ std::string advised_scene(const io::SceneFile& file, const sweeps::Advice& advic
       if (value != field->get(file.setup)) values.emplace_back(field, value);
     }
   }
-  return sweeps::scene_with_values(file.text, values, wanted);
+  return sweeps::scene_with_values(file.text, values, wanted, file.path);
 }
 
 /// Fills in what is asked for: an error or a time.
@@ -114,6 +114,8 @@ int advise(AdviseArguments arguments) {
   check_outputs_of(arguments);
   const io::SceneFile file = io::read_scene_file(arguments.scene);
   for (const std::string& note : file.notes) tell("note: {}\n", note);
+  // The tables that the scene names must be found from where the advised one is written.
+  if (!arguments.output.empty()) (void)io::parse_scene_file(file.text, arguments.output);
   const sweeps::Advice advice =
       advise_with_progress(file.setup, arguments.options, arguments.quiet);
   const std::string name = std::filesystem::path(arguments.scene).filename().string();

@@ -152,8 +152,9 @@ bool Adviser::verify(Candidate& candidate) {
     if (words_.error() > kWordsShare * within_) words_.doubt();
     return true;
   }
-  // What yields may show its errors late: where no order was seen, a run twice as fine is no proof.
-  double factor = yields_unseen(candidate) ? kRefined * kRefined : kRefined;
+  // Where no order was seen, a run twice as fine is no proof: what yields may show its errors late,
+  // and a load or a probe may stand at the same part of a segment in both.
+  double factor = rests_on_unseen(candidate) ? kRefined * kRefined : kRefined;
   if (!run_finest(candidate, factor)) return false;
   Deviation off = runs_.off(candidate.trial, *finest_);
   if (off.reason.empty() && factor == kRefined && outcomes_vary()) {
@@ -187,8 +188,7 @@ bool Adviser::verify(Candidate& candidate) {
   return true;
 }
 
-bool Adviser::yields_unseen(const Candidate& candidate) const {
-  if (runs_.setup_of(candidate.trial).scene.yield_model == YieldModel::Elastic) return false;
+bool Adviser::rests_on_unseen(const Candidate& candidate) const {
   return std::ranges::any_of(candidate.errors, [&](const AxisError& e) {
     return !e.seen && e.error > kMinor * candidate.numbers;
   });

@@ -36,7 +36,7 @@ class Adviser {
   /// Whether the error along an axis need not be measured.
   bool is_foretold(std::size_t axis, const Candidate& candidate) const;
   /// Whether the candidate yields, and an axis that matters has shown no order.
-  bool yields_unseen(const Candidate& candidate) const;
+  bool rests_on_unseen(const Candidate& candidate) const;
   /// Whether a run has ended otherwise than the finest.
   bool outcomes_vary() const;
   /// What the axes of numbers add. False, as in all below: runs or work are used up.

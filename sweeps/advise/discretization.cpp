@@ -12,6 +12,7 @@
 namespace plastica::sweeps {
 namespace {
 
+constexpr double kLargestTolerance = 1e-6;
 constexpr double kFewestSegments = 4.0;
 constexpr double kMostSegments = 20'000.0;
 constexpr double kFewestFibres = 4.0;
@@ -97,6 +98,12 @@ std::vector<FinenessAxis> fineness_axes(const Setup& setup) {
                      "steps to choose");
   }
   refuse_numbered(setup.scene, setup.solver);
+  if (setup.solver.tolerance > kLargestTolerance) {
+    throw InputError(
+        {}, "solver.tolerance", std::to_string(setup.solver.tolerance),
+        "must be at most 1e-6 for advice: all its runs have it, so that what it leaves "
+        "would not be seen");
+  }
   std::vector<FinenessAxis> axes{axis_of("beam.segments", kFewestSegments, kMostSegments)};
   const bool moves = setup.solver.analysis == Analysis::Dynamics;
   const bool yields = setup.scene.yield_model != YieldModel::Elastic;

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <filesystem>
+#include <limits>
 #include <map>
 
 #include "calibrate/problem/law.hpp"
@@ -62,6 +63,21 @@ void read_only(const TomlTable& where, const std::string& prefix, const Sweep& s
     }
     claim.only.emplace_back(static_cast<std::size_t>(axis - sweep.axes.begin()), std::move(wanted));
   }
+}
+
+/// How many cases a claim is about.
+std::size_t chosen_cases(const Sweep& sweep, const Claim& claim) {
+  const CaseTable cases(sweep);
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < cases.size(); ++i) {
+    const std::vector<std::size_t> at = cases.position(i);
+    const bool chosen = std::all_of(claim.only.begin(), claim.only.end(), [&](const auto& wanted) {
+      const FieldValue& value = sweep.axes[wanted.first].values[at[wanted.first]];
+      return std::find(wanted.second.begin(), wanted.second.end(), value) != wanted.second.end();
+    });
+    count += chosen ? 1 : 0;
+  }
+  return count;
 }
 
 /// Which fits a claim is about, and what of them.
@@ -164,6 +180,8 @@ class CheckReader {
       read_stability(found->table(), claim);
       read_claim_kind(table, claim);
       read_limits(table, nullptr, claim);
+      const std::size_t sample = claim.scan->sample;
+      refuse_sure(table, claim, sample > 0 ? sample : std::numeric_limits<std::size_t>::max());
     }
     if (!named) {
       throw InputError(table.where(), table.key(), "",
@@ -183,8 +201,8 @@ class CheckReader {
     const Sweep& sweep = file_.sweeps[claim.of];
     read_claim_kind(table, claim);
     read_limits(table, &sweep, claim);
-    refuse_sure(table, claim, CaseTable(sweep).size());
     if (const auto where = table.find_table("where")) read_only(*where, "", sweep, claim);
+    refuse_sure(table, claim, chosen_cases(sweep, claim));
   }
 
   void read_scene_claim(const TomlTable& table, const TomlValue& name, Claim& claim) {
@@ -211,7 +229,8 @@ class CheckReader {
     read_claim_kind(table, claim);
     read_fits(table, file_.fits[claim.of], claim);
     read_limits(table, nullptr, claim);
-    refuse_sure(table, claim, file_.fits[claim.of].names().size());
+    const std::size_t named = claim.cases.size();
+    refuse_sure(table, claim, named > 0 ? named : file_.fits[claim.of].names().size());
   }
 
   void add_notes(const std::vector<std::string>& notes) {

@@ -130,7 +130,9 @@ void refuse_sure(const TomlTable& table, const Claim& claim, std::size_t count) 
   if (kind.not_negative && !claim.at_most && *claim.at_least <= 0.0) {
     throw limits.error(holds + "at_least must be above 0");
   }
-  const bool counts = claim.kind == ClaimKind::Failed || claim.kind == ClaimKind::Fitted;
+  constexpr std::array kCounts{ClaimKind::Failed, ClaimKind::Fitted, ClaimKind::Undetected,
+                               ClaimKind::Invalid};
+  const bool counts = std::find(kCounts.begin(), kCounts.end(), claim.kind) != kCounts.end();
   const auto most = static_cast<double>(count);
   if (counts && claim.at_least.value_or(0.0) <= 0.0 && claim.at_most.value_or(0.0) >= most) {
     throw limits.error(holds + fmt::format("there are {}", count));

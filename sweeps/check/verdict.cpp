@@ -152,6 +152,10 @@ void add_spread(const SweepRecord& record, const RefinementGroup& group, std::si
     }
     values.push_back(*result.value);
   }
+  if (values.size() < 2) {
+    worst.add(std::nullopt, g, "is one case: a spread is of two and more");
+    return;
+  }
   double mean = 0.0;
   for (const double value : values) mean += value / static_cast<double>(values.size());
   const auto [least, largest] = std::minmax_element(values.begin(), values.end());

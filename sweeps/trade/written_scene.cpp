@@ -28,11 +28,12 @@ std::string written(const Field& field, const FieldValue& value) {
 }
 
 /// `material = "S355"` becomes a table that further values can join.
-std::string with_table_of_material(const std::string& text, const std::string& path) {
+std::string with_table_of_material(const std::string& text, const std::string& path,
+                                   const std::string& file) {
   const std::string part = path.substr(0, path.rfind('.'));
   if (!part.ends_with("material") || !io::has_toml_key(text, part)) return text;
   if (io::has_toml_key(text, part + ".name") || io::has_toml_key(text, path)) return text;
-  const std::string name = io::parse_scene_file(text, "scene").setup.scene.material.name;
+  const std::string name = io::parse_scene_file(text, file).setup.scene.material.name;
   try {
     return io::set_toml_value(text, part, fmt::format("{{ name = \"{}\" }}", name));
   } catch (const InputError&) {
@@ -49,7 +50,7 @@ void refuse_to_write(const Field& field, const FieldValue& value) {
 
 std::string scene_with_values(const std::string& text,
                               const std::vector<std::pair<const Field*, FieldValue>>& values,
-                              const Setup& wanted) {
+                              const Setup& wanted, const std::string& file) {
   std::string filled = text;
   for (const auto& [field, value] : values) {
     const std::string path = path_in_file(filled, *field);
@@ -58,14 +59,14 @@ std::string scene_with_values(const std::string& text,
       continue;
     }
     try {
-      filled = with_table_of_material(filled, path);
+      filled = with_table_of_material(filled, path, file);
       filled = io::set_toml_value(filled, path, written(*field, value));
     } catch (const InputError&) {
       refuse_to_write(*field, value);
     }
   }
   // Whatever the file looks like: it must now say what was wanted.
-  const Setup after = io::parse_scene_file(filled, "scene").setup;
+  const Setup after = io::parse_scene_file(filled, file).setup;
   for (const Field& field : fields()) {
     if (field.get(after) != field.get(wanted)) refuse_to_write(field, field.get(wanted));
   }

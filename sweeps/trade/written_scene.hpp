@@ -11,10 +11,11 @@ namespace plastica::sweeps {
 /// The text of a scene's file with values of fields filled in, and all else as it was written.
 /// @param values  fields and what they are to be; an unset one is left as it is
 /// @param wanted  the setup that the text must then be read as
+/// @param file    its path, in whose folder the tables are that it names
 /// @throws InputError if a value cannot be written there
 std::string scene_with_values(const std::string& text,
                               const std::vector<std::pair<const Field*, FieldValue>>& values,
-                              const Setup& wanted);
+                              const Setup& wanted, const std::string& file = "scene");
 
 /// Refuses a value that no scene's file can have. @throws InputError
 [[noreturn]] void refuse_to_write(const Field& field, const FieldValue& value);

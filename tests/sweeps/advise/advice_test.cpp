@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <atomic>
-
 #include <cmath>
 #include <string>
 
@@ -105,6 +104,39 @@ TEST(Advice, EndsInOrderWhereverItIsStopped) {
     const bool in_time = advice.end == AdviceEnd::Found && advice.runs <= runs;
     EXPECT_TRUE(in_time || advice.end == AdviceEnd::Interrupted) << runs;
   }
+}
+
+TEST(Advice, IsNotTakenInByPlacesThatStandAlikeInTwoDivisions) {
+  // With 4 segments and with 8 the load and the probe are at the same part of a segment; the tip
+  // is at -1.129, -1.122, -0.771 ... -0.659 mm with 4, 8, 16 ... 2000.
+  const plastica::Setup setup =
+      io::parse_scene_file(
+          "material = 'S355'\n[beam]\nlength = '4 m'\nsegments = 32\n"
+          "section = { shape = 'rectangle', width = '20 mm', height = '20 mm' }\n"
+          "[rules]\nyield_model = 'elastic'\n[solver]\nsteps = 1\n"
+          "[[support]]\nat = 'start'\nkind = 'clamp'\n"
+          "[[support]]\nat = 'end'\nkind = 'roller'\nhold = ['y']\n"
+          "[[load]]\nat = 0.13\nforce = ['0 N', '-60 N', '0 N']\n"
+          "[[probe]]\nname = 'tip'\nkind = 'displacement'\nat = 0.12\ncomponent = 'y'\n",
+          "propped.toml")
+          .setup;
+  const Advice advice = advise(setup, asked(0.05));
+  ASSERT_EQ(advice.end, AdviceEnd::Found) << advice.reason;
+  plastica::Setup fine = setup;
+  fine.scene.beam.segments = 2000;
+  const std::vector<BatchCase> cases{{"advised", advised_setup(setup, advice).scene, setup.solver},
+                                     {"fine", fine.scene, fine.solver}};
+  const std::vector<BatchRow> rows = run_batch(cases);
+  const double truth = rows[1].response.probes[0].back();
+  EXPECT_NEAR(rows[0].response.probes[0].back(), truth, 0.05 * std::abs(truth));
+}
+
+TEST(Advice, RefusesATolerance) {
+  plastica::Setup setup = cantilever();
+  setup.solver.tolerance = 0.1;
+  EXPECT_EQ(message_of([&] { (void)advise(setup, asked(0.01)); }),
+            "solver.tolerance = 0.100000: must be at most 1e-6 for advice: all its runs have it, "
+            "so that what it leaves would not be seen");
 }
 
 TEST(Advice, BeginsWithAsManySegmentsAsTheSceneNeeds) {
