@@ -54,10 +54,10 @@ CorpusScene limit(const std::string& name, const std::string& held, const std::s
 std::vector<CorpusScene> limits() {
   const std::string roller = support(kEnd, "roller");
   return {
-      limit(
-          "nearly_limit_pinned_force", support(kStart, "pin") + roller,
-          force("0.5", 0.0,
-                kNearly * theory::limit_force(theory::BeamEnds::PinnedPinned, kFull, 1.0, 0.5), 0.0)),
+      limit("nearly_limit_pinned_force", support(kStart, "pin") + roller,
+            force("0.5", 0.0,
+                  kNearly * theory::limit_force(theory::BeamEnds::PinnedPinned, kFull, 1.0, 0.5),
+                  0.0)),
       limit("nearly_limit_propped_force", clamp() + roller,
             force("0.5", 0.0,
                   kNearly * theory::limit_force(theory::BeamEnds::ClampedPinned, kFull, 1.0, 0.5),
