@@ -113,7 +113,7 @@ int advise(AdviseArguments arguments) {
   take_wish(arguments);
   check_outputs_of(arguments);
   const io::SceneFile file = io::read_scene_file(arguments.scene);
-  for (const std::string& note : file.notes) tell("note: {}\n", note);
+  tell_notes(file.notes);
   // The tables that the scene names must be found from where the advised one is written.
   if (!arguments.output.empty()) (void)io::parse_scene_file(file.text, arguments.output);
   const sweeps::Advice advice =

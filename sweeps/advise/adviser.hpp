@@ -44,9 +44,9 @@ class Adviser {
   void forget_methods(const Words& before, const Words& after);
   /// Decides the words where numbers are close enough. `changed`: the candidate has other ones now.
   bool settle_words(Candidate& candidate, bool& changed);
-  /// Measures what the words leave out, and runs the finest beside the candidate.
   /// Runs a candidate finer in every axis and richest in every word; only then it is `finest`.
   bool run_finest(const Candidate& candidate, double factor);
+  /// Measures what the words leave out, and runs the finest beside the candidate.
   bool verify(Candidate& candidate);
   bool judge(Candidate& candidate);
   Trial next_of(const Candidate& candidate);

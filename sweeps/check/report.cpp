@@ -88,7 +88,8 @@ std::string check_summary(std::span<const CheckedFile> files) {
     held += count_held(checked);
     seconds += checked.seconds;
   }
-  return fmt::format("{} of {} hold, {:.3g} s\n", held, report::counted(claims, "claim"), seconds);
+  return fmt::format("{} of {} {}, {:.3g} s\n", held, report::counted(claims, "claim"),
+                     claims == 1 ? "holds" : "hold", seconds);
 }
 
 std::string junit_xml(std::span<const CheckedFile> files) {

@@ -8,6 +8,7 @@
 #include "plastica/base/parallel_for.hpp"
 #include "plastica/model/section_kind.hpp"
 #include "plastica/report/format.hpp"
+#include "plastica/run/path_stops.hpp"
 #include "sweeps/plan/derived_fields.hpp"
 #include "sweeps/stability/point_run.hpp"
 
@@ -100,6 +101,13 @@ class FieldScan {
     return limit;
   }
 
+  /// What a run takes for a value: a time step divides the time from one sample to the next.
+  double taken_value(const Setup& setup, double value) const {
+    const bool cut =
+        field_.path == "solver.time_step" && setup.solver.analysis == Analysis::Dynamics;
+    return cut ? taken_time_step(setup.scene, setup.solver) : value;
+  }
+
   /// @return whether to go on
   bool try_value(double value, ScanLimit& limit, const std::function<void()>& told) {
     if (is_raised(options_.stop)) return false;
@@ -107,6 +115,11 @@ class FieldScan {
     JudgedRun run;
     try {
       set_field(setup, field_, value);
+      value = taken_value(setup, value);
+      if (value == limit.value) {
+        if (limit.end != ScanEnd::Verdict) limit.end = ScanEnd::Samples;
+        return false;
+      }
       if (runner_.work(setup) > options_.max_work * runner_.own_work()) {
         limit = ended(limit, ScanEnd::Work);
         return false;

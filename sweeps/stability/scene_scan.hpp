@@ -35,6 +35,7 @@ enum class ScanEnd {
   Reach,    ///< so far it was followed
   Work,     ///< the next run would take too much work
   Whole,    ///< there is no whole number beyond
+  Samples,  ///< beyond, a time step is cut to the samples, and the run is the same
 };
 
 /// How far a field may go in one direction.

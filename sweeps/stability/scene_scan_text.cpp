@@ -28,6 +28,7 @@ std::string end_text(const ScanLimit& limit, const SceneScanOptions& options) {
     case ScanEnd::Reach: return fmt::format("as far as it was followed, by {:g}", options.reach);
     case ScanEnd::Work:
       return fmt::format("then a run would take more than {:g} times the work", options.max_work);
+    case ScanEnd::Samples: return "longer steps are cut to the samples";
     case ScanEnd::Whole: break;
   }
   return "there is no whole number within what it was followed by";

@@ -69,6 +69,19 @@ TEST(SceneScan, EndsWhereAFieldsRangeDoes) {
   EXPECT_EQ(scan.fields[0].below.end, ScanEnd::Reach);
 }
 
+TEST(SceneScan, EndsWhereATimeStepIsCutToTheSamples) {
+  // The arm has a sample every 4 ms: a longer step is the same run.
+  const SceneScan scan =
+      scan_of(shipped_scene("robot_arm"), {"solver.time_step"}, {.within = 0.9, .reach = 100.0});
+  ASSERT_EQ(scan.own.validity, Validity::Valid);
+  const ScanLimit& above = scan.fields.at(0).above;
+  EXPECT_EQ(above.end, ScanEnd::Samples);
+  EXPECT_NEAR(above.value, 4e-3, 1e-12);
+  for (const StabilityRow& row : scan.rows) {
+    for (const ScannedValue& value : row.at) EXPECT_LE(value.value, 4e-3 * (1.0 + 1e-9));
+  }
+}
+
 TEST(SceneScan, SaysWhereARunFails) {
   // Under a hundred times its load the yielding cantilever has long met its limit load, which is an
   // answer; a tolerance of rounding is met by none.
