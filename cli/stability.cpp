@@ -116,8 +116,7 @@ void add_stability(CLI::App& app, Action& action) {
       ->allow_extra_args(false)
       ->option_text("FIELD,...");
   sub->add_option("--within", arguments->within,
-                  "Take a result for valid up to this deviation from a run twice as fine; default: "
-                  "5 %")
+                  "Take a result for valid up to this deviation from a finer run; default: 5 %")
       ->option_text("ERROR");
   sub->add_option("--reach", options.reach, "Vary by factors up to N; default: 1000")
       ->check(CLI::Range(1.01, 1e9))

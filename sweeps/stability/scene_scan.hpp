@@ -11,8 +11,9 @@
 #include "sweeps/stability/stability.hpp"
 
 /// How far the numbers of a user's own scene may go from their values. What is judged is a run
-/// against all that its response must keep (`judge`), and against a run that is twice as fine in
-/// every axis of its discretization (advise/outcome.hpp): segments, step, fibres, recorded steps.
+/// against all that its response must keep (`judge`), and against a run that is finer in every
+/// axis of its discretization (advise/outcome.hpp): four times in segments, twice in step, fibres
+/// and recorded steps.
 namespace plastica::sweeps::stability {
 
 struct SceneScanOptions {

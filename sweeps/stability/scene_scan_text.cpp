@@ -39,7 +39,7 @@ std::string own_text(const SceneScan& scan) {
   if (!scan.own.reason.empty()) {
     text += ": " + scan.own.reason;
   } else if (scan.deviation) {
-    text += fmt::format(": {:.3g} % off a run twice as fine", 100.0 * *scan.deviation);
+    text += fmt::format(": {:.3g} % off a finer run", 100.0 * *scan.deviation);
     if (!scan.quantity.empty()) text += " (" + scan.quantity + ")";
   }
   return text + "\n";

@@ -34,7 +34,7 @@ TEST_F(StabilityCommand, SaysHowFarANumberMayGo) {
       scan({"--vary", "beam.segments", "--within", "1 %", "-o", "points.csv"});
   EXPECT_EQ(result.code, 0) << result.err;
   EXPECT_TRUE(has(result.out, "\n  own values  valid: ")) << result.out;
-  EXPECT_TRUE(has(result.out, "below: at 6 inaccurate: tip: history is off a run twice as fine"))
+  EXPECT_TRUE(has(result.out, "below: at 6 inaccurate: tip: history is off a finer run"))
       << result.out;
   EXPECT_TRUE(has(result.out, "above: then a run would take more than 64 times the work\n"));
   EXPECT_TRUE(has(result.out, " 0 undetected errors\n"));

@@ -10,6 +10,7 @@
 #include "sweeps/advise/watched_probes.hpp"
 #include "tests/support/message.hpp"
 #include "tests/sweeps/advise/advised_scenes.hpp"
+#include "tests/sweeps/places_alike.hpp"
 #include "tests/sweeps/robot_arm.hpp"
 
 namespace plastica::sweeps {
@@ -107,23 +108,10 @@ TEST(Advice, EndsInOrderWhereverItIsStopped) {
 }
 
 TEST(Advice, IsNotTakenInByPlacesThatStandAlikeInTwoDivisions) {
-  // With 4 segments and with 8 the load and the probe are at the same part of a segment; the tip
-  // is at -1.129, -1.122, -0.771 ... -0.659 mm with 4, 8, 16 ... 2000.
-  const plastica::Setup setup =
-      io::parse_scene_file(
-          "material = 'S355'\n[beam]\nlength = '4 m'\nsegments = 32\n"
-          "section = { shape = 'rectangle', width = '20 mm', height = '20 mm' }\n"
-          "[rules]\nyield_model = 'elastic'\n[solver]\nsteps = 1\n"
-          "[[support]]\nat = 'start'\nkind = 'clamp'\n"
-          "[[support]]\nat = 'end'\nkind = 'roller'\nhold = ['y']\n"
-          "[[load]]\nat = 0.13\nforce = ['0 N', '-60 N', '0 N']\n"
-          "[[probe]]\nname = 'tip'\nkind = 'displacement'\nat = 0.12\ncomponent = 'y'\n",
-          "propped.toml")
-          .setup;
+  const plastica::Setup setup = places_alike(32);
   const Advice advice = advise(setup, asked(0.05));
   ASSERT_EQ(advice.end, AdviceEnd::Found) << advice.reason;
-  plastica::Setup fine = setup;
-  fine.scene.beam.segments = 2000;
+  const plastica::Setup fine = places_alike(2000);
   const std::vector<BatchCase> cases{{"advised", advised_setup(setup, advice).scene, setup.solver},
                                      {"fine", fine.scene, fine.solver}};
   const std::vector<BatchRow> rows = run_batch(cases);
