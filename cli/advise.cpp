@@ -87,7 +87,7 @@ void check_outputs_of(const AdviseArguments& arguments) {
   for (std::size_t i = 0; i < outputs.size(); ++i) {
     const auto& [option, path] = outputs[i];
     if (path->empty() || (option == "--plot" && *path == "-")) continue;
-    if (option == "--plot") report::check_picture_output(*path);
+    if (option == "--plot") report::check_picture_output(*path, option);
     refuse_input(option, *path, arguments.scene);
     io::check_output_path(*path, arguments.force);
     for (std::size_t k = 0; k < i; ++k) {
@@ -117,7 +117,9 @@ int advise(AdviseArguments arguments) {
   // The tables that the scene names must be found from where the advised one is written.
   if (!arguments.output.empty()) (void)io::parse_scene_file(file.text, arguments.output);
   const sweeps::Advice advice =
-      advise_with_progress(file.setup, arguments.options, arguments.quiet);
+      io::with_place_in(file, [&] {
+        return advise_with_progress(file.setup, arguments.options, arguments.quiet);
+      });
   const std::string name = std::filesystem::path(arguments.scene).filename().string();
   fmt::print("{}", sweeps::advice_text(advice, arguments.options, name));
   if (advice.end == sweeps::AdviceEnd::Interrupted) return kInterrupted;

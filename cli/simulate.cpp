@@ -167,8 +167,10 @@ int simulate_file(const SimulateArguments& arguments) {
   io::SceneFile file = io::read_scene_file(arguments.file);
   tell_notes(file.notes);
   take_isa(arguments.isa, file.setup.solver);
-  if (!arguments.dry_run) check_memory(file.setup.scene, file.setup.solver);
-  const Model model = prepare(file.setup.scene, file.setup.solver);
+  const Model model = io::with_place_in(file, [&] {
+    if (!arguments.dry_run) check_memory(file.setup.scene, file.setup.solver);
+    return prepare(file.setup.scene, file.setup.solver);
+  });
   if (arguments.dry_run) return print_dry_run(arguments, file.setup, model);
   check_outputs(arguments);
   // To the end: what has been computed is written, whenever Ctrl-C comes.

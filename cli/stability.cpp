@@ -39,13 +39,13 @@ struct StabilityArguments {
 
 void check_stability_outputs(const StabilityArguments& arguments) {
   const auto check = [&](std::string_view option, const std::string& path) {
-    if (path.empty() || path == "-") return;
+    if (path.empty()) return;
     refuse_input(option, path, arguments.file);
     io::check_output_path(path, arguments.force);
   };
   check("--output", arguments.output);
-  if (!arguments.map.empty()) report::check_picture_output(arguments.map);
-  check("--map", arguments.map);
+  if (!arguments.map.empty()) report::check_picture_output(arguments.map, "--map");
+  if (arguments.map != "-") check("--map", arguments.map);
   if (!arguments.output.empty() && !arguments.map.empty()) {
     refuse_own_files("--map", arguments.map, arguments.output);
   }
@@ -74,28 +74,30 @@ int scan_file(const StabilityArguments& arguments) {
     if (line.is_due()) line.draw(fmt::format("scanning: {} points", points));
   };
   const std::string& name = file.setup.scene.name;
-  stability::SceneScan scan = stability::scan_scene(name, file.setup, fields, options);
+  stability::SceneScan scan = io::with_place_in(
+      file, [&] { return stability::scan_scene(name, file.setup, fields, options); });
   const bool valid = scan.own.validity == stability::Validity::Valid;
   std::vector<stability::StabilityRow> grid;
   if (!arguments.map.empty() && valid && scan.complete) {
     grid = stability::scan_pair(name, file.setup, scan.fields[0], scan.fields[1], options);
   }
   line.clear();
-  if (interrupt.flag()) {
-    tell("plastica: interrupted; nothing is written of a scan\n");
-    return kInterrupted;
-  }
   const io::Overwrite overwrite = io::overwrite_if(arguments.force);
-  if (!arguments.output.empty()) {
-    std::vector<stability::StabilityRow> all = scan.rows;
-    all.insert(all.end(), grid.begin(), grid.end());
+  std::vector<stability::StabilityRow> all = scan.rows;
+  all.insert(all.end(), grid.begin(), grid.end());
+  if (!arguments.output.empty() && !all.empty()) {
     io::write_text_file(arguments.output, stability::rows_csv(all), overwrite);
     tell("wrote {}\n", arguments.output);
+  }
+  if (interrupt.flag()) {
+    tell("plastica: interrupted after {} points{}\n", all.size(),
+         arguments.output.empty() ? ", which are lost: -o FILE keeps them" : "");
+    return kInterrupted;
   }
   if (!grid.empty()) {
     report::draw_picture(stability::pair_map(grid, file.setup, *fields[0], *fields[1]),
                          arguments.map, std::cout, overwrite);
-    tell("wrote {}\n", arguments.map);
+    if (arguments.map != "-") tell("wrote {}\n", arguments.map);
   }
   if (!arguments.quiet) say(stability::scene_scan_text(scan, options));
   return valid && !any_undetected(scan.rows) && !any_undetected(grid) ? kDone : kNotAcceptable;

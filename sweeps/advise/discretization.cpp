@@ -1,9 +1,12 @@
 #include "sweeps/advise/discretization.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <string>
 #include <string_view>
 #include <variant>
 
@@ -43,6 +46,10 @@ FinenessAxis time_axis(const Setup& setup) {
       fixed_steps(path_stops(setup.scene, setup.solver), std::numeric_limits<double>::max());
   return axis_of("solver.time_step", steps.longest, steps.longest / kMostStepsOfASample);
 }
+
+/// A step is the difference of two samples over a count: its last digits are rounding, which a
+/// user would find in the written scene. Twelve digits are the same count.
+double without_rounding(double step) { return std::stod(fmt::format("{:.12g}", step)); }
 
 /// Refuses what has another meaning with another number of segments.
 void refuse_numbered(const Scene& scene, const SolverOptions& solver) {
@@ -100,7 +107,7 @@ std::vector<FinenessAxis> fineness_axes(const Setup& setup) {
   refuse_numbered(setup.scene, setup.solver);
   if (setup.solver.tolerance > kLargestTolerance) {
     throw InputError(
-        {}, "solver.tolerance", std::to_string(setup.solver.tolerance),
+        {}, "solver.tolerance", fmt::format("{:g}", setup.solver.tolerance),
         "must be at most 1e-6 for advice: all its runs have it, so that what it leaves "
         "would not be seen");
   }
@@ -128,7 +135,7 @@ Setting taken_setting(const Setup& setup, const std::vector<FinenessAxis>& axes,
   for (std::size_t k = 0; k < axes.size(); ++k) {
     if (axes[k].field->path != "solver.time_step") continue;
     const Setup at = setup_at(setup, axes, setting);
-    setting[k] = taken_time_step(at.scene, at.solver);
+    setting[k] = without_rounding(taken_time_step(at.scene, at.solver));
   }
   return setting;
 }

@@ -1,6 +1,8 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <string>
+#include <vector>
 
 #include "tests/cli/command.hpp"
 
@@ -44,6 +46,31 @@ TEST_F(Advise, WritesTheWordsThatItChooses) {
   EXPECT_NE(place_.read("advice.svg").find("Pareto front"), std::string::npos);
 }
 
+TEST_F(Advise, SaysWhereTheSceneHasWhatItRefuses) {
+  place_.write("loose.toml", place_.read(scene_) + "[solver]\ntolerance = 1e-3\n");
+  const std::string text = place_.read("loose.toml");
+  const auto line = std::ranges::count(text, '\n');
+  for (const std::vector<std::string>& words :
+       {std::vector<std::string>{"advise", "loose.toml", "--within", "1 %"},
+        std::vector<std::string>{"stability", "loose.toml"}}) {
+    const CommandResult result = place_.run(words);
+    EXPECT_EQ(result.code, 2);
+    EXPECT_TRUE(result.err.starts_with("plastica: loose.toml:" + std::to_string(line) +
+                                       ": solver.tolerance = 0.001: must be at most 1e-6"))
+        << result.err;
+  }
+}
+
+TEST_F(Advise, WritesStepsWithoutTheirRounding) {
+  const std::string arm = std::string(PLASTICA_SOURCE_DIR) + "/data/scenes/robot_arm.toml";
+  ASSERT_EQ(place_.run({"advise", arm, "--within", "1 %", "-o", "arm.toml"}).code, 0);
+  const std::string text = place_.read("arm.toml");
+  const std::size_t step = text.find("time_step = ");
+  ASSERT_NE(step, std::string::npos);
+  // Twelve digits, a point, an exponent.
+  EXPECT_LE(text.substr(step + 12, text.find(" s", step) - step - 12).size(), 19) << text;
+}
+
 TEST_F(Advise, TakesABudgetOfTime) {
   const CommandResult advised = place_.run({"advise", scene_, "--budget", "20 ms"});
   ASSERT_EQ(advised.code, 0) << advised.err;
@@ -68,7 +95,10 @@ TEST_F(Advise, RefusesInOneLine) {
   EXPECT_EQ(refusal({"--within", "1 %", "--budget", "2 ms"}),
             "plastica: advise: needs one of --within and --budget\n");
   EXPECT_EQ(refusal({"--budget", "0 s"}), "plastica: --budget = 0 s: must be above 0 s\n");
-  EXPECT_NE(refusal({"--within", "1 %", "--plot", "a.txt"}).find("a.txt"), std::string::npos);
+  EXPECT_EQ(refusal({"--within", "1 %", "--plot", "a.txt"}),
+            "plastica: --plot = a.txt: must end in .svg, .png, .pdf or .gp, or be -\n");
+  EXPECT_EQ(refusal({"--within", "1 %", "--json", "-"}),
+            "plastica: -: is no file: standard output is not taken here\n");
   EXPECT_NE(refusal({"--within", "1 %", "--json", "a.svg", "--plot", "a.svg"}).find("--plot"),
             std::string::npos);
 }

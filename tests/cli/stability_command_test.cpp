@@ -73,6 +73,9 @@ TEST_F(StabilityCommand, RefusesInOneLine) {
   EXPECT_EQ(refusal({"--vary", "beam.length", "-o", "cantilever.toml", "--force"}),
             "plastica: --output = cantilever.toml: is a file that this run reads\n");
   EXPECT_TRUE(has(refusal({"--reach", "1"}), "--reach"));
+  EXPECT_TRUE(has(refusal({"--vary", "beam.length", "-o", "-"}), "plastica: -: is no file"));
+  EXPECT_TRUE(has(refusal({"--vary", "beam.length,beam.segments", "--map", "map.jpg"}),
+                  "plastica: --map = map.jpg: must end in"));
   EXPECT_TRUE(refusal({"--vary", "beam.lenght"})
                   .starts_with("plastica: --vary = beam.lenght: is not a field"));
 }

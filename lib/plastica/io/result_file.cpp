@@ -52,6 +52,7 @@ RunMeta begin_meta(std::string command_line, int threads) {
 void check_output_path(const std::string& path, bool force) {
   const auto refuse = [&](const std::string& rule) { throw InputError({path, 0}, "", "", rule); };
   if (path.empty()) throw InputError({}, "output", "", "must name a file");
+  if (path == "-") refuse("is no file: standard output is not taken here");
   const std::string folder = folder_of(path);
   struct stat status {};
   if (::stat(folder.c_str(), &status) != 0) {

@@ -49,14 +49,18 @@ void read_chain(const TomlTable& root, Setup& setup) {
   setup.scene.probes = read_probes(root, false);
 }
 
+InputError placed_in(const TomlTable& root, const InputError& error) {
+  if (!error.where().file.empty() || error.field().starts_with("--")) return error;
+  return {locate(root, error.field()), error.field(), error.value(), error.rule()};
+}
+
 /// Says of an error that names a field alone where the file has that.
 template <class Check>
 void at_its_key(const TomlTable& root, const Check& check) {
   try {
     check();
   } catch (const InputError& error) {
-    if (!error.where().file.empty()) throw;
-    throw InputError(locate(root, error.field()), error.field(), error.value(), error.rule());
+    throw placed_in(root, error);
   }
 }
 
@@ -111,6 +115,10 @@ SceneFile parse_scene_file(std::string text, std::string name) {
   });
   file.notes = root.notes();
   return file;
+}
+
+InputError placed_in(const SceneFile& file, const InputError& error) {
+  return placed_in(TomlDocument::parse(file.text, file.path).root(), error);
 }
 
 SceneFile read_scene_file(const std::string& path) {

@@ -65,6 +65,20 @@ SceneFile read_scene_file(const std::string& path);
 /// @param name  stands for the file in errors; its folder is where relative paths begin
 SceneFile parse_scene_file(std::string text, std::string name);
 
+/// An error of a field that was found after the scene was read, with the file and the field's line
+/// there; others (of options, of other files) as they are.
+InputError placed_in(const SceneFile& file, const InputError& error);
+
+/// Calls what works on a scene that was read, and places its errors.
+template <class Call>
+auto with_place_in(const SceneFile& file, const Call& call) {
+  try {
+    return call();
+  } catch (const InputError& error) {
+    throw placed_in(file, error);
+  }
+}
+
 /// Refuses keys of [rules] that a coupon has no use for: the yield model, break limits and the
 /// hinge length are of chains. @throws InputError that names the first
 void refuse_rules_of_chains(const TomlTable& root);

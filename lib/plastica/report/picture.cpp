@@ -15,7 +15,8 @@ namespace plastica::report {
 namespace {
 
 /// `set terminal` for an output; empty for a script.
-std::string terminal_of(const std::string& output, const PlotScript& script) {
+std::string terminal_of(const std::string& output, const PlotScript& script,
+                        std::string_view option = "--output") {
   const auto height = [&](double usual) {
     return static_cast<int>(std::lround(usual * script.relative_height()));
   };
@@ -40,7 +41,7 @@ std::string terminal_of(const std::string& output, const PlotScript& script) {
     return fmt::format("set terminal pdfcairo noenhanced size 18cm,{}cm font 'sans,11'\n",
                        0.01 * height(1120));
   }
-  throw InputError({}, "--output", output, "must end in .svg, .png, .pdf or .gp, or be -");
+  throw InputError({}, option, output, "must end in .svg, .png, .pdf or .gp, or be -");
 }
 
 /// A picture of characters without the blanks at the ends of its lines and its empty lines at
@@ -59,7 +60,9 @@ std::string without_blank_ends(std::string_view picture) {
 
 }  // namespace
 
-void check_picture_output(const std::string& output) { terminal_of(output, {}); }
+void check_picture_output(const std::string& output, std::string_view option) {
+  terminal_of(output, {}, option);
+}
 
 void draw_picture(const PlotScript& script, const std::string& output,
                   std::ostream& standard_output, io::Overwrite overwrite) {

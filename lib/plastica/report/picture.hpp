@@ -2,14 +2,15 @@
 
 #include <iosfwd>
 #include <string>
+#include <string_view>
 
 #include "plastica/io/output_file.hpp"
 #include "plastica/report/plot_script.hpp"
 
 namespace plastica::report {
 
-/// Refuses an output of no kind before any work is done. @throws InputError
-void check_picture_output(const std::string& output);
+/// Refuses an output of no kind before any work is done. @throws InputError that names the option
+void check_picture_output(const std::string& output, std::string_view option = "--output");
 
 /// Draws and writes a picture; a file is replaced as a whole or left alone.
 /// @param output  a path that ends in .svg, .png, .pdf, or .gp for the script with its data; "-"

@@ -123,7 +123,7 @@ TEST(Advice, RefusesATolerance) {
   plastica::Setup setup = cantilever();
   setup.solver.tolerance = 0.1;
   EXPECT_EQ(message_of([&] { (void)advise(setup, asked(0.01)); }),
-            "solver.tolerance = 0.100000: must be at most 1e-6 for advice: all its runs have it, "
+            "solver.tolerance = 0.1: must be at most 1e-6 for advice: all its runs have it, "
             "so that what it leaves would not be seen");
 }
 
