@@ -102,6 +102,10 @@ std::vector<CorpusScene> moving_in_a_plane() {
           elastic_rod() + support(kStart, "pin") + support(kEnd, "roller") + in_motion(0.3, 60) +
               force("0.5", 0.0, 10.0, 0.0, "history = { period = \"100 ms\", cycles = 0.5 }\n") +
               probe("middle", "displacement", "0.5", "y")),
+      corpus_scene("within_sine", kMovingPlane,
+                   elastic_rod() + clamp() + in_motion(0.6, 60) +
+                       force("0.63", 0.0, 1.0, 0.0, sine) +
+                       probe("at_37", "displacement", "0.37", "y") + tip()),
   };
 }
 

@@ -100,6 +100,11 @@ std::vector<CorpusScene> hardening() {
                        support(kEnd, "roller") +
                        force("0.5", 0.0, 1.8 * 4.0 * kFirstYield / 0.6, 0.0) +
                        probe("middle", "displacement", "0.5", "y")),
+      corpus_scene("within_three_point_yielding", kYieldPlane,
+                   square(0.6, linear) + rules("fibre") + at_rest(20) + support(kStart, "pin") +
+                       support(kEnd, "roller") +
+                       force("0.37", 0.0, 1.8 * kFirstYield / (0.6 * 0.37 * 0.63), 0.0) +
+                       probe("at_41", "displacement", "0.41", "y")),
   };
 }
 
