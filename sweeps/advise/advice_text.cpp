@@ -132,7 +132,7 @@ std::string advice_text(const Advice& advice, const AdviceOptions& options,
   if (!advice.worst.empty()) text += fmt::format("  the largest is of {}\n", advice.worst);
   if (advice.end == AdviceEnd::Found) {
     text += fmt::format(
-        "  together at most {}; a run that is twice as fine in each, and richest, is {} off\n",
+        "  together at most {}; a run that is finer in each, and richest, is {} off\n",
         percent(advice.promised), percent(advice.verified));
   }
   if (advice.end == AdviceEnd::Found || advice.end == AdviceEnd::TooDear) {

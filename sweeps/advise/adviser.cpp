@@ -52,13 +52,13 @@ Trial Adviser::finer(const Trial& trial, std::size_t axis) const {
   return runs_.scaled(trial, factors);
 }
 
-Trial Adviser::finer_in_all(const Candidate& candidate, double factor) const {
+std::vector<double> Adviser::factors_in_all(const Candidate& candidate, double factor) const {
   std::vector<double> factors;
   for (const AxisError& e : candidate.errors) {
     const bool minor = e.error < kMinor * candidate.numbers;
     factors.push_back(factor * (minor ? kSlightlyRefined / kRefined : 1.0));
   }
-  return runs_.scaled(candidate.trial, factors);
+  return factors;
 }
 
 double Adviser::supposed_order(std::size_t axis, const Trial& trial) const {
@@ -137,8 +137,8 @@ bool Adviser::settle_words(Candidate& candidate, bool& changed) {
   return true;
 }
 
-bool Adviser::run_finest(const Candidate& candidate, double factor) {
-  const Trial finest = words_.enriched(finer_in_all(candidate, factor));
+bool Adviser::run_finest(const Candidate& candidate, const std::vector<double>& factors) {
+  const Trial finest = words_.enriched(runs_.scaled(candidate.trial, factors));
   if (!runs_.run_all({finest})) return false;
   finest_ = finest;
   return true;
@@ -152,15 +152,22 @@ bool Adviser::verify(Candidate& candidate) {
     if (words_.error() > kWordsShare * within_) words_.doubt();
     return true;
   }
+  std::vector<double> factors = factors_in_all(candidate, kRefined);
   // Where no order was seen, a run twice as fine is no proof: what yields may show its errors late,
   // and a load or a probe may stand at the same part of a segment in both.
-  double factor = rests_on_unseen(candidate) ? kRefined * kRefined : kRefined;
-  if (!run_finest(candidate, factor)) return false;
+  bool further_off = false;
+  for (std::size_t k = 0; k < factors.size(); ++k) {
+    if (!rests_on_unseen(candidate, k)) continue;
+    factors[k] *= kRefined;
+    further_off = true;
+  }
+  if (!run_finest(candidate, factors)) return false;
   Deviation off = runs_.off(candidate.trial, *finest_);
-  if (off.reason.empty() && factor == kRefined && outcomes_vary()) {
+  if (off.reason.empty() && !further_off && outcomes_vary()) {
     // Near a break, a limit or another path it may be on the same wrong side, too.
-    factor *= kRefined;
-    if (!run_finest(candidate, factor)) return false;
+    for (double& factor : factors) factor *= kRefined;
+    further_off = true;
+    if (!run_finest(candidate, factors)) return false;
     const Deviation further = runs_.off(candidate.trial, *finest_);
     if (further.largest > off.largest) off = further;
   }
@@ -170,13 +177,15 @@ bool Adviser::verify(Candidate& candidate) {
   // What the finer run itself is off: by the axis that falls the slowest of those that matter.
   double left = 1.0;
   double changes = 0.0;
-  for (const AxisError& e : candidate.errors) {
+  for (std::size_t k = 0; k < factors.size(); ++k) {
+    const AxisError& e = candidate.errors[k];
     changes += e.change;
     if (e.error > 0.05 * candidate.numbers) {
-      left = std::max(left, left_of(1.0, e.ratio * kRefined / factor, e.order));
+      left = std::max(left, left_of(1.0, e.ratio * kRefined / factors[k], e.order));
     }
   }
-  if (off.largest > kTrusted * kRefined / factor * changes + words_.error() && !measure_all_) {
+  const double trusted = kTrusted * (further_off ? 1.0 / kRefined : 1.0);
+  if (off.largest > trusted * changes + words_.error() && !measure_all_) {
     measure_all_ = true;  // what was foretold is not so
     return true;
   }
@@ -188,10 +197,9 @@ bool Adviser::verify(Candidate& candidate) {
   return true;
 }
 
-bool Adviser::rests_on_unseen(const Candidate& candidate) const {
-  return std::ranges::any_of(candidate.errors, [&](const AxisError& e) {
-    return !e.seen && e.error > kMinor * candidate.numbers;
-  });
+bool Adviser::rests_on_unseen(const Candidate& candidate, std::size_t axis) const {
+  const AxisError& e = candidate.errors[axis];
+  return !e.seen && e.error > kMinor * candidate.numbers;
 }
 
 bool Adviser::outcomes_vary() const {
@@ -240,7 +248,9 @@ Trial Adviser::next_of(const Candidate& candidate) {
   next.setting = next_setting(runs_.axes(), candidate.trial.setting, planned,
                               share_ * std::max(allowed, 0.1 * within_));
   next = runs_.taken(std::move(next));
-  return next == candidate.trial ? finer_in_all(candidate, kRefined) : next;
+  return next == candidate.trial
+             ? runs_.scaled(candidate.trial, factors_in_all(candidate, kRefined))
+             : next;
 }
 
 bool Adviser::diverges(const Candidate& candidate) {

@@ -29,14 +29,14 @@ class Adviser {
  private:
   Trial coarsest() const;
   Trial finer(const Trial& trial, std::size_t axis) const;
-  /// Finer in every number: by a factor in what matters, by a larger one in what hardly does.
-  Trial finer_in_all(const Candidate& candidate, double factor) const;
+  /// On every number's size: a factor for what matters, a larger one for what hardly does.
+  std::vector<double> factors_in_all(const Candidate& candidate, double factor) const;
   /// The order that an axis has by its method.
   double supposed_order(std::size_t axis, const Trial& trial) const;
   /// Whether the error along an axis need not be measured.
   bool is_foretold(std::size_t axis, const Candidate& candidate) const;
-  /// Whether the candidate yields, and an axis that matters has shown no order.
-  bool rests_on_unseen(const Candidate& candidate) const;
+  /// Whether an axis that matters has shown no order.
+  bool rests_on_unseen(const Candidate& candidate, std::size_t axis) const;
   /// Whether a run has ended otherwise than the finest.
   bool outcomes_vary() const;
   /// What the axes of numbers add. False, as in all below: runs or work are used up.
@@ -45,7 +45,7 @@ class Adviser {
   /// Decides the words where numbers are close enough. `changed`: the candidate has other ones now.
   bool settle_words(Candidate& candidate, bool& changed);
   /// Runs a candidate finer in every axis and richest in every word; only then it is `finest`.
-  bool run_finest(const Candidate& candidate, double factor);
+  bool run_finest(const Candidate& candidate, const std::vector<double>& factors);
   /// Measures what the words leave out, and runs the finest beside the candidate.
   bool verify(Candidate& candidate);
   bool judge(Candidate& candidate);
