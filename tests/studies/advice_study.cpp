@@ -15,10 +15,10 @@
 #include <numbers>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "sweeps/advise/advice.hpp"
-#include "sweeps/advise/advice_text.hpp"
 #include "sweeps/advise/watched_probes.hpp"
 #include "tests/studies/advice_corpus.hpp"
 
@@ -163,12 +163,24 @@ double overhead(const Trial& trial) {
   return cost / trial.advice.cost;
 }
 
+/// The name of a field without its table.
+std::string_view key_of(const Field& field) {
+  return std::string_view(field.path).substr(field.path.find('.') + 1);
+}
+
 /// The numbers, and the words that are others than the file's.
 std::string advised_text(const Advice& advice) {
-  std::string text = setting_text(advice.axes, advice.setting);
+  std::string text;
+  for (std::size_t k = 0; k < advice.axes.size(); ++k) {
+    const Field& field = *advice.axes[k].field;
+    const std::string_view unit = si_unit(field.dimension);
+    text += fmt::format("{}{} {:.4g}{}", k == 0 ? "" : ", ", key_of(field), advice.setting[k],
+                        unit == "1" ? "" : fmt::format(" {}", unit));
+  }
   for (std::size_t w = 0; w < advice.words.size(); ++w) {
     const WordAxis& axis = advice.word_axes[w];
-    if (advice.words[w] != axis.own) text += ", " + axis.choices[advice.words[w]].text();
+    if (advice.words[w] == axis.own) continue;
+    text += fmt::format(", {} {}", key_of(axis.field()), axis.choices[advice.words[w]].text());
   }
   return text;
 }
