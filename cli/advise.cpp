@@ -1,7 +1,10 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <filesystem>
 #include <iostream>
 #include <memory>
@@ -20,6 +23,7 @@
 #include "plastica/io/result_file.hpp"
 #include "plastica/io/scene_file.hpp"
 #include "plastica/io/text_file.hpp"
+#include "plastica/io/toml_edit.hpp"
 #include "plastica/report/picture.hpp"
 #include "sweeps/advise/advice_json.hpp"
 #include "sweeps/advise/advice_plot.hpp"
@@ -51,6 +55,25 @@ sweeps::Advice advise_with_progress(const Setup& setup, sweeps::AdviceOptions op
   return advice;
 }
 
+/// The scene with lengths of graded segments, as fractions of the beam's.
+std::string with_lengths(const std::string& text, const io::SceneFile& file,
+                         const std::vector<double>& fractions) {
+  if (fractions.empty()) return text;
+  const auto refusal = InputError({file.path, 0}, "beam.segment_lengths", "",
+                                  "cannot be written into the scene's file: do it by hand");
+  std::string written;
+  try {
+    written = io::set_toml_value(text, "beam.segment_lengths",
+                                 fmt::format("[{:.12g}]", fmt::join(fractions, ", ")));
+  } catch (const InputError&) {
+    throw refusal;
+  }
+  const Setup after = io::parse_scene_file(written, file.path).setup;
+  const auto same = [](double a, double b) { return std::abs(a - b) < 1e-11; };
+  if (!std::ranges::equal(after.scene.beam.segment_fractions, fractions, same)) throw refusal;
+  return written;
+}
+
 std::string advised_scene(const io::SceneFile& file, const sweeps::Advice& advice) {
   std::vector<std::pair<const Field*, FieldValue>> values;
   for (std::size_t k = 0; k < advice.axes.size(); ++k) {
@@ -63,7 +86,8 @@ std::string advised_scene(const io::SceneFile& file, const sweeps::Advice& advic
       if (value != field->get(file.setup)) values.emplace_back(field, value);
     }
   }
-  return sweeps::scene_with_values(file.text, values, wanted, file.path);
+  return with_lengths(sweeps::scene_with_values(file.text, values, wanted, file.path), file,
+                      advice.fractions);
 }
 
 /// Fills in what is asked for: an error or a time.
@@ -116,10 +140,8 @@ int advise(AdviseArguments arguments) {
   tell_notes(file.notes);
   // The tables that the scene names must be found from where the advised one is written.
   if (!arguments.output.empty()) (void)io::parse_scene_file(file.text, arguments.output);
-  const sweeps::Advice advice =
-      io::with_place_in(file, [&] {
-        return advise_with_progress(file.setup, arguments.options, arguments.quiet);
-      });
+  const sweeps::Advice advice = io::with_place_in(
+      file, [&] { return advise_with_progress(file.setup, arguments.options, arguments.quiet); });
   const std::string name = std::filesystem::path(arguments.scene).filename().string();
   fmt::print("{}", sweeps::advice_text(advice, arguments.options, name));
   if (advice.end == sweeps::AdviceEnd::Interrupted) return kInterrupted;

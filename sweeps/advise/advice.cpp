@@ -7,6 +7,8 @@
 
 #include "plastica/model/scene.hpp"
 #include "sweeps/advise/adviser.hpp"
+#include "sweeps/advise/graded_candidate.hpp"
+#include "sweeps/advise/grading.hpp"
 
 namespace plastica::sweeps {
 namespace {
@@ -90,6 +92,11 @@ Advice advise(const Setup& setup, const AdviceOptions& options) {
     adviser.search(options.within);
     found = found_by(adviser);
   }
+  if (found.end == AdviceEnd::Found && !(options.budget > 0.0)) {
+    if (auto graded = with_graded_segments(runs, found.candidate, options.within)) {
+      found.candidate = std::move(*graded);
+    }
+  }
   const double within = options.budget > 0.0 ? found.candidate.promised : options.within;
   Advice advice = filled_advice(runs, found.candidate, found.finest, within);
   advice.end = found.end;
@@ -97,7 +104,10 @@ Advice advise(const Setup& setup, const AdviceOptions& options) {
 }
 
 Setup advised_setup(const Setup& setup, const Advice& advice) {
-  return setup_at(setup_with(setup, advice.word_axes, advice.words), advice.axes, advice.setting);
+  Setup advised =
+      setup_at(setup_with(setup, advice.word_axes, advice.words), advice.axes, advice.setting);
+  advised.scene.beam.segment_fractions = advice.fractions;
+  return advised;
 }
 
 namespace {
@@ -125,7 +135,13 @@ Setup finer_setup(const Setup& setup, const Advice& advice, double factor) {
   Setup richest = setup_with(setup, advice.word_axes, words);
   // A scheme that cannot have all of them gives way to one that can.
   if (!is_accepted(richest)) richest.solver.scheme = Scheme::LinearlyImplicitMidpoint;
-  return setup_at(richest, advice.axes, setting);
+  Setup finer = setup_at(richest, advice.axes, setting);
+  if (!advice.fractions.empty()) {
+    const auto parts = static_cast<int>(std::ceil(1.0 / factor - 1e-9));
+    finer.scene.beam.segment_fractions = divided_evenly(advice.fractions, parts);
+    finer.scene.beam.segments = static_cast<int>(finer.scene.beam.segment_fractions.size());
+  }
+  return finer;
 }
 
 }  // namespace plastica::sweeps

@@ -51,11 +51,12 @@ struct WordLine {
 struct TriedSetting {
   Setting setting;
   Words words{};
-  double error = 0.0;     ///< [1]; infinite where the two cannot be compared
-  std::string reason{};   ///< why they cannot
-  std::int64_t work = 0;  ///< segment-iterations
-  double cost = 0.0;      ///< work by `kernel_cost`
-  double seconds = 0.0;   ///< CPU time
+  std::vector<double> fractions{};  ///< lengths of the segments over the beam's; empty: even
+  double error = 0.0;               ///< [1]; infinite where the two cannot be compared
+  std::string reason{};             ///< why they cannot
+  std::int64_t work = 0;            ///< segment-iterations
+  double cost = 0.0;                ///< work by `kernel_cost`
+  double seconds = 0.0;             ///< CPU time
 };
 
 enum class AdviceEnd {
@@ -72,6 +73,8 @@ struct Advice {
   AdviceEnd end = AdviceEnd::TooManyRuns;
   std::vector<FinenessAxis> axes;     ///< that act with the advised words
   Setting setting;                    ///< advised; else the last one (n_axes)
+  std::vector<double> fractions;      ///< of graded segments, as of `TriedSetting`; empty: even
+  std::optional<TriedSetting> even;   ///< of graded segments: the best that even ones do
   std::vector<BudgetLine> budget;     ///< (n_axes)
   std::vector<WordAxis> word_axes;    ///< on which the scene has a choice
   Words words;                        ///< advised; else the last ones (n_word_axes)
@@ -105,7 +108,8 @@ struct Advice {
 /// sum over numbers and words is small enough, what the words leave out is measured once more, and
 /// the setting is run finer in every axis at once and richest in every word: what is promised is
 /// the larger of the sum and of what that run shows. Errors are the largest of `deviation`'s
-/// quantities.
+/// quantities. Last, graded segments are tried in the place of even ones (`graded_fractions`),
+/// unless it is for a budget.
 /// @throws InputError for a coupon, a probe that is not there, a scene that cannot be run
 Advice advise(const Setup& setup, const AdviceOptions& options);
 

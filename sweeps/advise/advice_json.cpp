@@ -48,8 +48,13 @@ OrderedJson values_of(const Advice& advice, const Setting& setting, const Words&
   return all;
 }
 
+OrderedJson fractions_or_null(const std::vector<double>& fractions) {
+  return fractions.empty() ? OrderedJson(nullptr) : OrderedJson(fractions);
+}
+
 OrderedJson tried_of(const Advice& advice, const TriedSetting& one) {
   return {{"values", values_of(advice, one.setting, one.words)},
+          {"segment_fractions", fractions_or_null(one.fractions)},
           {"error", finite_or_null(one.error)},
           {"reason", words_or_null(one.reason)},
           {"segment_iterations", one.work > 0 ? OrderedJson(one.work) : OrderedJson(nullptr)},
@@ -120,6 +125,8 @@ std::string advice_json(const Advice& advice, const AdviceOptions& options,
       {"worst", words_or_null(advice.worst)},
       {"reason", words_or_null(advice.reason)},
       {"numbers", numbers_of(advice)},
+      {"segment_fractions", fractions_or_null(advice.fractions)},
+      {"even", advice.even ? tried_of(advice, *advice.even) : OrderedJson(nullptr)},
       {"words", words_of(advice)},
       {"segment_iterations", advice.work},
       {"cost", finite_or_null(advice.cost)},

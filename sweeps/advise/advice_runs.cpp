@@ -35,7 +35,9 @@ AdviceRuns::AdviceRuns(const Setup& setup, const AdviceOptions& options)
 }
 
 Setup AdviceRuns::setup_of(const Trial& trial) const {
-  return setup_at(setup_with(setup_, word_axes_, trial.words), axes_, trial.setting);
+  Setup at = setup_at(setup_with(setup_, word_axes_, trial.words), axes_, trial.setting);
+  at.scene.beam.segment_fractions = trial.fractions;
+  return at;
 }
 
 bool AdviceRuns::acts(std::size_t axis, const Words& words) const {

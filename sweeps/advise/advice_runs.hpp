@@ -16,10 +16,11 @@ namespace plastica::sweeps {
 struct Trial {
   Words words;
   Setting setting;
+  std::vector<double> fractions{};  ///< lengths of the segments over the beam's; empty: even
 
   friend bool operator==(const Trial&, const Trial&) = default;
   friend bool operator<(const Trial& a, const Trial& b) {
-    return std::tie(a.words, a.setting) < std::tie(b.words, b.setting);
+    return std::tie(a.words, a.setting, a.fractions) < std::tie(b.words, b.setting, b.fractions);
   }
 };
 

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 
@@ -65,6 +66,18 @@ std::string numbers_text(const Advice& advice) {
   return text;
 }
 
+std::string graded_text(const Advice& advice) {
+  if (advice.fractions.empty()) return {};
+  const auto [shortest, longest] = std::ranges::minmax(advice.fractions);
+  std::string text = fmt::format("  beam.segment_lengths: graded, from {} to {} of the length",
+                                 percent(shortest), percent(longest));
+  if (advice.even && advice.cost > 0.0) {
+    text += fmt::format("; {:.0f} even ones would be {:.2g} times the cost",
+                        advice.even->setting.front(), advice.even->cost / advice.cost);
+  }
+  return text + "\n";
+}
+
 /// The word that is told beside the chosen one: of models the next simpler one, else the next
 /// richer; of methods the cheapest of the others.
 const OtherWord* told(const WordAxis& axis, std::size_t chosen, const WordLine& line) {
@@ -113,6 +126,7 @@ std::string setting_text(const Advice& advice, const TriedSetting& one) {
     const WordAxis& axis = advice.word_axes[w];
     text += fmt::format(", {} = {}", axis.field().path, axis.choices[one.words[w]].text());
   }
+  if (!one.fractions.empty()) text += ", graded";
   return text;
 }
 
@@ -127,13 +141,14 @@ std::string setting_text(const std::vector<FinenessAxis>& axes, const Setting& s
 
 std::string advice_text(const Advice& advice, const AdviceOptions& options,
                         const std::string& name) {
-  std::string text = head(advice, options, name) + numbers_text(advice) + words_text(advice);
+  std::string text =
+      head(advice, options, name) + numbers_text(advice) + graded_text(advice) + words_text(advice);
   if (!advice.reason.empty()) text += fmt::format("  not converged: {}\n", advice.reason);
   if (!advice.worst.empty()) text += fmt::format("  the largest is of {}\n", advice.worst);
   if (advice.end == AdviceEnd::Found) {
-    text += fmt::format(
-        "  together at most {}; a run that is finer in each, and richest, is {} off\n",
-        percent(advice.promised), percent(advice.verified));
+    text +=
+        fmt::format("  together at most {}; a run that is finer in each, and richest, is {} off\n",
+                    percent(advice.promised), percent(advice.verified));
   }
   if (advice.end == AdviceEnd::Found || advice.end == AdviceEnd::TooDear) {
     text += fmt::format("  cost {} (median of such runs' time for that work)\n",

@@ -190,9 +190,9 @@ bool Adviser::verify(Candidate& candidate) {
     return true;
   }
   const double of_finest = (left - 1.0) * std::max(changes, off.largest - words_.error());
-  // Changes are over a finer run's value f_h, not over the limit f: |f_h| <= |f| (1 + error).
-  const double most = std::max(candidate.numbers + words_.error(), off.largest + of_finest);
-  candidate.promised = most * (1.0 + most);
+  candidate.finest = finest_;
+  candidate.of_finest = of_finest;
+  candidate.promised = promise(candidate, words_.error());
   candidate.within = candidate.promised <= within_;
   return true;
 }

@@ -1,5 +1,6 @@
 #include "sweeps/advise/fill_advice.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -55,6 +56,7 @@ TriedSetting Filler::tried(const Trial& trial) const {
   const Outcome& of = runs_.outcome(trial);
   TriedSetting one{.setting = shown(trial.setting),
                    .words = trial.words,
+                   .fractions = trial.fractions,
                    .work = of.work,
                    .cost = runs_.cost(trial),
                    .seconds = of.seconds};
@@ -122,6 +124,8 @@ Advice Filler::advice() {
   advice.worst = candidate_.worst;
   advice.reason = candidate_.reason;
   advice.left_out = runs_.probes().left_out;
+  advice.fractions = candidate_.trial.fractions;
+  if (candidate_.even) advice.even = tried(*candidate_.even);
   if (runs_.has(candidate_.trial)) {
     const Outcome& of = runs_.outcome(candidate_.trial);
     advice.work = of.work;
@@ -136,6 +140,11 @@ Advice Filler::advice() {
 }
 
 }  // namespace
+
+double promise(const Candidate& candidate, double words) {
+  const double most = std::max(candidate.numbers + words, candidate.verified + candidate.of_finest);
+  return most * (1.0 + most);
+}
 
 Advice filled_advice(AdviceRuns& runs, const Candidate& candidate,
                      const std::optional<Trial>& finest, double within) {

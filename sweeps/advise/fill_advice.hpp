@@ -16,12 +16,21 @@ struct Candidate {
   std::vector<AxisError> errors{};  ///< (n_axes of the runs)
   std::vector<WordLine> lines{};    ///< (n_word_axes); empty: the words were not measured there
   double numbers = 0.0;             ///< the sum of `errors`
-  double verified = 0.0;
+  std::optional<Trial> finest{};    ///< the run that verified it
+  double verified = 0.0;            ///< difference from that [1]
+  double of_finest = 0.0;           ///< what that is off itself, at most [1]
   double promised = 0.0;
   std::string worst{};
   std::string reason{};
   bool within = false;
+  std::optional<Trial> even{};  ///< whose place it takes, where its segments are graded
 };
+
+/// What can be promised of a candidate: the larger of what its axes add, the words included, and of
+/// what the run that verified shows [1]. Changes are over a finer run's value f_h, not over the
+/// limit f: |f_h| <= |f| (1 + error).
+/// @param words  error of the words [1]
+double promise(const Candidate& candidate, double words);
 
 /// The advice of a candidate; its end is for the caller to say. Runs the scene as its file has it,
 /// unless that would take more than twice the work of the candidate.

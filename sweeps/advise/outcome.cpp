@@ -21,6 +21,18 @@ void note_each(std::string_view name, std::span<const double> values, Outcome& o
   }
 }
 
+std::vector<double> largest_rotations(const ChainHistory& chain) {
+  std::vector<double> largest(chain.joints);
+  const std::size_t frames = chain.joints > 0 ? chain.angle.size() / (3 * chain.joints) : 0;
+  for (std::size_t f = 0; f < frames; ++f) {
+    for (std::size_t i = 0; i < chain.joints; ++i) {
+      const double* angle = &chain.angle[3 * (f * chain.joints + i)];
+      largest[i] = std::max(largest[i], std::hypot(angle[0], angle[1], angle[2]));
+    }
+  }
+  return largest;
+}
+
 void note_numbers(const Response& response, Outcome& outcome) {
   if (const auto broken = first_break(response.chain)) {
     outcome.numbers.push_back({"time of the first break", broken->time});
@@ -131,6 +143,7 @@ Outcome outcome_of(const BatchRow& row, const std::vector<WatchedProbe>& watched
     outcome.history.emplace_back(values.begin(), values.begin() + samples);
   }
   note_numbers(response, outcome);
+  outcome.bent = largest_rotations(response.chain);
   return outcome;
 }
 

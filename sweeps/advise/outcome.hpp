@@ -31,8 +31,9 @@ struct Outcome {
   std::string reason{};                        ///< why it cannot be used
   std::vector<double> time{};                  ///< of the samples [s] (n_samples)
   std::vector<std::vector<double>> history{};  ///< of each watched probe (n_watched x n_samples)
-  std::optional<double> break_place{};         ///< of the first break, of the beam's length [1]
-  std::vector<OneNumber> numbers{};            ///< what else the run found
+  std::vector<double> bent{};  ///< largest rotation of each joint in any frame [rad] (n_joints)
+  std::optional<double> break_place{};  ///< of the first break, of the beam's length [1]
+  std::vector<OneNumber> numbers{};     ///< what else the run found
   std::int64_t segments = 0;
   std::int64_t work = 0;  ///< segment-iterations; of a run without any its segments
   double seconds = 0.0;   ///< CPU time [s]

@@ -61,6 +61,23 @@ TEST_F(Advise, SaysWhereTheSceneHasWhatItRefuses) {
   }
 }
 
+TEST_F(Advise, WritesGradedSegments) {
+  const std::string scene = std::string(PLASTICA_SOURCE_DIR) + "/data/scenes/bend_test.toml";
+  const CommandResult advised = place_.run(
+      {"advise", scene, "--within", "1 %", "-o", "graded.toml", "--json", "graded.json"});
+  ASSERT_EQ(advised.code, 0) << advised.err;
+  EXPECT_NE(advised.out.find("  beam.segment_lengths: graded, from "), std::string::npos)
+      << advised.out;
+  EXPECT_NE(place_.read("graded.toml").find("segment_lengths = [0."), std::string::npos);
+  EXPECT_NE(place_.read("graded.json").find("\"segment_fractions\": ["), std::string::npos);
+  EXPECT_EQ(place_.run({"simulate", "graded.toml", "-o", "graded.h5"}).code, 0);
+  // Its segments are given now.
+  const CommandResult again = place_.run({"advise", "graded.toml", "--within", "1 %"});
+  EXPECT_EQ(again.code, 2);
+  EXPECT_NE(again.err.find("beam.segment_lengths: fixes the segments"), std::string::npos)
+      << again.err;
+}
+
 TEST_F(Advise, WritesStepsWithoutTheirRounding) {
   const std::string arm = std::string(PLASTICA_SOURCE_DIR) + "/data/scenes/robot_arm.toml";
   ASSERT_EQ(place_.run({"advise", arm, "--within", "1 %", "-o", "arm.toml"}).code, 0);

@@ -177,6 +177,7 @@ std::string advised_text(const Advice& advice) {
     text += fmt::format("{}{} {:.4g}{}", k == 0 ? "" : ", ", key_of(field), advice.setting[k],
                         unit == "1" ? "" : fmt::format(" {}", unit));
   }
+  if (!advice.fractions.empty()) text += ", graded";
   for (std::size_t w = 0; w < advice.words.size(); ++w) {
     const WordAxis& axis = advice.word_axes[w];
     if (advice.words[w] == axis.own) continue;

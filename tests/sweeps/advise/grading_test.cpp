@@ -1,0 +1,96 @@
+#include "sweeps/advise/grading.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <numeric>
+
+#include "plastica/model/beam_axis.hpp"
+
+namespace plastica::sweeps {
+namespace {
+
+Scene straight(int segments) {
+  Scene scene;
+  scene.beam.segments = segments;
+  scene.supports = {{}};
+  return scene;
+}
+
+/// Rotations of the joints of a beam with some curvature over its length.
+std::vector<double> bent_by(const Scene& scene, const std::function<double(double)>& curvature) {
+  const std::vector<double> ends = segment_ends(scene);
+  std::vector<double> bent;
+  for (std::size_t i = 0; i < ends.size(); ++i) {
+    const double before = i > 0 ? ends[i] - ends[i - 1] : 0.0;
+    const double after = i + 1 < ends.size() ? ends[i + 1] - ends[i] : 0.0;
+    bent.push_back(curvature(ends[i]) * 0.5 * (before + after));
+  }
+  return bent;
+}
+
+TEST(Grading, HasTheLengthsWhoseSumOfCubesTimesTheChangeIsLeast) {
+  // k = exp(-s/a): |k'| over its mean is exp(-s/a)/a, but for exp(-10); lengths go with the inverse
+  // cube root of that and 0.03.
+  constexpr double kDecay = 0.1;
+  const Scene scene = straight(400);
+  const auto bent = bent_by(scene, [&](double s) { return std::exp(-s / kDecay); });
+  const std::vector<double> lengths = graded_fractions(scene, bent, 50);
+  ASSERT_EQ(lengths.size(), 50u);
+  EXPECT_NEAR(std::accumulate(lengths.begin(), lengths.end(), 0.0), 1.0, 1e-12);
+  const auto density = [&](double s) { return std::cbrt(std::exp(-s / kDecay) / kDecay + 0.03); };
+  double end = 0.0;
+  const double first = lengths.front() * density(0.5 * lengths.front());
+  for (const double length : lengths) {
+    EXPECT_NEAR(length * density(end + 0.5 * length), first, 0.03 * first) << "at " << end;
+    end += length;
+  }
+}
+
+TEST(Grading, LeavesEvenWhatChangesEvenly) {
+  const Scene scene = straight(40);
+  const auto bent = bent_by(scene, [](double s) { return 1.0 - s; });
+  for (const double length : graded_fractions(scene, bent, 16)) {
+    EXPECT_NEAR(length, 1.0 / 16.0, 1e-4);
+  }
+}
+
+TEST(Grading, HasNothingToGradeWhereTheCurvatureDoesNotChange) {
+  const Scene scene = straight(40);
+  EXPECT_TRUE(graded_fractions(scene, std::vector<double>(41, 0.0), 16).empty());
+}
+
+TEST(Grading, EndsSegmentsWhereTheSceneNeedsIt) {
+  Scene scene = straight(40);
+  scene.loads = {{.at = {0.37, {}}}, {.at = {1.0 / 3.0, {}}}};
+  const auto bent = bent_by(scene, [](double s) { return std::exp(-20.0 * std::abs(s - 0.37)); });
+  for (const int segments : {3, 7, 24}) {
+    const std::vector<double> lengths = graded_fractions(scene, bent, segments);
+    ASSERT_EQ(lengths.size(), static_cast<std::size_t>(segments));
+    Scene graded = scene;
+    graded.beam.segments = segments;
+    graded.beam.segment_fractions = lengths;
+    const std::vector<double> ends = segment_ends(graded);
+    for (const Load& load : scene.loads) EXPECT_TRUE(segment_end_at(load.at, ends)) << segments;
+  }
+  EXPECT_TRUE(graded_fractions(scene, bent, 2).empty());
+}
+
+TEST(Grading, DoesNotTakeAHingesTurnForBending) {
+  Scene scene = straight(40);
+  scene.supports.push_back({.at = {0.5, {}}, .kind = SupportKind::Hinge});
+  std::vector<double> bent = bent_by(scene, [](double s) { return 1.0 - s; });
+  bent[20] = 1.0;
+  for (const double length : graded_fractions(scene, bent, 16)) {
+    EXPECT_NEAR(length, 1.0 / 16.0, 1e-4);
+  }
+}
+
+TEST(Grading, DividesEachSegment) {
+  EXPECT_EQ(divided_evenly({0.25, 0.75}, 2), (std::vector<double>{0.125, 0.125, 0.375, 0.375}));
+}
+
+}  // namespace
+}  // namespace plastica::sweeps
