@@ -1,6 +1,7 @@
 // Whether `plastica advise` keeps its word: the advised settings of the corpus against runs that
 // are four times finer in every axis, against closed forms, and their cost against the cheapest
-// setting of a grid. PLASTICA_STUDY=full runs all, =truths all without the grid, =sample a few.
+// setting of a grid. PLASTICA_STUDY=full runs all, =truths all without the grid, =sample a few;
+// =names lists the scenes, of which PLASTICA_STUDY_SCENE=NAME takes one.
 
 #include <gtest/gtest.h>
 
@@ -280,6 +281,10 @@ bool takes_long(const CorpusScene& scene) {
 }
 
 TEST(Advice, KeepsItsWord) {
+  if (study() == "names") {
+    for (const CorpusScene& scene : advice_corpus()) fmt::print("{}\n", scene.name);
+    return;
+  }
   const bool full = study() != "sample";
   const std::vector<double> tolerances = full ? std::vector{0.05, 0.01, 0.002} : std::vector{0.05};
   const char* only = std::getenv("PLASTICA_STUDY_SCENE");
