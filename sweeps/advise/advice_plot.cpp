@@ -55,15 +55,20 @@ Chart chart_of(const Advice& advice, const AdviceOptions& options, const std::st
   ChartSeries others = symbols("with other words", 4);
   ChartSeries advised = symbols("advised", 1);
   ChartSeries own = symbols("the file's own", 3);
-  const auto is_at = [](const TriedSetting& one, const Setting& setting, const Words& words) {
-    return one.setting == setting && one.words == words;
+  const auto is_advised = [&](const TriedSetting& one) {
+    return found && one.setting == advice.setting && one.words == advice.words &&
+           one.fractions == advice.fractions;
+  };
+  const auto is_own = [&](const TriedSetting& one) {
+    return one.setting == advice.own.setting && one.words == advice.own.words &&
+           one.fractions.empty();
   };
   for (const TriedSetting& one : advice.tried) {
     if (!has_place(one)) continue;
-    ChartSeries& series = found && is_at(one, advice.setting, advice.words)  ? advised
-                          : is_at(one, advice.own.setting, advice.own.words) ? own
-                          : one.words == advice.words                        ? same
-                                                                             : others;
+    ChartSeries& series = is_advised(one)             ? advised
+                          : is_own(one)               ? own
+                          : one.words == advice.words ? same
+                                                      : others;
     series.points.push_back(place_of(one));
   }
   std::vector<double> cost;

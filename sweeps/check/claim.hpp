@@ -55,24 +55,29 @@ struct ClaimTraits {
   bool not_negative = false;  ///< whether its number is at least 0, whatever happens
 };
 
+inline constexpr auto kOfSweeps = static_cast<unsigned>(ClaimSubject::Sweep);
+inline constexpr auto kOfScenes = static_cast<unsigned>(ClaimSubject::Scene);
+inline constexpr auto kOfFits = static_cast<unsigned>(ClaimSubject::Fit);
+inline constexpr auto kOfScans = static_cast<unsigned>(ClaimSubject::Scan);
+
 /// In the order of `ClaimKind`.
 inline constexpr std::array<ClaimTraits, 16> kClaimKinds{{
-    {"order", 1U},
-    {"correlation", 1U},
-    {"error", 1U | 2U | 4U, true, true},
-    {"extrapolated_error", 1U, true, true},
-    {"gci", 1U, true, true},
-    {"work", 1U | 2U, false, true},
-    {"spread", 1U, true, true},
-    {"value", 1U | 2U | 4U},
-    {"energy_balance", 1U | 2U, true, true},
-    {"failed", 1U | 2U | 4U, false, true},
-    {"undetected", 8U, false, true},
-    {"invalid", 8U, false, true},
-    {"status", 1U | 2U},
-    {"misfit", 4U, true, true},
-    {"fitted", 4U, false, true},
-    {"interval", 4U},
+    {"order", kOfSweeps},
+    {"correlation", kOfSweeps},
+    {"error", kOfSweeps | kOfScenes | kOfFits, true, true},
+    {"extrapolated_error", kOfSweeps, true, true},
+    {"gci", kOfSweeps, true, true},
+    {"work", kOfSweeps | kOfScenes, false, true},
+    {"spread", kOfSweeps, true, true},
+    {"value", kOfSweeps | kOfScenes | kOfFits},
+    {"energy_balance", kOfSweeps | kOfScenes, true, true},
+    {"failed", kOfSweeps | kOfScenes | kOfFits, false, true},
+    {"undetected", kOfScans, false, true},
+    {"invalid", kOfScans, false, true},
+    {"status", kOfSweeps | kOfScenes},
+    {"misfit", kOfFits, true, true},
+    {"fitted", kOfFits, false, true},
+    {"interval", kOfFits},
 }};
 
 constexpr const ClaimTraits& traits_of(ClaimKind kind) {
