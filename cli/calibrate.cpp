@@ -10,7 +10,6 @@
 #include "calibrate/config/bare_files.hpp"
 #include "calibrate/config/fit_file.hpp"
 #include "calibrate/config/scene_fit_file.hpp"
-#include "calibrate/search/optimizer.hpp"
 #include "calibrate/store/journaled_batch.hpp"
 #include "cli/calibrate_arguments.hpp"
 #include "cli/calibrate_scenes.hpp"
@@ -88,8 +87,7 @@ int calibrate_files(const CalibrateArguments& arguments) {
 
   calibrate::FitStoreContents contents;
   contents.inputs = input_texts(file);
-  contents.meta = io::begin_meta(arguments.command_line, arguments.threads);
-  contents.meta.versions.emplace_back("nlopt", calibrate::nlopt_version());
+  contents.meta = begin_fit_meta(arguments);
   const InterruptGuard interrupt;
   calibrate::JournaledOptions how = journaling(arguments, output, contents.meta, &interrupt.flag());
   const std::size_t fits = targets.size() * std::max<std::size_t>(1, file.options.laws.size());

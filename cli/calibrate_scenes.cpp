@@ -99,7 +99,7 @@ int calibrate_scenes(const CalibrateArguments& arguments) {
     return kInterrupted;
   }
   calibrate::SceneFitContents contents;
-  contents.meta = io::begin_meta(arguments.command_line, arguments.threads);
+  contents.meta = begin_fit_meta(arguments);
   calibrate::JournaledOptions how = journaling(arguments, output, contents.meta, &interrupt.flag());
   ProgressBar bar("fitting", file.cases.size() * std::max<std::size_t>(1, file.options.laws.size()),
                   arguments.quiet);

@@ -8,6 +8,7 @@
 
 #include "calibrate/report/law_choice.hpp"
 #include "calibrate/result/usable.hpp"
+#include "calibrate/search/optimizer.hpp"
 #include "calibrate/store/journaled_fits.hpp"
 #include "cli/calibrate_arguments.hpp"
 #include "cli/exit_code.hpp"
@@ -73,6 +74,13 @@ int run_fits(const CalibrateArguments& arguments, const std::string& output, boo
   const int code = report_fits(arguments, contents);
   if (!arguments.quiet) tell("wrote {}\n", output);
   return code;
+}
+
+/// The meta of a run of fits that begins now.
+inline io::RunMeta begin_fit_meta(const CalibrateArguments& arguments) {
+  io::RunMeta meta = io::begin_meta(arguments.command_line, arguments.threads);
+  meta.versions.emplace_back("nlopt", calibrate::nlopt_version());
+  return meta;
 }
 
 /// How the fits of a run are journaled.
