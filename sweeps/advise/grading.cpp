@@ -67,7 +67,20 @@ double on_line(const std::vector<double>& xs, const std::vector<double>& ys, dou
   return ys[k - 1] + part * (ys[k] - ys[k - 1]);
 }
 
-/// How many segments each stretch between needed ends gets: at least one, else by its part.
+/// Where segments are to end: where the scene needs it, and where it looks. What a probe within a
+/// segment sees goes with the place in it, in a beam with each segment divided, too.
+std::vector<double> wanted_ends(const Scene& scene, const std::vector<double>& ends) {
+  constexpr double kSamePlace = 1e-9;
+  std::vector<double> wanted = needed_ends(scene);
+  for (const Probe& probe : scene.probes) wanted.push_back(fraction_of(probe.at, ends));
+  std::sort(wanted.begin(), wanted.end());
+  const auto same = [](double a, double b) { return b - a <= kSamePlace; };
+  wanted.erase(std::unique(wanted.begin(), wanted.end(), same), wanted.end());
+  wanted.back() = 1.0;
+  return wanted;
+}
+
+/// How many segments each stretch between wanted ends gets: at least one, else by its part.
 std::vector<int> dealt(const std::vector<double>& density_at, int segments) {
   const std::size_t stretches = density_at.size() - 1;
   const auto wanted = [&](std::size_t j) { return (density_at[j + 1] - density_at[j]) * segments; };
@@ -87,23 +100,23 @@ std::vector<int> dealt(const std::vector<double>& density_at, int segments) {
 std::vector<double> graded_fractions(const Scene& scene, const std::vector<double>& bent,
                                      int segments) {
   const std::vector<double> ends = segment_ends(scene);
-  const std::vector<double> needed = needed_ends(scene);
   if (ends.size() < 4 || ends.size() != bent.size()) return {};
-  if (segments + 1 < static_cast<int>(needed.size())) return {};
+  const std::vector<double> wanted = wanted_ends(scene, ends);
+  if (segments + 1 < static_cast<int>(wanted.size())) return {};
   const std::vector<double> sum = cumulative_density(curvature_of(scene, bent, ends), ends);
   if (sum.empty()) return {};
   std::vector<double> density_at;
-  for (const double place : needed) density_at.push_back(on_line(ends, sum, place));
+  for (const double place : wanted) density_at.push_back(on_line(ends, sum, place));
   const std::vector<int> counts = dealt(density_at, segments);
   // Ends with few digits, for who reads them; a thousandth of a segment does not matter.
   const double digits = std::pow(10.0, 3.0 + std::ceil(std::log10(segments)));
   std::vector<double> fractions;
   double before = 0.0;
-  for (std::size_t j = 0; j + 1 < needed.size(); ++j) {
+  for (std::size_t j = 0; j + 1 < wanted.size(); ++j) {
     for (int i = 1; i <= counts[j]; ++i) {
       const double part = static_cast<double>(i) / counts[j];
       const double at = on_line(sum, ends, std::lerp(density_at[j], density_at[j + 1], part));
-      const double end = i == counts[j] ? needed[j + 1] : std::round(at * digits) / digits;
+      const double end = i == counts[j] ? wanted[j + 1] : std::round(at * digits) / digits;
       if (!(end > before)) return {};
       fractions.push_back(end - before);
       before = end;

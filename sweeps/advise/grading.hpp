@@ -14,7 +14,7 @@ namespace plastica::sweeps {
 /// is off by h^3 (k d)''/12, of which -h^3 k'/6 is there whatever the distance. The sum of
 /// h^3 |k'| = integral of h^2 |k'| is least for a given number, the integral of 1/h, where
 /// h ~ |k'|^(-1/3). Where the curvature hardly changes the segments stay within some three times
-/// the mean, and the places where the scene needs an end (`needed_ends`) have one.
+/// the mean, and the places where the scene needs an end (`needed_ends`) or has a probe have one.
 /// @param scene  with the segments of `bent`
 /// @param bent   largest rotation of each of its joints [rad] (n_joints)
 /// @param segments  how many there shall be

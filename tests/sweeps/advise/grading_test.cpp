@@ -65,8 +65,11 @@ TEST(Grading, HasNothingToGradeWhereTheCurvatureDoesNotChange) {
 TEST(Grading, EndsSegmentsWhereTheSceneNeedsIt) {
   Scene scene = straight(40);
   scene.loads = {{.at = {0.37, {}}}, {.at = {1.0 / 3.0, {}}}};
+  Probe probe;
+  probe.at = {0.41, {}};
+  scene.probes = {probe, probe};
   const auto bent = bent_by(scene, [](double s) { return std::exp(-20.0 * std::abs(s - 0.37)); });
-  for (const int segments : {3, 7, 24}) {
+  for (const int segments : {4, 7, 24}) {
     const std::vector<double> lengths = graded_fractions(scene, bent, segments);
     ASSERT_EQ(lengths.size(), static_cast<std::size_t>(segments));
     Scene graded = scene;
@@ -74,8 +77,9 @@ TEST(Grading, EndsSegmentsWhereTheSceneNeedsIt) {
     graded.beam.segment_fractions = lengths;
     const std::vector<double> ends = segment_ends(graded);
     for (const Load& load : scene.loads) EXPECT_TRUE(segment_end_at(load.at, ends)) << segments;
+    EXPECT_TRUE(segment_end_at(probe.at, ends)) << segments;
   }
-  EXPECT_TRUE(graded_fractions(scene, bent, 2).empty());
+  EXPECT_TRUE(graded_fractions(scene, bent, 3).empty());
 }
 
 TEST(Grading, DoesNotTakeAHingesTurnForBending) {
