@@ -15,6 +15,8 @@ namespace {
 constexpr double kCostInSpace = 4.0;
 constexpr double kCostOfStretch = 2.0;
 constexpr double kCostOfFibre = 0.03;
+/// In space the section has as many fibres across as along its depth.
+constexpr double kCostOfFibreInSpace = 0.11;
 constexpr double kCostOfArticulated = 0.1;
 
 std::string word_in(const Setup& setup, const Field& field) {
@@ -199,11 +201,12 @@ double order_of_method(const Setup& setup, const Field& field) {
 }
 
 double kernel_cost(const Setup& setup) {
-  double cost = 1.0;
-  if (choose_level(setup.scene, setup.solver).level == Level::Spatial) cost *= kCostInSpace;
+  const bool in_space = choose_level(setup.scene, setup.solver).level == Level::Spatial;
+  double cost = in_space ? kCostInSpace : 1.0;
   if (setup.solver.translation == JointTranslation::Elastic) cost *= kCostOfStretch;
   if (setup.scene.yield_model == YieldModel::Fibre) {
-    cost *= 1.0 + kCostOfFibre * setup.solver.fibres;
+    const double n = setup.solver.fibres;
+    cost += in_space ? kCostOfFibreInSpace * n * n : kCostOfFibre * n;
   }
   if (setup.solver.analysis == Analysis::Dynamics && is_articulated(setup.solver.scheme)) {
     cost *= kCostOfArticulated;

@@ -65,8 +65,9 @@ bool is_accepted(const Setup& setup);
 /// The order with which the error of a method falls, of the time step or of the segments.
 double order_of_method(const Setup& setup, const Field& field);
 
-/// What a segment-iteration costs over one of planar rigid elastic joints [1]: 4 in space, 2 with
-/// stretch and shear, 1 + 0.03 n with n fibres, a tenth with an articulated scheme (docs/speed.md).
+/// What a segment-iteration costs over one of planar rigid elastic joints [1]: 4 in space, twice
+/// that with stretch and shear, and with n fibres 0.03 n more, in space, where they are n across,
+/// too, 0.11 n^2; all a tenth with an articulated scheme (docs/speed.md).
 double kernel_cost(const Setup& setup);
 
 }  // namespace plastica::sweeps

@@ -124,6 +124,10 @@ bool WordChooser::run_models(const Trial& trial) {
     options_[w].clear();
     if (!has_choice(w)) continue;
     note_option(w, 0);
+    // With words that the trial had they may not have been comparable.
+    if (axes[w].field().path == "solver.level" && is_same(options_[w].front().error)) {
+      same_level_ = w;
+    }
     // Where the simplest differs by nothing, what is between the two does not matter either.
     if (!is_same(options_[w].front().error)) {
       std::vector<Trial> more;
