@@ -136,12 +136,15 @@ Setup finer_setup(const Setup& setup, const Advice& advice, double factor) {
   // A scheme that cannot have all of them gives way to one that can.
   if (!is_accepted(richest)) richest.solver.scheme = Scheme::LinearlyImplicitMidpoint;
   Setup finer = setup_at(richest, advice.axes, setting);
-  if (!advice.fractions.empty()) {
+  Setup divided = finer;
+  if (advice.fractions.empty()) {
+    divided.scene.beam.segment_fractions = fractions_that_end_at_probes(finer.scene);
+  } else {
     const auto parts = static_cast<int>(std::ceil(1.0 / factor - 1e-9));
-    finer.scene.beam.segment_fractions = divided_evenly(advice.fractions, parts);
-    finer.scene.beam.segments = static_cast<int>(finer.scene.beam.segment_fractions.size());
+    divided.scene.beam.segment_fractions = divided_evenly(advice.fractions, parts);
+    divided.scene.beam.segments = static_cast<int>(divided.scene.beam.segment_fractions.size());
   }
-  return finer;
+  return is_accepted(divided) ? divided : finer;
 }
 
 }  // namespace plastica::sweeps

@@ -5,6 +5,8 @@
 #include <string>
 #include <utility>
 
+#include "sweeps/advise/grading.hpp"
+
 namespace plastica::sweeps {
 namespace {
 
@@ -54,6 +56,21 @@ Trial AdviceRuns::taken(Trial trial) const {
   return trial;
 }
 
+Trial AdviceRuns::with_ends_at_probes(Trial trial) const {
+  trial.fractions.clear();
+  Scene scene = setup_of(trial).scene;
+  const int segments = scene.beam.segments;
+  for (int more = 0; 4 * more <= segments; ++more) {
+    scene.beam.segments = segments + more;
+    if (!ends_at_probes(scene)) continue;
+    trial.setting[0] = scene.beam.segments;
+    return trial;
+  }
+  Trial divided = trial;
+  divided.fractions = fractions_that_end_at_probes(setup_of(trial).scene);
+  return is_accepted(setup_of(divided)) ? divided : trial;
+}
+
 Trial AdviceRuns::own() const { return taken({own_words(word_axes_), own_setting_}); }
 
 Trial AdviceRuns::scaled(const Trial& trial, const std::vector<double>& factors) const {
@@ -61,7 +78,7 @@ Trial AdviceRuns::scaled(const Trial& trial, const std::vector<double>& factors)
   for (std::size_t k = 0; k < axes_.size(); ++k) {
     if (acts(k, trial.words)) made.setting[k] = axes_[k].scaled(trial.setting[k], factors[k]);
   }
-  return taken(std::move(made));
+  return with_ends_at_probes(taken(std::move(made)));
 }
 
 bool AdviceRuns::run_all(std::vector<Trial> trials) {

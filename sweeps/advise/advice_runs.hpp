@@ -42,9 +42,12 @@ class AdviceRuns {
   /// The trial as a run takes it: steps that divide the samples, and numbers that do nothing as the
   /// file has them (fibres at least 40), so that what is one run is one trial.
   Trial taken(Trial trial) const;
+  /// The trial with segments that end at the probes of joints: by a quarter more, where so many
+  /// even ones do, else even between these places.
+  Trial with_ends_at_probes(Trial trial) const;
   /// That of the scene's file.
   Trial own() const;
-  /// The sizes of all axes that act, times a factor each (n_axes).
+  /// The sizes of all axes that act, times a factor each (n_axes), with ends at probes.
   Trial scaled(const Trial& trial, const std::vector<double>& factors) const;
 
   /// Runs the trials, as taken, that were not run yet. False: runs or work are used up, or it was

@@ -69,7 +69,8 @@ std::string numbers_text(const Advice& advice) {
 std::string graded_text(const Advice& advice) {
   if (advice.fractions.empty()) return {};
   const auto [shortest, longest] = std::ranges::minmax(advice.fractions);
-  std::string text = fmt::format("  beam.segment_lengths: graded, from {} to {} of the length",
+  std::string text = fmt::format("  beam.segment_lengths: {}, from {} to {} of the length",
+                                 advice.even ? "graded" : "with ends at the probes",
                                  percent(shortest), percent(longest));
   if (advice.even && advice.cost > 0.0) {
     text += fmt::format("; {:.0f} even ones would be {:.2g} times the cost",
@@ -126,7 +127,7 @@ std::string setting_text(const Advice& advice, const TriedSetting& one) {
     const WordAxis& axis = advice.word_axes[w];
     text += fmt::format(", {} = {}", axis.field().path, axis.choices[one.words[w]].text());
   }
-  if (!one.fractions.empty()) text += ", graded";
+  if (!one.fractions.empty()) text += ", uneven";
   return text;
 }
 

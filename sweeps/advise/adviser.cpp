@@ -31,6 +31,8 @@ constexpr double kTrusted = 1.25;
 /// allowed: where the differences between models can be told from those of a coarse beam.
 constexpr double kCloseError = 0.2;
 constexpr double kCloseToAllowed = 8.0;
+/// Where nothing moves, on the sizes of the run that tells whether anything does.
+constexpr double kFarFiner = 0.0625;
 /// So often words may be decided: where those that a coarse beam asks for do not do.
 constexpr int kDecisions = 3;
 
@@ -43,7 +45,7 @@ Trial Adviser::coarsest() const {
   for (std::size_t k = 0; k < runs_.axes().size(); ++k) {
     trial.setting[k] = runs_.axes()[k].coarsest;
   }
-  return runs_.taken(std::move(trial));
+  return runs_.with_ends_at_probes(runs_.taken(std::move(trial)));
 }
 
 Trial Adviser::finer(const Trial& trial, std::size_t axis) const {
@@ -155,18 +157,15 @@ bool Adviser::verify(Candidate& candidate) {
   std::vector<double> factors = factors_in_all(candidate, kRefined);
   // Where no order was seen, a run twice as fine is no proof: what yields may show its errors late,
   // and a load or a probe may stand at the same part of a segment in both.
-  bool further_off = false;
+  const std::vector<double> usual = factors;
   for (std::size_t k = 0; k < factors.size(); ++k) {
-    if (!rests_on_unseen(candidate, k)) continue;
-    factors[k] *= kRefined;
-    further_off = true;
+    if (rests_on_unseen(candidate, k)) factors[k] *= kRefined;
   }
   if (!run_finest(candidate, factors)) return false;
   Deviation off = runs_.off(candidate.trial, *finest_);
-  if (off.reason.empty() && !further_off && outcomes_vary()) {
+  if (off.reason.empty() && outcomes_vary()) {
     // Near a break, a limit or another path it may be on the same wrong side, too.
-    for (double& factor : factors) factor *= kRefined;
-    further_off = true;
+    for (std::size_t k = 0; k < factors.size(); ++k) factors[k] = usual[k] * kRefined;
     if (!run_finest(candidate, factors)) return false;
     const Deviation further = runs_.off(candidate.trial, *finest_);
     if (further.largest > off.largest) off = further;
@@ -177,15 +176,16 @@ bool Adviser::verify(Candidate& candidate) {
   // What the finer run itself is off: by the axis that falls the slowest of those that matter.
   double left = 1.0;
   double changes = 0.0;
+  double expected = 0.0;  // of the run that verifies
   for (std::size_t k = 0; k < factors.size(); ++k) {
     const AxisError& e = candidate.errors[k];
     changes += e.change;
+    expected += e.change * usual[k] / factors[k];
     if (e.error > 0.05 * candidate.numbers) {
       left = std::max(left, left_of(1.0, e.ratio * kRefined / factors[k], e.order));
     }
   }
-  const double trusted = kTrusted * (further_off ? 1.0 / kRefined : 1.0);
-  if (off.largest > trusted * changes + words_.error() && !measure_all_) {
+  if (off.largest > kTrusted * expected + words_.error() && !measure_all_) {
     measure_all_ = true;  // what was foretold is not so
     return true;
   }
@@ -219,13 +219,29 @@ bool Adviser::judge(Candidate& candidate) {
       if (!estimate(candidate) || !settle_words(candidate, changed)) return false;
     }
     if (words_.decided() && !moves_) {
-      throw InputError({}, "probe", "",
-                       "stays within rounding, whatever is probed: advice needs "
-                       "a probe of something that moves");
+      if (!go_on_if_finer_moves(candidate)) return false;
+      continue;
     }
     if (!words_.decided() || candidate.numbers + words_.error() > within_) return true;
     if (!verify(candidate)) return false;
   } while (!words_.decided() || measure_all_ != measured_all);
+  return true;
+}
+
+bool Adviser::go_on_if_finer_moves(Candidate& candidate) {
+  const Trial finer =
+      runs_.scaled(candidate.trial, std::vector<double>(runs_.axes().size(), kFarFiner));
+  if (!runs_.run_all({finer})) return false;
+  const Deviation off = runs_.off(candidate.trial, finer);
+  if (off.quantities == 0 && off.reason.empty()) {
+    throw InputError({}, "probe", "",
+                     "stays within rounding, whatever is probed: advice needs "
+                     "a probe of something that moves");
+  }
+  for (std::size_t k = 0; k < runs_.axes().size(); ++k) models_.forget(k);
+  candidate = {.trial = words_.with_own_methods(finer)};
+  words_.doubt();
+  moves_ = true;
   return true;
 }
 
@@ -247,7 +263,7 @@ Trial Adviser::next_of(const Candidate& candidate) {
   Trial next = candidate.trial;
   next.setting = next_setting(runs_.axes(), candidate.trial.setting, planned,
                               share_ * std::max(allowed, 0.1 * within_));
-  next = runs_.taken(std::move(next));
+  next = runs_.with_ends_at_probes(runs_.taken(std::move(next)));
   return next == candidate.trial
              ? runs_.scaled(candidate.trial, factors_in_all(candidate, kRefined))
              : next;

@@ -49,6 +49,10 @@ class Adviser {
   /// Measures what the words leave out, and runs the finest beside the candidate.
   bool verify(Candidate& candidate);
   bool judge(Candidate& candidate);
+  /// Where all that is probed stays within rounding: from a setting that is far finer, by the
+  /// file's own methods, if anything moves there. What the ends of a coarse beam hold may.
+  /// @throws InputError if nothing does
+  bool go_on_if_finer_moves(Candidate& candidate);
   Trial next_of(const Candidate& candidate);
   /// Whether refinement has stopped to help: the sum has not fallen for some settings.
   bool diverges(const Candidate& candidate);

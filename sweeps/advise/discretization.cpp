@@ -36,15 +36,17 @@ FinenessAxis axis_of(std::string_view path, double coarsest, double finest) {
   return {&find_field(path), coarsest, finest};
 }
 
-/// The time step of a motion, whose coarsest is the time between samples; of adaptive steps what
-/// one may be off.
-FinenessAxis time_axis(const Setup& setup) {
-  if (setup.solver.step_error > 0.0) {
-    return axis_of("solver.step_error", kLargestStepError, kSmallestStepError);
-  }
+/// The time step of a motion, whose coarsest is the time between samples, or what sees the
+/// histories; with adaptive steps what one may be off, and the longest one.
+void add_time_axes(const Setup& setup, std::vector<FinenessAxis>& axes) {
   const FixedSteps steps =
       fixed_steps(path_stops(setup.scene, setup.solver), std::numeric_limits<double>::max());
-  return axis_of("solver.time_step", steps.longest, steps.longest / kMostStepsOfASample);
+  double coarsest = std::min(steps.longest, resolving_step(setup));
+  if (setup.solver.step_error > 0.0) {
+    axes.push_back(axis_of("solver.step_error", kLargestStepError, kSmallestStepError));
+    coarsest = std::min(coarsest, setup.solver.time_step);
+  }
+  axes.push_back(axis_of("solver.time_step", coarsest, coarsest / kMostStepsOfASample));
 }
 
 /// A step is the difference of two samples over a count: its last digits are rounding, which a
@@ -55,11 +57,11 @@ double without_rounding(double step) { return std::stod(fmt::format("{:.12g}", s
 void refuse_numbered(const Scene& scene, const SolverOptions& solver) {
   if (!scene.beam.segment_fractions.empty()) {
     throw InputError({}, "beam.segment_lengths", "",
-                     "fixes the segments, whose number is to be advised");
+                     "fixes the segments, whose number is to be chosen");
   }
   if (!scene.beam.joint_lengths.empty()) {
     throw InputError({}, "beam.joint_lengths", "",
-                     "fixes the segments, whose number is to be advised");
+                     "fixes the segments, whose number is to be chosen");
   }
   const auto refuse = [](const std::optional<Place>& place, std::string_view what) {
     if (!place || !place->segment) return;
@@ -86,6 +88,26 @@ void refuse_numbered(const Scene& scene, const SolverOptions& solver) {
 }
 
 }  // namespace
+
+double resolving_step(const Setup& setup) {
+  constexpr double kStepsASwing = 4.0;
+  double shortest = std::numeric_limits<double>::infinity();
+  const auto look = [&](const History& history) {
+    if (history.slope.empty()) return;  // a motion stops at each corner of straight segments
+    // It goes on a part of its way alone before the first turn and after the last one.
+    std::vector<double> turns = history.reversals();
+    if (turns.size() < 2) turns = history.corners();
+    for (std::size_t i = 1; i < turns.size(); ++i) {
+      shortest = std::min(shortest, turns[i] - turns[i - 1]);
+    }
+  };
+  for (const Load& load : setup.scene.loads) look(load.history);
+  for (const Support& support : setup.scene.supports) {
+    if (support.moves()) look(support.history);
+  }
+  look(setup.scene.gravity_history);
+  return shortest / kStepsASwing;
+}
 
 double FinenessAxis::size(double value) const {
   return refinement_of(*field) == Refinement::Count ? 1.0 / value : value;
@@ -114,7 +136,7 @@ std::vector<FinenessAxis> fineness_axes(const Setup& setup) {
   std::vector<FinenessAxis> axes{axis_of("beam.segments", kFewestSegments, kMostSegments)};
   const bool moves = setup.solver.analysis == Analysis::Dynamics;
   const bool yields = setup.scene.yield_model != YieldModel::Elastic;
-  if (moves) axes.push_back(time_axis(setup));
+  if (moves) add_time_axes(setup, axes);
   if (setup.scene.yield_model == YieldModel::Fibre) {
     axes.push_back(axis_of("solver.fibres", kFewestFibres, kMostFibres));
   }

@@ -23,9 +23,14 @@ struct FinenessAxis {
 /// A value of each axis, in their order (n_axes).
 using Setting = std::vector<double>;
 
-/// The axes that a scene has: its segments; the time step of a motion with fixed steps, or what a
-/// step may be off with adaptive ones; fibres of a fibre section; the recorded steps of a path at
-/// rest that yields, which advice never makes fewer.
+/// The longest time step that sees each swing of the loads and motions [s]: a quarter of the
+/// shortest time in which a smooth history goes one way. Two steps of a multiple of it may both
+/// miss, or hit alike, what goes to and fro. Infinite where all histories are straight.
+double resolving_step(const Setup& setup);
+
+/// The axes that a scene has: its segments; the time step of a motion, which begins with one that
+/// is no longer than `resolving_step`, and with adaptive steps what one may be off; fibres of a
+/// fibre section; the recorded steps of a path at rest that yields, which advice never makes fewer.
 /// @throws InputError for a coupon, whose run has no such error, and for a scene that says
 ///         something by the number of a segment
 std::vector<FinenessAxis> fineness_axes(const Setup& setup);

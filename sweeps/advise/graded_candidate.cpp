@@ -15,7 +15,7 @@ namespace {
 constexpr double kWorthGrading = 0.8;
 /// So many numbers of segments are tried.
 constexpr int kTries = 3;
-constexpr double kShare = 0.9;  ///< of the allowed error that a number of segments aims at
+constexpr double kAimed = 0.9;  ///< of the allowed error that a number of segments aims at
 constexpr double kFewest = 4.0;
 /// Of the sum over the axes: what segments must add for their lengths to matter.
 constexpr double kWorthLooking = 0.2;
@@ -65,7 +65,7 @@ class Grading {
   /// How many segments leave what the other axes do not take, of a number and the error it has.
   double number_for(double segments, double error) const {
     const double others = even_.numbers - even_.errors[0].error;
-    const double allowed = kShare * (within_ - words_) - others;
+    const double allowed = kAimed * (within_ - words_) - others;
     if (!(allowed > 0.0)) return segments;
     return std::max(std::ceil(segments * std::sqrt(error / allowed)), kFewest);
   }

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
+#include <utility>
 
 #include "plastica/model/beam_axis.hpp"
 
@@ -13,35 +13,37 @@ namespace {
 /// 0.03 is 0.31.
 constexpr double kFloor = 0.03;
 
-/// The curvature at each joint [rad per length of the beam].
-std::vector<double> curvature_of(const Scene& scene, const std::vector<double>& bent,
-                                 const std::vector<double>& ends) {
-  const std::size_t last = ends.size() - 1;
-  std::vector<double> curvature(ends.size());
-  for (std::size_t i = 1; i < last; ++i)
-    curvature[i] = bent[i] / (0.5 * (ends[i + 1] - ends[i - 1]));
-  // What a hinge turns by bends nothing.
-  for (const Support& one : scene.supports) {
-    if (one.kind != SupportKind::Hinge) continue;
-    const auto at = segment_end_at(one.at, ends);
-    if (!at || *at < 2 || *at + 2 > static_cast<int>(last)) continue;
-    const auto i = static_cast<std::size_t>(*at);
-    curvature[i] = 0.5 * (curvature[i - 1] + curvature[i + 1]);
+/// How fast the curvature changes over each segment, of each stretch between needed ends by itself:
+/// at a hinge, or where the section changes, it jumps, which costs nothing. [rad per length^2]
+std::vector<double> changes_of_curvature(const std::vector<double>& bent,
+                                         const std::vector<double>& ends,
+                                         const std::vector<double>& needed) {
+  std::vector<double> change(ends.size() - 1, 0.0);
+  const auto curvature = [&](std::size_t i) {
+    return bent[i] / (0.5 * (ends[i + 1] - ends[i - 1]));
+  };
+  std::size_t first = 0;
+  for (std::size_t stretch = 1; stretch < needed.size(); ++stretch) {
+    const auto found = segment_end_at({needed[stretch], {}}, ends);
+    if (!found) continue;  // a place within a segment: the stretch goes on
+    const auto last = static_cast<std::size_t>(*found);
+    for (std::size_t i = first + 2; i < last; ++i) {
+      change[i - 1] = std::abs(curvature(i) - curvature(i - 1)) / (ends[i] - ends[i - 1]);
+    }
+    // How much of a length an end's joint stands for is a rule of its own: on as within.
+    if (last >= first + 3) {
+      change[first] = change[first + 1];
+      change[last - 1] = change[last - 2];
+    }
+    first = last;
   }
-  // How much of a length an end's joint stands for is a rule of its own: on as within.
-  curvature[0] = 2.0 * curvature[1] - curvature[2];
-  curvature[last] = 2.0 * curvature[last - 1] - curvature[last - 2];
-  return curvature;
+  return change;
 }
 
 /// How many segments come before each end: its cumulative density, 0 … 1.
-std::vector<double> cumulative_density(const std::vector<double>& curvature,
+std::vector<double> cumulative_density(const std::vector<double>& change,
                                        const std::vector<double>& ends) {
-  const std::size_t count = ends.size() - 1;
-  std::vector<double> change(count);
-  for (std::size_t i = 0; i < count; ++i) {
-    change[i] = std::abs(curvature[i + 1] - curvature[i]) / (ends[i + 1] - ends[i]);
-  }
+  const std::size_t count = change.size();
   std::vector<double> smooth(count);
   double mean = 0.0;
   for (std::size_t i = 0; i < count; ++i) {
@@ -67,17 +69,29 @@ double on_line(const std::vector<double>& xs, const std::vector<double>& ys, dou
   return ys[k - 1] + part * (ys[k] - ys[k - 1]);
 }
 
-/// Where segments are to end: where the scene needs it, and where it looks. What a probe within a
-/// segment sees goes with the place in it, in a beam with each segment divided, too.
-std::vector<double> wanted_ends(const Scene& scene, const std::vector<double>& ends) {
+/// Places in their order, the last one the beam's end.
+std::vector<double> each_once(std::vector<double> places) {
   constexpr double kSamePlace = 1e-9;
-  std::vector<double> wanted = needed_ends(scene);
-  for (const Probe& probe : scene.probes) wanted.push_back(fraction_of(probe.at, ends));
-  std::sort(wanted.begin(), wanted.end());
+  std::sort(places.begin(), places.end());
   const auto same = [](double a, double b) { return b - a <= kSamePlace; };
-  wanted.erase(std::unique(wanted.begin(), wanted.end(), same), wanted.end());
-  wanted.back() = 1.0;
-  return wanted;
+  places.erase(std::unique(places.begin(), places.end(), same), places.end());
+  places.back() = 1.0;
+  return places;
+}
+
+/// Where segments are to end: where the scene needs it, where it looks, where it cuts, and where
+/// what moves at first begins and ends. What a probe within a segment sees goes with the place in
+/// it, in a beam with each segment divided, too.
+std::vector<double> wanted_ends(const Scene& scene, const std::vector<double>& ends) {
+  std::vector<double> wanted = needed_ends(scene);
+  const auto add = [&](const Place& place) { wanted.push_back(fraction_of(place, ends)); };
+  for (const Probe& probe : scene.probes) add(probe.at);
+  for (const Cut& cut : scene.cuts) add(cut.at);
+  for (const InitialMotion& motion : scene.initial_motions) {
+    add(motion.from);
+    add(motion.to);
+  }
+  return each_once(std::move(wanted));
 }
 
 /// How many segments each stretch between wanted ends gets: at least one, else by its part.
@@ -103,7 +117,8 @@ std::vector<double> graded_fractions(const Scene& scene, const std::vector<doubl
   if (ends.size() < 4 || ends.size() != bent.size()) return {};
   const std::vector<double> wanted = wanted_ends(scene, ends);
   if (segments + 1 < static_cast<int>(wanted.size())) return {};
-  const std::vector<double> sum = cumulative_density(curvature_of(scene, bent, ends), ends);
+  const std::vector<double> sum =
+      cumulative_density(changes_of_curvature(bent, ends, needed_ends(scene)), ends);
   if (sum.empty()) return {};
   std::vector<double> density_at;
   for (const double place : wanted) density_at.push_back(on_line(ends, sum, place));
@@ -123,6 +138,31 @@ std::vector<double> graded_fractions(const Scene& scene, const std::vector<doubl
     }
   }
   return fractions;
+}
+
+std::vector<double> fractions_that_end_at_probes(const Scene& scene) {
+  const std::vector<double> ends = segment_ends(scene);
+  if (ends_at_probes(scene)) return {};
+  std::vector<double> wanted = needed_ends(scene);
+  for (const Probe& probe : scene.probes) {
+    if (is_of_joint(probe.quantity)) wanted.push_back(fraction_of(probe.at, ends));
+  }
+  wanted = each_once(std::move(wanted));
+  if (scene.beam.segments + 1 < static_cast<int>(wanted.size())) return {};
+  const std::vector<int> counts = dealt(wanted, scene.beam.segments);
+  std::vector<double> fractions;
+  for (std::size_t j = 0; j + 1 < wanted.size(); ++j) {
+    const double length = (wanted[j + 1] - wanted[j]) / counts[j];
+    fractions.insert(fractions.end(), static_cast<std::size_t>(counts[j]), length);
+  }
+  return fractions;
+}
+
+bool ends_at_probes(const Scene& scene) {
+  const std::vector<double> ends = segment_ends(scene);
+  return std::ranges::all_of(scene.probes, [&](const Probe& probe) {
+    return !is_of_joint(probe.quantity) || segment_end_at(probe.at, ends);
+  });
 }
 
 std::vector<double> divided_evenly(const std::vector<double>& fractions, int parts) {

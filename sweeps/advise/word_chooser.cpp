@@ -191,7 +191,10 @@ bool WordChooser::choose_method(const Trial& trial, std::size_t w,
     const auto& numbers = runs_.axes();
     while (k < numbers.size() && numbers[k].field->path != "solver.time_step") ++k;
     // What an adaptive step may be off is said of the step, whatever the scheme.
-    if (k == numbers.size()) return true;
+    const bool adaptive = std::ranges::any_of(numbers, [](const FinenessAxis& axis_of) {
+      return axis_of.field->path == "solver.step_error";
+    });
+    if (adaptive || k == numbers.size()) return true;
   }
   const double significant = static_cast<double>(std::ranges::count_if(
       errors, [&](const AxisError& e) { return e.error > kSlight * within_; }));

@@ -9,6 +9,8 @@
 #include "plastica/run/response_size.hpp"
 #include "plastica/run/simulate.hpp"
 #include "sweeps/advise/discretization.hpp"
+#include "sweeps/advise/grading.hpp"
+#include "sweeps/advise/word_axes.hpp"
 
 namespace plastica::sweeps::stability {
 namespace {
@@ -33,7 +35,11 @@ std::optional<Setup> finer(const Setup& setup) {
     fine.push_back(axes[k].scaled(own[k], segments ? kOfSegments : kOfOthers));
   }
   if (fine == own) return std::nullopt;
-  return setup_at(setup, axes, fine);
+  Setup made = setup_at(setup, axes, fine);
+  made.solver.time_step = std::min(made.solver.time_step, kOfOthers * resolving_step(setup));
+  Setup divided = made;
+  divided.scene.beam.segment_fractions = fractions_that_end_at_probes(made.scene);
+  return is_accepted(divided) ? divided : made;
 }
 
 /// A limit load is an answer of a user's scene: only what every response must keep is known.

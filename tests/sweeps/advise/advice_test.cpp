@@ -119,6 +119,71 @@ TEST(Advice, IsNotTakenInByPlacesThatStandAlikeInTwoDivisions) {
   EXPECT_NEAR(rows[0].response.probes[0].back(), truth, 0.05 * std::abs(truth));
 }
 
+/// A joint's probe within a segment is of the nearest joint, which may be the same one in N and 2N.
+TEST(Advice, SeesWhatProbesOfJointsAreOffWithinSegments) {
+  for (const double at : {0.8, 0.37}) {
+    const plastica::Setup setup =
+        io::parse_scene_file(
+            "material = 'S355'\n[beam]\nlength = '2 m'\nsegments = 32\n"
+            "section = { shape = 'rectangle', width = '20 mm', height = '20 mm' }\n"
+            "[rules]\nyield_model = 'elastic'\n[solver]\nsteps = 2\n"
+            "[[support]]\nat = 'start'\nkind = 'clamp'\n"
+            "[[load]]\nat = 'end'\nforce = ['0 N', '-3 N', '0 N']\n"
+            "[[probe]]\nname = 'tip'\nkind = 'displacement'\nat = 'end'\ncomponent = 'y'\n"
+            "[[probe]]\nname = 'bend'\nkind = 'moment'\ncomponent = 'x'\nat = " +
+                std::to_string(at) + "\n",
+            "probed.toml")
+            .setup;
+    const double truth = 3.0 * 2.0 * (1.0 - at);  // [N m]; the tip comes 1e-6 of the length closer
+    for (const double within : {0.05, 0.01, 0.002}) {
+      const Advice advice = advise(setup, asked(within));
+      ASSERT_EQ(advice.end, AdviceEnd::Found);
+      const plastica::Setup at_advice = advised_setup(setup, advice);
+      const double bend = simulate(at_advice.scene, at_advice.solver).probes[1].back();
+      EXPECT_NEAR(std::abs(bend), truth, within * truth) << at << ", within " << within;
+      const plastica::Setup finer = finer_setup(setup, advice, 0.25);
+      EXPECT_NEAR(std::abs(simulate(finer.scene, finer.solver).probes[1].back()), truth,
+                  1e-4 * truth);
+    }
+  }
+}
+
+TEST(Advice, GoesOnWhereACoarseBeamHoldsStillWhatAFinerOneMoves) {
+  // With end segments that are clamped rigidly nothing of four segments moves under these.
+  plastica::Setup setup = tip_cantilever(0.02, "['0 N', '-2000 N', '0 N']");
+  setup.scene.supports.push_back({.at = Place::end(), .kind = SupportKind::Roller});
+  setup.scene.loads[0].at = {0.03, {}};
+  setup.scene.probes[0].at = {0.013, {}};
+  const Advice advice = advise(setup, asked(0.05));
+  ASSERT_EQ(advice.end, AdviceEnd::Found) << advice.reason;
+  plastica::Setup fine = setup;
+  fine.scene.beam.segments = 4000;
+  fine.solver.translation = JointTranslation::Elastic;
+  const double truth = simulate(fine.scene, fine.solver).probes[0].back();
+  EXPECT_NEAR(end_of(setup, advice), truth, 0.05 * std::abs(truth));
+}
+
+/// Steps of a multiple of its half period see nothing of a sine, however many there are.
+TEST(Advice, BeginsWithStepsThatSeeEverySwing) {
+  plastica::Setup setup = tip_cantilever(0.02, "['0 N', '-1 N', '0 N']", "yield_model = 'elastic'",
+                                         "analysis = 'dynamics'\nduration = '40 ms'\nsteps = 10");
+  EXPECT_TRUE(std::isinf(resolving_step(setup)));
+  EXPECT_DOUBLE_EQ(fineness_axes(setup)[1].coarsest, 4e-3);
+  setup.scene.loads[0].history = History::smooth_step(1e-3, 3e-3);
+  EXPECT_NEAR(resolving_step(setup), 0.5e-3, 1e-12);
+  for (const double cycles : {40.0, 33.3, 250.0}) {
+    setup.scene.loads[0].history = History::sine(1e-3, cycles);
+    EXPECT_NEAR(resolving_step(setup), 1e-3 / 8.0, 1e-9) << cycles;
+    EXPECT_LE(fineness_axes(setup)[1].coarsest, 1.01e-3 / 8.0);
+  }
+  setup.solver.step_error = 1e-4;
+  const auto axes = fineness_axes(setup);
+  ASSERT_EQ(axes.size(), 3u);
+  EXPECT_EQ(axes[1].field->path, "solver.step_error");
+  EXPECT_EQ(axes[2].field->path, "solver.time_step");
+  EXPECT_LE(axes[2].coarsest, 1.01e-3 / 8.0);
+}
+
 TEST(Advice, RefusesATolerance) {
   plastica::Setup setup = cantilever();
   setup.solver.tolerance = 0.1;
@@ -174,7 +239,7 @@ TEST(Advice, RefusesWhatHangsOnTheNumberOfSegments) {
   setup.scene.beam.segments = 2;
   setup.scene.beam.segment_fractions = {0.25, 0.75};
   EXPECT_EQ(message_of([&] { advise(setup, asked(0.01)); }),
-            "beam.segment_lengths: fixes the segments, whose number is to be advised");
+            "beam.segment_lengths: fixes the segments, whose number is to be chosen");
 }
 
 }  // namespace

@@ -92,6 +92,38 @@ TEST(Grading, DoesNotTakeAHingesTurnForBending) {
   }
 }
 
+TEST(Grading, DoesNotRefineWhereTheSectionChanges) {
+  Scene scene = straight(40);
+  scene.regions.push_back({.from = {0.5, {}}});
+  const auto bent = bent_by(scene, [](double s) { return (s < 0.5 ? 1.0 : 5.0) * (2.0 - s); });
+  const std::vector<double> lengths = graded_fractions(scene, bent, 16);
+  ASSERT_EQ(lengths.size(), 16u);
+  // Five times the change takes 5^(1/3) of the length; nothing is shorter at the edge.
+  const auto [least, most] = std::ranges::minmax(lengths);
+  EXPECT_LT(most / least, 1.25 * std::cbrt(5.0));
+}
+
+TEST(Grading, EndsEvenSegmentsAtProbesOfJointsWhereNoneDo) {
+  Scene scene = straight(8);
+  Probe probe;
+  probe.quantity = ProbeQuantity::Moment;
+  probe.at = {0.25, {}};
+  scene.probes = {probe};
+  EXPECT_TRUE(ends_at_probes(scene));
+  EXPECT_TRUE(fractions_that_end_at_probes(scene).empty());
+  scene.probes[0].at = {0.37, {}};
+  EXPECT_FALSE(ends_at_probes(scene));
+  const std::vector<double> lengths = fractions_that_end_at_probes(scene);
+  ASSERT_EQ(lengths.size(), 8u);
+  scene.beam.segment_fractions = lengths;
+  EXPECT_TRUE(ends_at_probes(scene));
+  EXPECT_NEAR(lengths[0], 0.37 / 3.0, 1e-12);
+  EXPECT_NEAR(lengths[7], 0.63 / 5.0, 1e-12);
+  scene.beam.segment_fractions.clear();
+  scene.probes[0].quantity = ProbeQuantity::Displacement;  // of the point itself
+  EXPECT_TRUE(ends_at_probes(scene));
+}
+
 TEST(Grading, DividesEachSegment) {
   EXPECT_EQ(divided_evenly({0.25, 0.75}, 2), (std::vector<double>{0.125, 0.125, 0.375, 0.375}));
 }

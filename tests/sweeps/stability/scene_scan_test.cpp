@@ -64,6 +64,32 @@ TEST(SceneScan, IsNotTakenInByPlacesThatStandAlikeInTwoDivisions) {
   }
 }
 
+TEST(SceneScan, IsNotTakenInByProbesOfTheSameNearestJoint) {
+  plastica::Setup setup = places_alike(9);
+  setup.scene.supports.pop_back();
+  setup.scene.loads[0].at = Place::end();
+  Probe& probe = setup.scene.probes[0];
+  probe.quantity = ProbeQuantity::Moment;
+  probe.component = Component::X;
+  // The joint at 8/9 is the nearest one of 9 segments and of 36.
+  probe.at = {0.9, {}};
+  const SceneScan scan = scan_of(setup, {"beam.segments"});
+  EXPECT_EQ(scan.own.validity, Validity::Inaccurate);
+  EXPECT_NEAR(scan.deviation.value_or(0.0), 0.1 / 0.9, 0.01);
+}
+
+TEST(SceneScan, IsNotTakenInByStepsOfTheLoadsPeriod) {
+  plastica::Setup setup = places_alike(8);
+  setup.solver.analysis = Analysis::Dynamics;
+  setup.solver.duration = 0.2;
+  setup.solver.steps = 50;
+  setup.solver.time_step = 4e-3;
+  setup.scene.loads[0].history = History::sine(1e-3, 200.0, 0.5);
+  setup.scene.loads[0].at = Place{0.5, {}};
+  setup.scene.probes[0].at = Place{0.5, {}};
+  EXPECT_EQ(scan_of(setup, {"beam.length"}).own.validity, Validity::Inaccurate);
+}
+
 TEST(SceneScan, FollowsASceneWhoseResultIsTheSameUpToItsReach) {
   // An elastic beam's shape under its own end's motion depends on no modulus.
   plastica::Setup setup = shipped_scene("cantilever");
