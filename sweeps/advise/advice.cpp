@@ -136,15 +136,10 @@ Setup finer_setup(const Setup& setup, const Advice& advice, double factor) {
   // A scheme that cannot have all of them gives way to one that can.
   if (!is_accepted(richest)) richest.solver.scheme = Scheme::LinearlyImplicitMidpoint;
   Setup finer = setup_at(richest, advice.axes, setting);
-  Setup divided = finer;
-  if (advice.fractions.empty()) {
-    divided.scene.beam.segment_fractions = fractions_that_end_at_probes(finer.scene);
-  } else {
-    const auto parts = static_cast<int>(std::ceil(1.0 / factor - 1e-9));
-    divided.scene.beam.segment_fractions = divided_evenly(advice.fractions, parts);
-    divided.scene.beam.segments = static_cast<int>(divided.scene.beam.segment_fractions.size());
-  }
-  return is_accepted(divided) ? divided : finer;
+  finer.scene.beam = with_divided_segments(advised_setup(setup, advice).scene,
+                                           static_cast<int>(std::ceil(1.0 / factor - 1e-9)))
+                         .beam;
+  return finer;
 }
 
 }  // namespace plastica::sweeps

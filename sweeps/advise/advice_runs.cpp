@@ -1,6 +1,7 @@
 #include "sweeps/advise/advice_runs.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <string>
 #include <utility>
@@ -78,7 +79,15 @@ Trial AdviceRuns::scaled(const Trial& trial, const std::vector<double>& factors)
   for (std::size_t k = 0; k < axes_.size(); ++k) {
     if (acts(k, trial.words)) made.setting[k] = axes_[k].scaled(trial.setting[k], factors[k]);
   }
-  return with_ends_at_probes(taken(std::move(made)));
+  made = taken(std::move(made));
+  const double parts = std::round(1.0 / factors[0]);
+  const bool divides =
+      std::abs(parts * factors[0] - 1.0) < 1e-9 && parts * trial.setting[0] <= axes_[0].finest;
+  if (!divides) return with_ends_at_probes(std::move(made));
+  Scene divided = with_divided_segments(setup_of(trial).scene, static_cast<int>(parts));
+  made.setting[0] = divided.beam.segments;
+  made.fractions = std::move(divided.beam.segment_fractions);
+  return made;
 }
 
 bool AdviceRuns::run_all(std::vector<Trial> trials) {

@@ -47,7 +47,8 @@ class AdviceRuns {
   Trial with_ends_at_probes(Trial trial) const;
   /// That of the scene's file.
   Trial own() const;
-  /// The sizes of all axes that act, times a factor each (n_axes), with ends at probes.
+  /// The sizes of all axes that act, times a factor each (n_axes). Where that of the segments, the
+  /// first, is one over a whole number, each is divided; else they are with ends at probes.
   Trial scaled(const Trial& trial, const std::vector<double>& factors) const;
 
   /// Runs the trials, as taken, that were not run yet. False: runs or work are used up, or it was

@@ -56,8 +56,9 @@ Trial Adviser::finer(const Trial& trial, std::size_t axis) const {
 
 std::vector<double> Adviser::factors_in_all(const Candidate& candidate, double factor) const {
   std::vector<double> factors;
-  for (const AxisError& e : candidate.errors) {
-    const bool minor = e.error < kMinor * candidate.numbers;
+  for (std::size_t k = 0; k < candidate.errors.size(); ++k) {
+    // Segments are divided, whatever their number alone seems to do.
+    const bool minor = k > 0 && candidate.errors[k].error < kMinor * candidate.numbers;
     factors.push_back(factor * (minor ? kSlightlyRefined / kRefined : 1.0));
   }
   return factors;

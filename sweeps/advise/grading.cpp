@@ -165,6 +165,33 @@ bool ends_at_probes(const Scene& scene) {
   });
 }
 
+Scene with_divided_segments(const Scene& scene, int parts) {
+  const std::vector<double> own = segment_ends(scene);
+  std::vector<double> ends;
+  for (std::size_t i = 0; i + 1 < own.size(); ++i) {
+    for (int k = 0; k < parts; ++k) {
+      ends.push_back(std::lerp(own[i], own[i + 1], static_cast<double>(k) / parts));
+    }
+  }
+  ends.push_back(1.0);
+  for (const Probe& probe : scene.probes) {
+    if (is_of_joint(probe.quantity)) ends.push_back(fraction_of(probe.at, own));
+  }
+  ends = each_once(std::move(ends));
+  Scene made = scene;
+  made.beam.segments = static_cast<int>(ends.size()) - 1;
+  made.beam.segment_fractions.clear();
+  const bool sets_lengths =
+      scene.end_rule == EndRule::Half || scene.end_rule == EndRule::ThreeHalves;
+  const std::vector<double> even = segment_ends(made);
+  const auto is_there = [&](double end) { return segment_end_at({end, {}}, even).has_value(); };
+  if (sets_lengths || std::ranges::all_of(ends, is_there)) return made;
+  for (std::size_t i = 1; i < ends.size(); ++i) {
+    made.beam.segment_fractions.push_back(ends[i] - ends[i - 1]);
+  }
+  return made;
+}
+
 std::vector<double> divided_evenly(const std::vector<double>& fractions, int parts) {
   std::vector<double> all;
   all.reserve(fractions.size() * static_cast<std::size_t>(parts));

@@ -37,4 +37,13 @@ std::vector<double> fractions_that_end_at_probes(const Scene& scene);
 /// Each segment divided into equal parts.
 std::vector<double> divided_evenly(const std::vector<double>& fractions, int parts);
 
+/// The scene with each segment divided into equal parts, and an end at each probe of a joint. So
+/// many segments alone would not do: between places where the scene needs ends they are dealt out
+/// by length, and a short stretch keeps its one segment for long. Where even segments have all
+/// these ends they are even.
+/// @param scene  that lets its segments be divided: not with EndRule::Half or ThreeHalves, of which
+///               it is the scene with so many more segments
+/// @param parts  >= 1
+Scene with_divided_segments(const Scene& scene, int parts);
+
 }  // namespace plastica::sweeps

@@ -10,7 +10,6 @@
 #include "plastica/run/simulate.hpp"
 #include "sweeps/advise/discretization.hpp"
 #include "sweeps/advise/grading.hpp"
-#include "sweeps/advise/word_axes.hpp"
 
 namespace plastica::sweeps::stability {
 namespace {
@@ -37,9 +36,9 @@ std::optional<Setup> finer(const Setup& setup) {
   if (fine == own) return std::nullopt;
   Setup made = setup_at(setup, axes, fine);
   made.solver.time_step = std::min(made.solver.time_step, kOfOthers * resolving_step(setup));
-  Setup divided = made;
-  divided.scene.beam.segment_fractions = fractions_that_end_at_probes(made.scene);
-  return is_accepted(divided) ? divided : made;
+  const double parts = made.scene.beam.segments / double(setup.scene.beam.segments);
+  made.scene.beam = with_divided_segments(setup.scene, static_cast<int>(parts)).beam;
+  return made;
 }
 
 /// A limit load is an answer of a user's scene: only what every response must keep is known.

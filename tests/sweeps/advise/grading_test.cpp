@@ -124,6 +124,32 @@ TEST(Grading, EndsEvenSegmentsAtProbesOfJointsWhereNoneDo) {
   EXPECT_TRUE(ends_at_probes(scene));
 }
 
+TEST(Grading, DividesTheSegmentsOfShortStretches) {
+  Scene scene = straight(4);
+  scene.loads = {{.at = {0.03, {}}}};
+  ASSERT_EQ(segment_ends(scene)[1], 0.03);
+  scene.beam.segments = 8;
+  ASSERT_EQ(segment_ends(scene)[1], 0.03);  // more segments alone leave it whole
+  scene.beam.segments = 4;
+  Scene fine = with_divided_segments(scene, 2);
+  EXPECT_EQ(fine.beam.segments, 8);
+  EXPECT_NEAR(segment_ends(fine)[1], 0.015, 1e-15);
+  scene.loads[0].at = {0.25, {}};
+  fine = with_divided_segments(scene, 4);
+  EXPECT_EQ(fine.beam.segments, 16);
+  EXPECT_TRUE(fine.beam.segment_fractions.empty());
+  scene.end_rule = EndRule::Half;
+  EXPECT_TRUE(with_divided_segments(scene, 4).beam.segment_fractions.empty());
+  Probe probe;
+  probe.quantity = ProbeQuantity::Stress;
+  probe.at = {0.9, {}};
+  scene.probes = {probe};
+  scene.end_rule = EndRule::Auto;
+  fine = with_divided_segments(scene, 4);
+  EXPECT_EQ(fine.beam.segments, 17);
+  EXPECT_TRUE(ends_at_probes(fine));
+}
+
 TEST(Grading, DividesEachSegment) {
   EXPECT_EQ(divided_evenly({0.25, 0.75}, 2), (std::vector<double>{0.125, 0.125, 0.375, 0.375}));
 }
