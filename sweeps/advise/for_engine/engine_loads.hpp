@@ -1,0 +1,34 @@
+#pragma once
+
+#include <vector>
+
+#include "calibrate/engine/engine_beam.hpp"
+#include "plastica/chain/build.hpp"
+#include "plastica/chain/layout.hpp"
+#include "plastica/chain/level.hpp"
+#include "plastica/model/scene.hpp"
+#include "sweeps/advise/for_engine/mujoco_chain.hpp"
+
+/// What acts on the beam in an engine, and where the scene looks at it; not installed.
+namespace plastica::sweeps {
+
+/// The loads of a scene on the segments of its exported beam, as our own chain puts them there: at
+/// the place of the scene, spread ones at the middle of what each segment has of them.
+class EngineLoads {
+ public:
+  EngineLoads(const Scene& scene, const calibrate::EngineBeam& beam);
+
+  /// World axes [m/s^2].
+  Vec<double, 3> gravity(double time) const;
+  /// Of the present pose. @param wrenches  (N)
+  void gather(const MujocoChain& chain, double time, std::vector<SegmentWrench>& wrenches) const;
+  /// What a probe records of the present pose: displacement, rotation, velocity or spin.
+  double observe(const MujocoChain& chain, const Probe& probe) const;
+
+ private:
+  Scene scene_;  ///< with the segments of the beam
+  chain::Layout layout_;
+  chain::Chain<chain::Spatial<double>> chain_;  ///< for its loads
+};
+
+}  // namespace plastica::sweeps

@@ -1,0 +1,164 @@
+#include "sweeps/advise/for_engine/engine_search.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace plastica::sweeps {
+namespace {
+
+constexpr int kFirstSegments = 8;
+/// From one number of segments that is tried to the next.
+constexpr double kSegmentRatio = 1.25;
+/// Steps are bracketed this closely before the number of segments is settled, then to one.
+constexpr double kStepRatio = 1.1;
+/// Doubling both moves the result by less than this part of what is too much: it has come to its
+/// limit.
+constexpr double kOfGap = 0.1;
+
+std::vector<int> segment_numbers(int fewest, int most) {
+  std::vector<int> numbers{fewest};
+  while (numbers.back() < most) {
+    const int next = static_cast<int>(std::ceil(kSegmentRatio * numbers.back()));
+    numbers.push_back(std::min(next, most));
+  }
+  return numbers;
+}
+
+std::string per_cent(double fraction) { return fmt::format("{:.3g} %", 100.0 * fraction); }
+
+}  // namespace
+
+EngineSearch::EngineSearch(EngineRuns& runs, const Outcome& reference,
+                           const std::vector<WatchedProbe>& watched, double allowed)
+    : runs_(runs), reference_(reference), watched_(watched), allowed_(allowed) {}
+
+Deviation EngineSearch::off(const EngineSetting& setting) {
+  return deviation(runs_.run(setting), reference_, watched_, "our own");
+}
+
+double EngineSearch::change(const EngineSetting& from, const EngineSetting& to) {
+  if (from == to) return 0.0;
+  return deviation(runs_.run(from), runs_.run(to), watched_).largest;
+}
+
+EngineSetting EngineSearch::more_segments(EngineSetting setting) const {
+  setting.segments = std::min(2 * setting.segments, runs_.most_segments());
+  return setting;
+}
+
+EngineSetting EngineSearch::more_steps(EngineSetting setting) const {
+  setting.steps = std::min(2 * setting.steps, runs_.most_steps());
+  return setting;
+}
+
+EngineVerdict EngineSearch::judge(const EngineSetting& setting) {
+  last_ = setting;
+  EngineVerdict verdict;
+  verdict.off = off(setting);
+  if (verdict.off.largest > allowed_) {
+    verdict.reason = verdict.off.reason;
+    return verdict;
+  }
+  const EngineSetting segments = more_segments(setting);
+  const EngineSetting steps = more_steps(setting);
+  verdict.by_segments = change(setting, segments);
+  verdict.by_steps = change(setting, steps);
+  const double off_segments = off(segments).largest;
+  const double off_steps = off(steps).largest;
+  verdict.within = std::max(off_segments, off_steps) <= allowed_;
+  if (!verdict.within) {
+    verdict.reason =
+        off_segments > allowed_
+            ? fmt::format("with twice as many segments it is {} off", per_cent(off_segments))
+            : fmt::format("with half the step it is {} off", per_cent(off_steps));
+  }
+  return verdict;
+}
+
+bool EngineSearch::is_within(const EngineSetting& setting) { return judge(setting).within; }
+
+bool EngineSearch::find_first(EngineDamping damping) {
+  EngineSetting at{damping, std::max(kFirstSegments, runs_.fewest_segments()), 1};
+  at.segments = std::min(at.segments, runs_.most_segments());
+  int at_limit = 0;
+  while (!runs_.end()) {
+    if (best_ && runs_.work(at) >= runs_.work(*best_)) return false;
+    const EngineVerdict verdict = judge(at);
+    if (verdict.within) {
+      best_ = at;
+      return true;
+    }
+    const EngineSetting segments = more_segments(at);
+    const EngineSetting steps = more_steps(at);
+    if (segments == at && steps == at) return false;
+    const double by_segments = change(at, segments);
+    const double by_steps = change(at, steps);
+    const double gap = verdict.off.largest - allowed_;
+    at_limit = by_segments + by_steps < kOfGap * gap ? at_limit + 1 : 0;
+    if (at_limit >= 2) return false;
+    const bool refine_segments = segments != at && !(2.0 * by_segments < by_steps);
+    const bool refine_steps = steps != at && !(2.0 * by_steps < by_segments && segments != at);
+    if (refine_segments) at.segments = segments.segments;
+    if (refine_steps || !refine_segments) at.steps = steps.steps;
+  }
+  return false;
+}
+
+void EngineSearch::reduce_steps(EngineSetting setting) {
+  best_ = setting;
+  int few = 0;
+  while (setting.steps > 1 + few && setting.steps > kStepRatio * few && !runs_.end()) {
+    EngineSetting middle = setting;
+    middle.steps = few == 0 ? setting.steps / 2
+                            : static_cast<int>(std::lround(std::sqrt(
+                                  static_cast<double>(few) * static_cast<double>(setting.steps))));
+    middle.steps = std::clamp(middle.steps, few + 1, setting.steps - 1);
+    if (is_within(middle)) {
+      setting = middle;
+      best_ = setting;
+    } else {
+      few = middle.steps;
+    }
+  }
+}
+
+void EngineSearch::try_other_segments() {
+  std::vector<int> numbers = segment_numbers(runs_.fewest_segments(), runs_.most_segments());
+  const double about = best_->segments;
+  std::ranges::sort(numbers, {}, [&](int n) { return std::abs(std::log(n / about)); });
+  for (const int segments : numbers) {
+    if (runs_.end()) return;
+    if (segments == best_->segments) continue;
+    const double most = static_cast<double>(best_->segments) * best_->steps / segments;
+    EngineSetting setting{best_->damping, segments, static_cast<int>(std::ceil(most)) - 1};
+    if (setting.steps < 1) continue;
+    if (is_within(setting)) reduce_steps(setting);
+  }
+}
+
+void EngineSearch::polish() {
+  for (bool better = true; better && !runs_.end();) {
+    better = false;
+    for (int EngineSetting::*const number : {&EngineSetting::steps, &EngineSetting::segments}) {
+      const int fewest = number == &EngineSetting::steps ? 1 : runs_.fewest_segments();
+      EngineSetting less = *best_;
+      less.*number -= 1;
+      if (less.*number < fewest || !is_within(less)) continue;
+      best_ = less;
+      better = true;
+    }
+  }
+}
+
+bool EngineSearch::search(EngineDamping damping) {
+  const std::optional<EngineSetting> before = best_;
+  if (!find_first(damping)) return false;
+  reduce_steps(*best_);
+  try_other_segments();
+  polish();
+  return best_ != before;
+}
+
+}  // namespace plastica::sweeps
