@@ -191,9 +191,9 @@ std::string mjcf_step_note(const EngineBeam& beam) {
           : fmt::format("{:.3g} s times its stiffness, a tenth of the step, which is numerical",
                         mujoco_damping_time(beam));
   return fmt::format(
-      "the step is {:.3g} s, the scene's; each joint's armature, {:.3g} s times the step and its "
+      "the step is {:.3g} s, {}; each joint's armature, {:.3g} s times the step and its "
       "stiffness, keeps it stable. The damping of a joint is {}",
-      beam.time_step, mujoco_armature_time(beam), damping);
+      beam.time_step, beam.time_step_of, mujoco_armature_time(beam), damping);
 }
 
 std::string mjcf_text(const EngineBeam& beam) { return MjcfWriter(beam).write(); }

@@ -20,6 +20,7 @@ namespace {
 constexpr double kReferenceShare = 0.25;
 /// A motion in a plane that leaves it by no more stays in it [1].
 constexpr double kInPlane = 1e-6;
+constexpr std::array<bool, 3> kAllTurns{true, true, true};
 
 EngineAdviceEnd end_of(AdviceEnd end) {
   switch (end) {
@@ -31,11 +32,12 @@ EngineAdviceEnd end_of(AdviceEnd end) {
 }
 
 /// Runs a scene of ours; refuses what yields or breaks. @throws InputError
-BatchRow elastic_run(const Setup& setup) {
-  BatchRow row = run_case({"reference", setup.scene, setup.solver});
-  if (row.response.status == Status::Rejected) throw InputError({}, "", "", row.reason);
+Outcome elastic_run(const Setup& setup, const std::vector<WatchedProbe>& watched,
+                    const AdviceOptions& options) {
+  const std::vector<BatchCase> cases{{"reference", setup.scene, setup.solver}};
+  const BatchRow row = run_batch(cases, {.threads = 1, .stop = options.stop}).front();
   check_elastic(setup, row.response);
-  return row;
+  return outcome_of(row, watched);
 }
 
 /// The dampings that the exported joints may have.
@@ -57,12 +59,16 @@ void add_notes(const Setup& setup, EngineAdvice& advice) {
         "loads are not in the file: set them before each step, at the present pose "
         "(mj_step1, mj_applyFT, mj_step2)");
   }
-  const History& gravity = scene.gravity_history;
-  const bool is_constant = gravity.factor == std::vector<double>{1.0};
+  const bool is_constant = scene.gravity_history.factor == std::vector<double>{1.0};
   if (scene.gravity != std::array<double, 3>{} && !is_constant) {
     advice.notes.emplace_back(
-        "gravity has a history here, and is constant in the file: set opt.gravity before each "
-        "step");
+        "gravity has a history, and is constant in the file: set opt.gravity before each step");
+  }
+  const bool moves = std::ranges::any_of(scene.supports, &Support::moves);
+  if (moves) {
+    advice.notes.emplace_back(
+        "the clamp turns, and stands still in the file: set qpos_spring of the first joint's hinge "
+        "to its angle before each step");
   }
 }
 
@@ -72,7 +78,7 @@ std::optional<TriedEngineSetting> next_cheaper_of(EngineSearch& search, const En
   std::optional<TriedEngineSetting> found;
   for (const TriedEngineSetting& one : advice.tried) {
     if (one.work >= advice.work || (found && one.work <= found->work)) continue;
-    if (runs.end()) continue;
+    if (runs.end() && one.error <= search.allowed()) continue;
     const EngineVerdict verdict = search.judge(one.setting);
     if (verdict.within) continue;
     found = one;
@@ -81,7 +87,7 @@ std::optional<TriedEngineSetting> next_cheaper_of(EngineSearch& search, const En
   return found;
 }
 
-void fill_found(EngineSearch& search, EngineRuns& runs, EngineAdvice& advice) {
+void fill_setting(EngineSearch& search, EngineRuns& runs, EngineAdvice& advice) {
   const EngineVerdict verdict = search.judge(advice.setting);
   advice.error = verdict.off.largest;
   advice.worst = verdict.off.quantity;
@@ -91,6 +97,7 @@ void fill_found(EngineSearch& search, EngineRuns& runs, EngineAdvice& advice) {
   advice.time_step = runs.time_step(advice.setting);
   advice.work = runs.work(advice.setting);
   advice.beam = runs.beam(advice.setting);
+  advice.tried.clear();
   for (const auto& [setting, outcome] : runs.outcomes()) {
     advice.tried.push_back(tried_of(search, runs, setting));
   }
@@ -99,11 +106,56 @@ void fill_found(EngineSearch& search, EngineRuns& runs, EngineAdvice& advice) {
 /// Whether all hinges of a joint, run together, come to what those of the plane come to.
 bool stays_in_plane(const Setup& setup, const std::vector<WatchedProbe>& watched,
                     const AdviceOptions& options, EngineRuns& runs, const EngineSetting& setting) {
-  const std::array<bool, 3> all{true, true, true};
-  if (runs.turns() == all) return true;
+  if (runs.turns() == kAllTurns) return true;
   EngineRuns space(setup, watched, options);
-  space.set_turns(all);
+  space.set_turns(kAllTurns);
   return deviation(runs.run(setting), space.run(setting), watched).largest <= kInPlane;
+}
+
+/// Our own advice, and the run that the engine's are compared with; not usable: there is none, and
+/// `advice` says why.
+Outcome reference_for(const Setup& setup, const std::vector<WatchedProbe>& watched,
+                      const AdviceOptions& options, EngineAdvice& advice) {
+  AdviceOptions ours = options;
+  ours.within = kReferenceShare * options.within;
+  ours.budget = 0.0;
+  ours.probes.clear();
+  for (const WatchedProbe& one : watched) ours.probes.push_back(one.name);
+  // What yields would take long to advise on.
+  (void)elastic_run(setup, watched, options);
+  advice.end = EngineAdviceEnd::NoReference;
+  advice.reference = advise(setup, ours);
+  if (advice.reference.end != AdviceEnd::Found) {
+    if (advice.reference.end == AdviceEnd::Interrupted) advice.end = EngineAdviceEnd::Interrupted;
+    return {};
+  }
+  const Setup finest = finer_setup(setup, advice.reference, 0.5);
+  Outcome reference = elastic_run(finest, watched, options);
+  if (is_raised(options.stop)) advice.end = EngineAdviceEnd::Interrupted;
+  advice.reason = reference.reason;
+  advice.reference_error = advice.reference.verified;
+  advice.reference_setting =
+      setting_text(advice.reference.axes, own_setting(finest, advice.reference.axes));
+  return reference;
+}
+
+/// Searches by the rule, and fills in what it finds.
+void advise_by_rule(const Setup& setup, const std::vector<WatchedProbe>& watched,
+                    const AdviceOptions& options, const Outcome& reference, EngineRuns& runs,
+                    EngineAdvice& advice) {
+  EngineSearch search(runs, reference, watched, options.within - advice.reference_error);
+  for (const EngineDamping damping : dampings_of(setup)) search.search(damping);
+  advice.cut_short = runs.end().has_value();
+  advice.setting = search.best().value_or(search.last());
+  if (search.best() && runs.end() != AdviceEnd::Interrupted) {
+    advice.end = EngineAdviceEnd::Found;
+  } else {
+    advice.end = runs.end() ? end_of(*runs.end()) : EngineAdviceEnd::AtLimit;
+  }
+  fill_setting(search, runs, advice);
+  if (advice.end == EngineAdviceEnd::Found) {
+    advice.next_cheaper = next_cheaper_of(search, runs, advice);
+  }
 }
 
 }  // namespace
@@ -118,45 +170,19 @@ EngineAdvice advise_for_mujoco(const Setup& setup, const AdviceOptions& options)
   (void)fineness_axes(setup);
   check_for_mujoco(setup);
   const WatchedProbes probes = engine_probes(setup, options.probes);
-  (void)elastic_run(setup);
   EngineAdvice advice;
   advice.left_out = probes.left_out;
-  AdviceOptions ours = options;
-  ours.within = kReferenceShare * options.within;
-  ours.budget = 0.0;
-  ours.probes.clear();
-  for (const WatchedProbe& one : probes.watched) ours.probes.push_back(one.name);
-  advice.reference = advise(setup, ours);
-  if (advice.reference.end != AdviceEnd::Found) {
-    advice.end = advice.reference.end == AdviceEnd::Interrupted ? EngineAdviceEnd::Interrupted
-                                                                : EngineAdviceEnd::NoReference;
-    return advice;
-  }
-  const Setup finest = finer_setup(setup, advice.reference, 0.5);
-  const Outcome reference = outcome_of(elastic_run(finest), probes.watched);
-  advice.reference_error = advice.reference.verified;
-  advice.reference_setting =
-      setting_text(advice.reference.axes, own_setting(finest, advice.reference.axes));
-
+  const Outcome reference = reference_for(setup, probes.watched, options, advice);
+  if (!usable(reference.status)) return advice;
   EngineRuns runs(setup, probes.watched, options);
-  EngineSearch search(runs, reference, probes.watched, options.within - advice.reference_error);
-  for (const EngineDamping damping : dampings_of(setup)) (void)search.search(damping);
-  advice.setting = search.best().value_or(search.last());
-  if (!search.best()) {
-    advice.end = runs.end() ? end_of(*runs.end()) : EngineAdviceEnd::AtLimit;
-  } else if (runs.end() == AdviceEnd::Interrupted) {
-    advice.end = EngineAdviceEnd::Interrupted;
-  } else {
-    advice.end = EngineAdviceEnd::Found;
+  advise_by_rule(setup, probes.watched, options, reference, runs, advice);
+  if (advice.end == EngineAdviceEnd::Found &&
+      !stays_in_plane(setup, probes.watched, options, runs, advice.setting)) {
+    runs.set_turns(kAllTurns);
+    advise_by_rule(setup, probes.watched, options, reference, runs, advice);
   }
-  fill_found(search, runs, advice);
   advice.runs = runs.runs();
   advice.total_work = runs.total_work();
-  if (advice.end != EngineAdviceEnd::Found) return advice;
-  if (!stays_in_plane(setup, probes.watched, options, runs, advice.setting)) {
-    throw InputError({}, "solver.level", "", "must be \"spatial\": the beam leaves its plane");
-  }
-  advice.next_cheaper = next_cheaper_of(search, runs, advice);
   add_notes(setup, advice);
   return advice;
 }

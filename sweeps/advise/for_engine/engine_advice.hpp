@@ -50,12 +50,14 @@ struct EngineAdvice {
   std::int64_t work = 0;         ///< segment-steps
   std::optional<TriedEngineSetting> next_cheaper{};  ///< the dearest of those that do not do
   std::vector<TriedEngineSetting> tried{};
-  Advice reference{};                   ///< our own, for a quarter of the error
-  std::string reference_setting{};      ///< of the run that the engine's are compared with
+  std::string reason{};             ///< why the reference cannot be used, where that is its status
+  Advice reference{};               ///< our own, for a quarter of the error
+  std::string reference_setting{};  ///< of the run that the engine's are compared with
   std::vector<std::string> left_out{};  ///< probes that an engine has not
   std::vector<std::string> notes{};     ///< what whoever runs the beam has to do, a sentence each
-  int runs = 0;                         ///< by the engine's rule
-  std::int64_t total_work = 0;          ///< of these, segment-steps
+  bool cut_short = false;       ///< whether runs or work were used up before the search had ended
+  int runs = 0;                 ///< by the engine's rule
+  std::int64_t total_work = 0;  ///< of these, segment-steps
 };
 
 /// Finds segments and time step at which MuJoCo's run of a scene's exported beam is within an

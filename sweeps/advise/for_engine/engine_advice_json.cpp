@@ -95,6 +95,7 @@ std::string engine_advice_json(const EngineAdvice& advice, const AdviceOptions& 
       {"next_cheaper", advice.next_cheaper ? json_of(*advice.next_cheaper) : EngineJson(nullptr)},
       {"notes", advice.notes},
       {"left_out", advice.left_out},
+      {"cut_short", advice.cut_short},
       {"reference_runs", advice.reference.runs},
       {"runs", advice.runs},
       {"total_segment_steps", advice.total_work},

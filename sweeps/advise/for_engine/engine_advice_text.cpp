@@ -27,7 +27,7 @@ std::string why_no_setting(const EngineAdvice& advice) {
     case EngineAdviceEnd::AtLimit:
     case EngineAdviceEnd::Found: break;
   }
-  return "more segments and shorter steps do not help";
+  return "more segments and shorter steps do not help (mujoco's joints neither stretch nor shear)";
 }
 
 std::string setting_text_of(int segments, double time_step, EngineDamping damping) {
@@ -93,6 +93,10 @@ std::string tried_text(const TriedEngineSetting& one) {
 
 std::string engine_advice_text(const EngineAdvice& advice, const AdviceOptions& options,
                                const std::string& name) {
+  if (advice.end == EngineAdviceEnd::NoReference && !advice.reason.empty()) {
+    return fmt::format("{} for mujoco: nothing to compare with: our own run with {}: {}\n", name,
+                       advice.reference_setting, advice.reason);
+  }
   if (advice.end == EngineAdviceEnd::NoReference) {
     AdviceOptions ours = options;
     ours.within = 0.25 * options.within;
@@ -119,6 +123,9 @@ std::string engine_advice_text(const EngineAdvice& advice, const AdviceOptions& 
   text += fmt::format("  cost {} segment-steps\n", advice.work);
   if (advice.next_cheaper) {
     text += "next cheaper, not within: " + tried_text(*advice.next_cheaper);
+  }
+  if (advice.cut_short) {
+    text += "the search was cut short (--max-runs, --max-work): others may be cheaper\n";
   }
   text += fmt::format("the advice took {} runs of ours and {} by MuJoCo's rule\n",
                       advice.reference.runs, advice.runs);

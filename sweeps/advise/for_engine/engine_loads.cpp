@@ -44,6 +44,14 @@ Vec<double, 3> EngineLoads::gravity(double time) const {
   return scene_.gravity_history.at(time) * Vec<double, 3>{scene_.gravity};
 }
 
+Vec<double, 3> EngineLoads::ground_rotation(double time) const {
+  Vec<double, 3> sum;
+  for (const Support& support : scene_.supports) {
+    sum += support.history.at(time) * Vec<double, 3>{support.rotation};
+  }
+  return sum;
+}
+
 void EngineLoads::gather(const MujocoChain& chain, double time,
                          std::vector<SegmentWrench>& wrenches) const {
   wrenches.assign(chain.size(), {});

@@ -20,6 +20,8 @@ class EngineLoads {
 
   /// World axes [m/s^2].
   Vec<double, 3> gravity(double time) const;
+  /// How far the ground at the start has turned, as a rotation vector [rad].
+  Vec<double, 3> ground_rotation(double time) const;
   /// Of the present pose. @param wrenches  (N)
   void gather(const MujocoChain& chain, double time, std::vector<SegmentWrench>& wrenches) const;
   /// What a probe records of the present pose: displacement, rotation, velocity or spin.

@@ -1,7 +1,7 @@
 #include "sweeps/advise/for_engine/engine_runs.hpp"
 
 #include <algorithm>
-#include <limits>
+#include <utility>
 
 #include "calibrate/engine/engine_world.hpp"
 #include "calibrate/engine/mujoco_numbers.hpp"
@@ -46,9 +46,7 @@ EngineRuns::EngineRuns(const Setup& setup, const std::vector<WatchedProbe>& watc
       options_(options),
       fewest_(std::max(kFewestSegmentsOfEngine, needed_segments(setup.scene))),
       turns_(turns_of(setup)),
-      sample_time_(
-          fixed_steps(path_stops(setup.scene, setup.solver), std::numeric_limits<double>::max())
-              .samples) {
+      sample_time_(path_stops(setup.scene, setup.solver).time.back() / setup.solver.steps) {
   not_run_.reason = "it was not run";
 }
 
@@ -72,6 +70,7 @@ calibrate::EngineBeam EngineRuns::beam(const EngineSetting& setting) const {
   calibrate::EngineWorld world;
   if (setting.damping == EngineDamping::None) world.damping_time = 0.0;
   calibrate::put_into(world, beam);
+  beam.time_step_of = "as advised";
   return beam;
 }
 
@@ -124,6 +123,8 @@ Outcome EngineRuns::made(const EngineSetting& setting) const {
     for (int step = 0; step < setting.steps; ++step) {
       if (step % kLooksForStop == 0 && is_raised(options_.stop)) return outcome;
       const double time = sample_time_ * sample + chain.time_step() * step;
+      const Vec<double, 3> turned = loads.ground_rotation(time);
+      for (std::size_t k = 0; k < 3; ++k) chain.set_rest(k, turned[k]);
       loads.gather(chain, time, wrenches);
       if (chain.step(loads.gravity(time), wrenches)) continue;
       outcome.status = Status::NonFinite;

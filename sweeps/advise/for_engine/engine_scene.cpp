@@ -3,9 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 
 #include "plastica/base/check.hpp"
+#include "plastica/model/beam_axis.hpp"
+#include "plastica/model/choose_level.hpp"
 #include "plastica/model/support_kind.hpp"
 
 namespace plastica::sweeps {
@@ -18,7 +21,19 @@ constexpr double kPlasticRounding = 1e-9;
   throw InputError({}, field, "", rule);
 }
 
-void check_engine_support(const Support& support, const std::string& name) {
+/// A clamp that turns in a plane is the rest of its half joint's spring (MuJoCo's qpos_spring).
+bool turns_in_plane(const Setup& setup, const Support& support) {
+  const Level level = choose_level(setup.scene, setup.solver).level;
+  const HeldFreedoms held = support.held();
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (support.rotation[k] != 0.0 && !held[3 + k]) return false;
+  }
+  return support.translation == std::array<double, 3>{} && level != Level::Spatial &&
+         resolved_end_rule(setup.scene) == EndRule::HalfJoint &&
+         setup.solver.damping == Damping::None;
+}
+
+void check_engine_support(const Setup& setup, const Support& support, const std::string& name) {
   const SupportTraits& kind = traits_of(support);
   if (support.at.fraction > 1e-9) {
     refuse_for_engine(name,
@@ -28,7 +43,11 @@ void check_engine_support(const Support& support, const std::string& name) {
   if (kind.springs || kind.normal) {
     refuse_for_engine(name, fmt::format("is of kind {}, which no export has", kind.word));
   }
-  if (support.moves()) refuse_for_engine(name, "moves, and in an export it stands still");
+  if (support.moves() && !turns_in_plane(setup, support)) {
+    refuse_for_engine(name,
+                      "moves: with --for only a clamp may that turns in the plane of the motion, "
+                      "by end_rule = \"half_joint\" and without damping");
+  }
 }
 
 bool is_of_engine(ProbeQuantity quantity) {
@@ -51,7 +70,7 @@ void check_for_mujoco(const Setup& setup) {
                       "start");
   }
   for (std::size_t i = 0; i < scene.supports.size(); ++i) {
-    check_engine_support(scene.supports[i], fmt::format("support[{}]", i + 1));
+    check_engine_support(setup, scene.supports[i], fmt::format("support[{}]", i + 1));
   }
   if (!scene.initial_motions.empty()) {
     refuse_for_engine("initial_motion", "does not go with --for: an export has no velocities");

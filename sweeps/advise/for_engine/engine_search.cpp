@@ -13,6 +13,8 @@ constexpr int kFirstSegments = 8;
 constexpr double kSegmentRatio = 1.25;
 /// Steps are bracketed this closely before the number of segments is settled, then to one.
 constexpr double kStepRatio = 1.1;
+/// Numbers of segments in a row that are no cheaper, after which no others are tried.
+constexpr int kFailures = 2;
 /// Doubling both moves the result by less than this part of what is too much: it has come to its
 /// limit.
 constexpr double kOfGap = 0.1;
@@ -124,17 +126,28 @@ void EngineSearch::reduce_steps(EngineSetting setting) {
   }
 }
 
+bool EngineSearch::try_segments(int segments) {
+  const double most = static_cast<double>(best_->segments) * best_->steps / segments;
+  const EngineSetting setting{best_->damping, segments, static_cast<int>(std::ceil(most)) - 1};
+  if (setting.steps < 1 || !is_within(setting)) return false;
+  reduce_steps(setting);
+  return true;
+}
+
 void EngineSearch::try_other_segments() {
-  std::vector<int> numbers = segment_numbers(runs_.fewest_segments(), runs_.most_segments());
-  const double about = best_->segments;
-  std::ranges::sort(numbers, {}, [&](int n) { return std::abs(std::log(n / about)); });
-  for (const int segments : numbers) {
-    if (runs_.end()) return;
-    if (segments == best_->segments) continue;
-    const double most = static_cast<double>(best_->segments) * best_->steps / segments;
-    EngineSetting setting{best_->damping, segments, static_cast<int>(std::ceil(most)) - 1};
-    if (setting.steps < 1) continue;
-    if (is_within(setting)) reduce_steps(setting);
+  const int first = best_->segments;
+  std::vector<int> fewer;
+  std::vector<int> more;
+  for (const int n : segment_numbers(runs_.fewest_segments(), runs_.most_segments())) {
+    if (n < first) fewer.insert(fewer.begin(), n);
+    if (n > first) more.push_back(n);
+  }
+  for (const std::vector<int>& numbers : {fewer, more}) {
+    int failed = 0;
+    for (const int segments : numbers) {
+      if (runs_.end() || failed == kFailures) break;
+      failed = try_segments(segments) ? 0 : failed + 1;
+    }
   }
 }
 
@@ -152,13 +165,11 @@ void EngineSearch::polish() {
   }
 }
 
-bool EngineSearch::search(EngineDamping damping) {
-  const std::optional<EngineSetting> before = best_;
-  if (!find_first(damping)) return false;
+void EngineSearch::search(EngineDamping damping) {
+  if (!find_first(damping)) return;
   reduce_steps(*best_);
   try_other_segments();
   polish();
-  return best_ != before;
 }
 
 }  // namespace plastica::sweeps

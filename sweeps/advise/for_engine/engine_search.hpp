@@ -32,9 +32,10 @@ class EngineSearch {
   EngineSearch(EngineRuns& runs, const Outcome& reference, const std::vector<WatchedProbe>& watched,
                double allowed);
 
-  /// Searches with one damping, for less than the best so far. False: with this damping the limit
-  /// of many segments and steps is off by more than is allowed, or nothing is cheaper.
-  bool search(EngineDamping damping);
+  /// Searches with one damping, for less than the best so far. There is none if with this damping
+  /// the limit of many segments and steps is off by more than is allowed.
+  void search(EngineDamping damping);
+  double allowed() const { return allowed_; }
   const std::optional<EngineSetting>& best() const { return best_; }
   /// The last one that was looked at.
   const EngineSetting& last() const { return last_; }
@@ -51,6 +52,8 @@ class EngineSearch {
   bool find_first(EngineDamping damping);
   /// For a number of segments the fewest steps, of which `steps` are known to do.
   void reduce_steps(EngineSetting setting);
+  /// Whether so many segments are cheaper than the best.
+  bool try_segments(int segments);
   void try_other_segments();
   void polish();
 

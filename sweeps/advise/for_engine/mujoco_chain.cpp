@@ -71,6 +71,7 @@ void MujocoChain::add_joints(const calibrate::EngineBeam& beam, const calibrate:
   for (std::size_t k = 0; k < 3; ++k) {
     if (joint.rotation[k] == calibrate::JointHold::Rigid || !turns[k]) continue;
     Joint hinge;
+    hinge.about = k;
     hinge.axis = transposed_times(frame, Vector{joint.axes[k]});
     hinge.stiffness = joint.stiffness[k];
     hinge.damping = calibrate::mujoco_damping(beam, joint, k);
@@ -96,6 +97,12 @@ void MujocoChain::set_state(std::span<const double> positions, std::span<const d
     joints_[j].speed = speeds[j];
   }
   place();
+}
+
+void MujocoChain::set_rest(std::size_t axis, double angle) {
+  for (std::size_t j = segments_[0].first; j < segments_[0].last; ++j) {
+    if (!joints_[j].slides && joints_[j].about == axis) joints_[j].rest = angle;
+  }
 }
 
 void MujocoChain::place() {
@@ -160,7 +167,7 @@ void MujocoChain::eliminate() {
       joint.held_force = joint.slides ? s.ll * axis : transposed_times(s.al, axis);
       joint.inertia =
           joint.added_inertia + dot(axis, joint.slides ? joint.held_force : joint.held_moment);
-      joint.drive = -joint.stiffness * joint.position - joint.damping * joint.speed -
+      joint.drive = -joint.stiffness * (joint.position - joint.rest) - joint.damping * joint.speed -
                     dot(axis, joint.slides ? s.force : s.moment);
       const double compliance = 1.0 / joint.inertia;
       s.aa -= outer(compliance * joint.held_moment, joint.held_moment);

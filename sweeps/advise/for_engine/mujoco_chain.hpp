@@ -27,12 +27,12 @@ struct SegmentPose {
 /// What MuJoCo does with a beam that is exported for it, by its published rule: a chain of slides
 /// and hinges, stepped by its integrator "Euler" in the coordinates q of these,
 ///
-///   (M + A + h D) a = f - K q - D v - c(q, v),   v' = v + h a,   q' = q + h v',
+///   (M + A + h D) a = f - K (q - r) - D v - c(q, v),   v' = v + h a,   q' = q + h v',
 ///
 /// h the time step, M the inertia of the segments, A the armature, D the damping and K the
-/// stiffness of the joints (diagonal), f what acts on the segments, c what gravity and the present
-/// velocity ask for. Damping is implicit, springs are not; what acts is that of the present pose,
-/// as set between `mj_step1` and `mj_step2`.
+/// stiffness of the joints (diagonal), r where springs are at rest, f what acts on the segments, c
+/// what gravity and the present velocity ask for. Damping is implicit, springs are not; what acts
+/// is that of the present pose, as set between `mj_step1` and `mj_step2`.
 ///
 /// The matrix is that of an articulated body with A + h D added to each joint, and is solved in
 /// O(N) (Featherstone, Rigid Body Dynamics Algorithms, 2008, chapter 7); MuJoCo factorizes it as it
@@ -62,6 +62,11 @@ class MujocoChain {
   /// Puts the chain into another state. @param positions, speeds  (freedoms)
   void set_state(std::span<const double> positions, std::span<const double> speeds);
 
+  /// Where the spring of the first segment's hinge about an axis of its joint is at rest (MuJoCo's
+  /// `qpos_spring`, 0 at the beginning) [rad]: what a clamp has turned, in a plane.
+  /// @param axis  0 … 2, about which the first joint turns
+  void set_rest(std::size_t axis, double angle);
+
   /// One step. Allocates nothing.
   /// @param gravity  acceleration in world axes [m/s^2]
   /// @param wrenches  (N)
@@ -77,6 +82,8 @@ class MujocoChain {
     double stiffness = 0.0;
     double damping = 0.0;
     double added_inertia = 0.0;  ///< A + h D
+    std::size_t about = 0;       ///< a hinge: the axis of its joint
+    double rest = 0.0;           ///< of its spring
     double position = 0.0;
     double speed = 0.0;
     // Of a step:

@@ -36,6 +36,15 @@ class MujocoScene {
     for (std::size_t k = 0; k < 3; ++k) {
       model->opt.gravity[k] = scene_.gravity[k] * scene_.gravity_history.at(time);
     }
+    for (const Support& support : scene_.supports) {
+      for (std::size_t k = 0; k < 3; ++k) {
+        if (support.rotation[k] == 0.0) continue;
+        const std::string name = "joint_0_" + std::string(1, "xyz"[k]);
+        const int joint = mj_name2id(model, mjOBJ_JOINT, name.c_str());
+        model->qpos_spring[model->jnt_qposadr[joint]] =
+            support.rotation[k] * support.history.at(time);
+      }
+    }
     mj_step1(model, data);
     mju_zero(data->qfrc_applied, model->nv);
     for (const Load& load : scene_.loads) apply(load, time);
