@@ -11,8 +11,10 @@ namespace {
 constexpr int kFirstSegments = 8;
 /// From one number of segments that is tried to the next.
 constexpr double kSegmentRatio = 1.25;
-/// Steps are bracketed this closely before the number of segments is settled, then to one.
+/// Steps are bracketed this closely before the number of segments is settled, then both this
+/// closely, or to one.
 constexpr double kStepRatio = 1.1;
+constexpr double kFineRatio = 1.02;
 /// Numbers of segments in a row that are no cheaper, after which no others are tried.
 constexpr int kFailures = 2;
 /// Doubling both moves the result by less than this part of what is too much: it has come to its
@@ -108,20 +110,18 @@ bool EngineSearch::find_first(EngineDamping damping) {
   return false;
 }
 
-void EngineSearch::reduce_steps(EngineSetting setting) {
+void EngineSearch::reduce(EngineSetting setting, int EngineSetting::*number, int few,
+                          double ratio) {
   best_ = setting;
-  int few = 0;
-  while (setting.steps > 1 + few && setting.steps > kStepRatio * few && !runs_.end()) {
+  while (setting.*number > few + 1 && setting.*number > ratio * few && !runs_.end()) {
     EngineSetting middle = setting;
-    middle.steps = few == 0 ? setting.steps / 2
-                            : static_cast<int>(std::lround(std::sqrt(
-                                  static_cast<double>(few) * static_cast<double>(setting.steps))));
-    middle.steps = std::clamp(middle.steps, few + 1, setting.steps - 1);
+    const double mean = std::sqrt(static_cast<double>(std::max(few, 1)) * setting.*number);
+    middle.*number = std::clamp(static_cast<int>(std::lround(mean)), few + 1, setting.*number - 1);
     if (is_within(middle)) {
       setting = middle;
       best_ = setting;
     } else {
-      few = middle.steps;
+      few = middle.*number;
     }
   }
 }
@@ -130,7 +130,7 @@ bool EngineSearch::try_segments(int segments) {
   const double most = static_cast<double>(best_->segments) * best_->steps / segments;
   const EngineSetting setting{best_->damping, segments, static_cast<int>(std::ceil(most)) - 1};
   if (setting.steps < 1 || !is_within(setting)) return false;
-  reduce_steps(setting);
+  reduce(setting, &EngineSetting::steps, 0, kStepRatio);
   return true;
 }
 
@@ -157,9 +157,10 @@ void EngineSearch::polish() {
     for (int EngineSetting::*const number : {&EngineSetting::steps, &EngineSetting::segments}) {
       const int fewest = number == &EngineSetting::steps ? 1 : runs_.fewest_segments();
       EngineSetting less = *best_;
-      less.*number -= 1;
+      less.*number -= std::max(1, static_cast<int>((kFineRatio - 1.0) * less.*number));
       if (less.*number < fewest || !is_within(less)) continue;
-      best_ = less;
+      const int far = static_cast<int>(less.*number / kSegmentRatio);
+      reduce(less, number, std::max(far, fewest - 1), kFineRatio);
       better = true;
     }
   }
@@ -167,7 +168,7 @@ void EngineSearch::polish() {
 
 void EngineSearch::search(EngineDamping damping) {
   if (!find_first(damping)) return;
-  reduce_steps(*best_);
+  reduce(*best_, &EngineSetting::steps, 0, kStepRatio);
   try_other_segments();
   polish();
 }

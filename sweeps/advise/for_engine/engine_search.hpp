@@ -50,8 +50,11 @@ class EngineSearch {
   EngineSetting more_steps(EngineSetting setting) const;
   bool is_within(const EngineSetting& setting);
   bool find_first(EngineDamping damping);
-  /// For a number of segments the fewest steps, of which `steps` are known to do.
-  void reduce_steps(EngineSetting setting);
+  /// Brackets the least of a number that does, the other as it is.
+  /// @param setting  that does; it is the best now
+  /// @param few      a number that does not, or that is not looked below
+  /// @param ratio    of two numbers that bracket it closely enough, >= 1
+  void reduce(EngineSetting setting, int EngineSetting::*number, int few, double ratio);
   /// Whether so many segments are cheaper than the best.
   bool try_segments(int segments);
   void try_other_segments();
