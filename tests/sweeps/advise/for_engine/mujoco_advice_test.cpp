@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <string>
 #include <vector>
 
@@ -73,10 +72,6 @@ void expect_within(const std::string& text, const std::vector<double>& errors) {
     EXPECT_LE(advice.promised, within);
     const double measured = error_in_mujoco(setup, advice, truth);
     ::testing::Test::RecordProperty("measured", std::to_string(measured));
-    std::printf(
-        "within %g: %d segments, step %g s, damping %d: promised %g, measured %g; %d runs\n",
-        within, advice.setting.segments, advice.time_step, static_cast<int>(advice.setting.damping),
-        advice.promised, measured, advice.runs);
     EXPECT_LE(measured, advice.promised);
     // Near what was asked for, so that it is not dearer than need be.
     EXPECT_GT(measured, 0.2 * within);
