@@ -27,6 +27,10 @@ std::string why_no_setting(const EngineAdvice& advice) {
     case EngineAdviceEnd::AtLimit:
     case EngineAdviceEnd::Found: break;
   }
+  if (advice.setting.segments >= static_cast<int>(calibrate::kMujocoSegments)) {
+    return fmt::format("not with {} segments, the most that mujoco 2 reads",
+                       calibrate::kMujocoSegments);
+  }
   return "more segments and shorter steps do not help (mujoco's joints neither stretch nor shear)";
 }
 

@@ -47,16 +47,6 @@ double EngineSearch::change(const EngineSetting& from, const EngineSetting& to) 
   return deviation(runs_.run(from), runs_.run(to), watched_).largest;
 }
 
-EngineSetting EngineSearch::more_segments(EngineSetting setting) const {
-  setting.segments = std::min(2 * setting.segments, runs_.most_segments());
-  return setting;
-}
-
-EngineSetting EngineSearch::more_steps(EngineSetting setting) const {
-  setting.steps = std::min(2 * setting.steps, runs_.most_steps());
-  return setting;
-}
-
 EngineVerdict EngineSearch::judge(const EngineSetting& setting) {
   last_ = setting;
   EngineVerdict verdict;
@@ -65,8 +55,10 @@ EngineVerdict EngineSearch::judge(const EngineSetting& setting) {
     verdict.reason = verdict.off.reason;
     return verdict;
   }
-  const EngineSetting segments = more_segments(setting);
-  const EngineSetting steps = more_steps(setting);
+  EngineSetting segments = setting;
+  segments.segments *= 2;  // the rule takes more than the engine's file may have
+  EngineSetting steps = setting;
+  steps.steps *= 2;
   verdict.by_segments = change(setting, segments);
   verdict.by_steps = change(setting, steps);
   const double off_segments = off(segments).largest;
@@ -94,8 +86,10 @@ bool EngineSearch::find_first(EngineDamping damping) {
       best_ = at;
       return true;
     }
-    const EngineSetting segments = more_segments(at);
-    const EngineSetting steps = more_steps(at);
+    EngineSetting segments = at;
+    segments.segments = std::min(2 * at.segments, runs_.most_segments());
+    EngineSetting steps = at;
+    steps.steps = std::min(2 * at.steps, runs_.most_steps());
     if (segments == at && steps == at) return false;
     const double by_segments = change(at, segments);
     const double by_steps = change(at, steps);

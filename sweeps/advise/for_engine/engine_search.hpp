@@ -46,8 +46,6 @@ class EngineSearch {
 
  private:
   double change(const EngineSetting& from, const EngineSetting& to);
-  EngineSetting more_segments(EngineSetting setting) const;
-  EngineSetting more_steps(EngineSetting setting) const;
   bool is_within(const EngineSetting& setting);
   bool find_first(EngineDamping damping);
   /// Brackets the least of a number that does, the other as it is.

@@ -143,6 +143,8 @@ TEST(EngineAdvice, LooksAtWhatAnEngineHas) {
   EXPECT_EQ(refusal_of(setup, options),
             "--of = kinetic: is no displacement, rotation, velocity or spin, which alone are "
             "compared with --for");
+  setup.scene.probes[0].component = Component::X;  // across the plane of the motion
+  EXPECT_NE(refusal_of(setup, within(0.1)).find("probe: stays within rounding"), std::string::npos);
   setup.scene.probes.erase(setup.scene.probes.begin());
   EXPECT_EQ(refusal_of(setup),
             "probe: is missing: advice with --for needs a displacement, rotation, velocity or spin "
