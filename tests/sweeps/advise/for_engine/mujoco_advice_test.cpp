@@ -71,7 +71,8 @@ void expect_within(const std::string& text, const std::vector<double>& errors) {
     ASSERT_EQ(advice.end, sweeps::EngineAdviceEnd::Found);
     EXPECT_LE(advice.promised, within);
     const double measured = error_in_mujoco(setup, advice, truth);
-    ::testing::Test::RecordProperty("measured", std::to_string(measured));
+    ::testing::Test::RecordProperty("measured_within_" + std::to_string(within),
+                                    std::to_string(measured));
     EXPECT_LE(measured, advice.promised);
     // Near what was asked for, so that it is not dearer than need be.
     EXPECT_GT(measured, 0.2 * within);
@@ -91,7 +92,7 @@ TEST(MujocoAdvice, HoldsInMujocoForAStripThatIsSwungFar) {
 }
 
 TEST(MujocoAdvice, HoldsInMujocoForTheRobotsArmWhoseClampTurns) {
-  expect_within(robot_arm(), {0.05, 0.02});
+  expect_within(robot_arm(), {0.05, 0.02, 0.01});
 }
 
 TEST(MujocoAdvice, HoldsInMujocoInSpace) { expect_within(biaxial_bar(), {0.05, 0.02}); }
