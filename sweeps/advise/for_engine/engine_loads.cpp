@@ -1,5 +1,6 @@
 #include "sweeps/advise/for_engine/engine_loads.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "plastica/chain/rotation.hpp"
@@ -7,8 +8,6 @@
 
 namespace plastica::sweeps {
 namespace {
-
-using Space = chain::Spatial<double>;
 
 /// The scene, divided as the beam is: its own loads would end segments elsewhere.
 Scene divided_as(Scene scene, const calibrate::EngineBeam& beam) {
@@ -27,18 +26,31 @@ std::vector<double> ends_of(const Scene& scene) {
   return ends;
 }
 
-/// Gravity is the engine's own.
-chain::Chain<Space> chain_with_loads(Scene scene, const chain::Layout& layout) {
-  scene.gravity = {};
-  return chain::build_chain<Space>(scene, layout, {}).chain;
-}
-
 }  // namespace
 
 EngineLoads::EngineLoads(const Scene& scene, const calibrate::EngineBeam& beam)
-    : scene_(divided_as(scene, beam)),
-      layout_(chain::make_layout(scene_, ends_of(scene_))),
-      chain_(chain_with_loads(scene_, layout_)) {}
+    : scene_(divided_as(scene, beam)), layout_(chain::make_layout(scene_, ends_of(scene_))) {
+  for (std::size_t k = 0; k < scene_.loads.size(); ++k) {
+    const Load& load = scene_.loads[k];
+    if (!load.to) {
+      loads_.push_back({k, point_at(load.at), 1.0});
+      continue;
+    }
+    const double from = fraction_of(load.at, layout_.ends);
+    const double to = fraction_of(*load.to, layout_.ends);
+    for (std::size_t i = 0; i < layout_.size(); ++i) {
+      const double begin = std::max(from, layout_.ends[i]);
+      const double end = std::min(to, layout_.ends[i + 1]);
+      if (end <= begin) continue;
+      loads_.push_back({k, chain::segment_point(layout_, 0.5 * (begin + end)),
+                        (end - begin) * scene_.beam.length});
+    }
+  }
+}
+
+chain::SegmentPoint EngineLoads::point_at(const Place& place) const {
+  return chain::segment_point(layout_, fraction_of(place, layout_.ends));
+}
 
 Vec<double, 3> EngineLoads::gravity(double time) const {
   return scene_.gravity_history.at(time) * Vec<double, 3>{scene_.gravity};
@@ -55,20 +67,25 @@ Vec<double, 3> EngineLoads::ground_rotation(double time) const {
 void EngineLoads::gather(const MujocoChain& chain, double time,
                          std::vector<SegmentWrench>& wrenches) const {
   wrenches.assign(chain.size(), {});
-  for (const chain::SegmentLoad<Space>& load : chain_.loads) {
-    const double factor = chain_.histories[load.history].at(time);
-    const Mat<double, 3, 3>& frame = chain.pose(load.segment).frame;
-    const Vec<double, 3> force = factor * (load.follows ? frame * load.force : load.force);
-    const Vec<double, 3> moment = factor * (load.follows ? frame * load.moment : load.moment);
-    SegmentWrench& wrench = wrenches[load.segment];
-    wrench.force += force;
-    wrench.moment += moment + cross(frame * load.arm, force);
+  for (const PointLoad& one : loads_) {
+    const Load& load = scene_.loads[one.load];
+    const std::size_t i = one.point.segment;
+    const double factor = one.weight * load.history.at(time);
+    const Mat<double, 3, 3>& frame = chain.pose(i).frame;
+    Vec<double, 3> force = factor * Vec<double, 3>{load.force};
+    Vec<double, 3> moment = factor * Vec<double, 3>{load.moment};
+    if (load.follows) {
+      const Mat<double, 3, 3> turn = frame * transpose(layout_.segment_frame[i]);
+      force = turn * force;
+      moment = turn * moment;
+    }
+    wrenches[i].force += force;
+    wrenches[i].moment += moment + cross(frame * one.point.arm, force);
   }
 }
 
 double EngineLoads::observe(const MujocoChain& chain, const Probe& probe) const {
-  const chain::SegmentPoint point =
-      chain::segment_point(layout_, fraction_of(probe.at, layout_.ends));
+  const chain::SegmentPoint point = point_at(probe.at);
   const Mat<double, 3, 3>& undeformed = layout_.segment_frame[point.segment];
   Vec<double, 3> value;
   switch (probe.quantity) {

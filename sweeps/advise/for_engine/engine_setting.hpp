@@ -1,6 +1,6 @@
 #pragma once
 
-#include <compare>
+#include <tuple>
 
 namespace plastica::sweeps {
 
@@ -17,7 +17,10 @@ struct EngineSetting {
   int segments = 4;
   int steps = 1;  ///< from one sample of the scene to the next
 
-  auto operator<=>(const EngineSetting&) const = default;
+  friend bool operator==(const EngineSetting&, const EngineSetting&) = default;
+  friend bool operator<(const EngineSetting& a, const EngineSetting& b) {
+    return std::tie(a.damping, a.segments, a.steps) < std::tie(b.damping, b.segments, b.steps);
+  }
 };
 
 }  // namespace plastica::sweeps
