@@ -27,7 +27,8 @@ sweeps::EngineAdvice engine_advice_with_progress(const Setup& setup, sweeps::Adv
   const InterruptGuard interrupt;
   options.stop = &interrupt.flag();
   // Our own runs, then those by the engine's rule.
-  ProgressBar bar("runs, at most", static_cast<std::size_t>(options.max_runs), quiet);
+  ProgressBar bar("runs, at most",
+                  static_cast<std::size_t>(sweeps::kRuleRunsPerRun * options.max_runs), quiet);
   options.progress = [&](int runs) { bar.update(static_cast<std::size_t>(runs), 0); };
   sweeps::EngineAdvice advice = sweeps::advise_for_mujoco(setup, options);
   bar.clear();

@@ -73,6 +73,14 @@ TEST_F(Advise, WritesTheBeamForMujoco) {
       2);
 }
 
+TEST_F(Advise, TakesMoreRunsByMujocosRuleThanOfOurs) {
+  const CommandResult advised =
+      place_.run({"advise", arm(), "--within", "0.5 %", "--for", "mujoco", "--max-runs", "16"});
+  EXPECT_EQ(advised.code, 0) << advised.err;
+  EXPECT_NE(advised.out.find("the advice took 16 runs of ours and "), std::string::npos)
+      << advised.out;
+}
+
 TEST_F(Advise, SaysWhereItFindsNothingForMujoco) {
   const CommandResult none = place_.run({"advise", arm(), "--within", "0.5 %", "--for", "mujoco",
                                          "--max-runs", "8", "-o", "beam.xml"});

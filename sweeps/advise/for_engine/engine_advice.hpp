@@ -16,6 +16,9 @@ namespace plastica::sweeps {
 /// The engines that `advise_for_mujoco` and its kin advise for: "mujoco".
 std::span<const std::string_view> advised_engines();
 
+/// Runs by an engine's rule, which are cheap, for each of ours that is allowed.
+inline constexpr int kRuleRunsPerRun = 3;
+
 /// A setting of an engine that was run.
 struct TriedEngineSetting {
   EngineSetting setting{};
@@ -67,8 +70,9 @@ struct EngineAdvice {
 /// finer than `advise` asks for a quarter of the error, richest in every model; what it is off
 /// itself is added to what is promised. The scene's loads act in MuJoCo as a program sets them
 /// before each step.
-/// @param options  budget: unused; max_runs and max_work are those of our runs, and those of the
-///                 engine's
+/// @param options  budget: unused; max_runs is that of our runs, those by the rule may be
+///                 `kRuleRunsPerRun` times as many, and `progress` counts each anew;
+///                 max_work that of each
 /// @throws InputError as `advise`, and for a scene that no export for MuJoCo holds: that rests,
 ///         yields, breaks, or is held otherwise than at its start
 EngineAdvice advise_for_mujoco(const Setup& setup, const AdviceOptions& options);

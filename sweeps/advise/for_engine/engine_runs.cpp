@@ -8,6 +8,7 @@
 #include "plastica/model/beam_axis.hpp"
 #include "plastica/model/choose_level.hpp"
 #include "plastica/run/path_stops.hpp"
+#include "sweeps/advise/for_engine/engine_advice.hpp"
 #include "sweeps/advise/for_engine/engine_loads.hpp"
 #include "sweeps/advise/for_engine/mujoco_chain.hpp"
 
@@ -78,7 +79,7 @@ bool EngineRuns::is_allowed(const EngineSetting& setting) {
   if (end_) return false;
   if (is_raised(options_.stop)) {
     end_ = AdviceEnd::Interrupted;
-  } else if (runs_ >= options_.max_runs) {
+  } else if (runs_ >= kRuleRunsPerRun * options_.max_runs) {
     end_ = AdviceEnd::TooManyRuns;
   } else if (static_cast<double>(total_work_ + work(setting)) > options_.max_work) {
     end_ = AdviceEnd::TooMuchWork;

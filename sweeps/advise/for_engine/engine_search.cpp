@@ -13,7 +13,7 @@ constexpr int kFirstSegments = 8;
 constexpr double kSegmentRatio = 1.25;
 /// Steps are bracketed this closely before the number of segments is settled, then both this
 /// closely, or to one.
-constexpr double kStepRatio = 1.1;
+constexpr double kStepRatio = 1.2;
 constexpr double kFineRatio = 1.02;
 /// Numbers of segments in a row that are no cheaper, after which no others are tried.
 constexpr int kFailures = 2;
