@@ -111,7 +111,7 @@ std::string engine_advice_text(const EngineAdvice& advice, const AdviceOptions& 
   if (advice.end != EngineAdviceEnd::Found) {
     std::string text = fmt::format("{} for mujoco: nothing within {}: {}", name,
                                    per_cent_text(options.within), why_no_setting(advice));
-    if (advice.setting.segments == 0) return text + '\n';
+    if (advice.time_step == 0.0) return text + '\n';
     return text + "; the last setting:\n" + setting_lines(advice) +
            fmt::format("  it is {} off our own run with {}\n", per_cent_text(advice.error),
                        advice.reference_setting);

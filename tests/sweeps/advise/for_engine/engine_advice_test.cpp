@@ -172,6 +172,9 @@ TEST(EngineAdvice, EndsInOrderWhereverItIsStopped) {
     options.progress = [&](int) { stop = ++done >= calls; };
     const EngineAdvice advice = sweeps::advise_for_mujoco(setup, options);
     EXPECT_EQ(advice.end, EngineAdviceEnd::Interrupted) << calls;
+    const std::string text = sweeps::engine_advice_text(advice, options, "bar.toml");
+    EXPECT_NE(text.find("interrupted"), std::string::npos);
+    EXPECT_EQ(text.find("= 0 s"), std::string::npos) << text;
   }
 }
 
