@@ -13,6 +13,7 @@
 #include <utility>
 #include <vector>
 
+#include "cli/advise_for_engine.hpp"
 #include "cli/command.hpp"
 #include "cli/common_options.hpp"
 #include "cli/exit_code.hpp"
@@ -35,6 +36,7 @@ namespace {
 
 struct AdviseArguments {
   std::string scene;
+  std::string engine;
   std::string within;
   std::string budget;
   std::string output;
@@ -133,9 +135,23 @@ void write_reports(const AdviseArguments& arguments, const sweeps::Advice& advic
   if (arguments.plot != "-") tell("wrote {}\n", arguments.plot);
 }
 
+/// What goes with an engine, and no other. @throws InputError
+EngineAdviceRequest engine_request(const AdviseArguments& arguments) {
+  EngineAdviceRequest request{arguments.engine,  arguments.scene, arguments.output, arguments.json,
+                              arguments.options, arguments.force, arguments.quiet};
+  check_engine_request(request);
+  refuse_option(!arguments.budget.empty(), "--budget",
+                "does not go with --for: what a step takes is the engine's affair");
+  refuse_option(!arguments.plot.empty(), "--plot", "does not go with --for");
+  return request;
+}
+
 int advise(AdviseArguments arguments) {
+  const bool for_engine = !arguments.engine.empty();
+  if (for_engine) (void)engine_request(arguments);
   take_wish(arguments);
   check_outputs_of(arguments);
+  if (for_engine) return advise_for_engine(engine_request(arguments));
   const io::SceneFile file = io::read_scene_file(arguments.scene);
   tell_notes(file.notes);
   // The tables that the scene names must be found from where the advised one is written.
@@ -167,10 +183,14 @@ void add_advise(CLI::App& app, Action& action) {
   sub->add_option("--budget", arguments->budget,
                   "Take the most accurate whose run takes no more CPU time: \"2 ms\"")
       ->option_text("TIME");
+  sub->add_option("--for", arguments->engine,
+                  "Choose segments, joints and step for this engine: mujoco")
+      ->option_text("ENGINE");
   sub->add_option("--of", arguments->options.probes,
                   "Look at these probes; without it at all of the scene")
       ->option_text("PROBE...");
-  sub->add_option("-o,--output", arguments->output, "Write the scene with what is advised")
+  sub->add_option("-o,--output", arguments->output,
+                  "Write the scene with what is advised; with --for the beam, .xml")
       ->option_text("FILE");
   add_json_option(*sub, arguments->json);
   sub->add_option("--plot", arguments->plot,
@@ -192,6 +212,7 @@ void add_advise(CLI::App& app, Action& action) {
       "Example:\n"
       "  plastica advise scene.toml --within \"1 %\" -o advised.toml\n"
       "  plastica advise scene.toml --budget \"2 ms\" --plot trade.svg\n"
+      "  plastica advise scene.toml --within \"1 %\" --for mujoco -o beam.xml\n"
       "Exit code 1 if no setting is within the error or the time, or none was found\n"
       "within --max-runs and --max-work.");
   sub->callback([&action, arguments] { action = [arguments] { return advise(*arguments); }; });

@@ -5,6 +5,7 @@
 #include <limits>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "plastica/model/scene.hpp"
@@ -90,8 +91,9 @@ struct EngineBeam {
   std::vector<EngineJoint> joints;
   /// The scene's x, y and z in world axes: others than these where the beam was turned.
   EngineAxes scene_axes{{{1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {0.0, 0.0, 1.0}}};
-  std::array<double, 3> gravity{};  ///< world axes [m/s^2]
-  double time_step = 1e-3;          ///< the scene's [s]
+  std::array<double, 3> gravity{};                ///< world axes [m/s^2]
+  double time_step = 1e-3;                        ///< [s]
+  std::string_view time_step_of = "the scene's";  ///< who says so
   /// What times its stiffness is a joint's damping [s]; empty: the scene's joints have none.
   std::optional<double> damping_time{};
   EngineContacts contacts = EngineContacts::None;

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "calibrate/engine/mujoco_numbers.hpp"
 #include "calibrate/engine/writers.hpp"
 #include "plastica/base/check.hpp"
 
@@ -35,13 +36,11 @@ std::vector<std::string> engine_notes(const EngineBeam& beam, EngineFormat forma
     notes.push_back(
         fmt::format("the damping of the scene's joints, {:g} s, is left out", *beam.damping_time));
   }
-  // Its reader of XML (tinyxml2) ends there up to MuJoCo 2; each segment is inside of the last.
-  constexpr std::size_t kNested = 96;
-  if (format == EngineFormat::Mjcf && beam.segments.size() > kNested) {
+  if (format == EngineFormat::Mjcf && beam.segments.size() > kMujocoSegments) {
     notes.push_back(fmt::format(
         "MuJoCo 2 reads no more than 100 elements inside of each other, so {} segments at most: "
         "this beam has {}",
-        kNested, beam.segments.size()));
+        kMujocoSegments, beam.segments.size()));
   }
   return notes;
 }

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "calibrate/engine/engine_notes.hpp"
+#include "calibrate/engine/mujoco_numbers.hpp"
 #include "calibrate/engine/writers.hpp"
 #include "plastica/model/section_kind.hpp"
 #include "plastica/report/xml_text.hpp"
@@ -34,19 +35,6 @@ std::string of_vector(const std::array<double, 3>& v) { return digits(v, " "); }
 std::string of_quaternion(const EngineAxes& axes) { return digits(quaternion(axes), " "); }
 
 EngineAxes world_axes() { return {{{1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {0.0, 0.0, 1.0}}}; }
-
-/// The damping of a joint over its stiffness [s]. What nothing damps would ring for ever at its
-/// highest frequencies; a tenth of a step calms these and leaves those that the step resolves.
-double damping_time(const EngineBeam& beam) {
-  return beam.damping_time.value_or(0.1 * beam.time_step);
-}
-
-/// The armature of a joint over step times stiffness [s]. Half the step keeps springs stable; the
-/// constraint solver, which does not know that damping is implicit, needs as much inertia as that
-/// adds.
-double armature_time(const EngineBeam& beam) {
-  return std::max(0.5 * beam.time_step, damping_time(beam));
-}
 
 /// Two geometries touch where the contype of one meets the conaffinity of the other; 1 and 1 are
 /// MuJoCo's defaults.
@@ -140,8 +128,7 @@ class MjcfWriter {
           "{}  <joint name=\"{}\" type=\"hinge\" axis=\"{}\" stiffness=\"{}\" damping=\"{}\" "
           "armature=\"{}\"/>\n",
           indent, hinge_name(joint, k), of_vector(seen_from(axes, joint.axes[k])),
-          joint.stiffness[k], damping_time(beam_) * joint.stiffness[k],
-          armature_time(beam_) * beam_.time_step * joint.stiffness[k]);
+          joint.stiffness[k], mujoco_damping(beam_, joint, k), mujoco_armature(beam_, joint, k));
     }
     if (joint.off_start) add_slides(joint, axes, indent);
   }
@@ -202,11 +189,11 @@ std::string mjcf_step_note(const EngineBeam& beam) {
       beam.damping_time
           ? fmt::format("{:.3g} s times its stiffness", *beam.damping_time)
           : fmt::format("{:.3g} s times its stiffness, a tenth of the step, which is numerical",
-                        damping_time(beam));
+                        mujoco_damping_time(beam));
   return fmt::format(
-      "the step is {:.3g} s, the scene's; each joint's armature, {:.3g} s times the step and its "
+      "the step is {:.3g} s, {}; each joint's armature, {:.3g} s times the step and its "
       "stiffness, keeps it stable. The damping of a joint is {}",
-      beam.time_step, armature_time(beam), damping);
+      beam.time_step, beam.time_step_of, mujoco_armature_time(beam), damping);
 }
 
 std::string mjcf_text(const EngineBeam& beam) { return MjcfWriter(beam).write(); }

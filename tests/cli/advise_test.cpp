@@ -96,6 +96,68 @@ TEST_F(Advise, TakesABudgetOfTime) {
   EXPECT_EQ(none.code, 1) << none.out;
 }
 
+/// The shipped arm of a robot, which moves.
+std::string arm() { return std::string(PLASTICA_SOURCE_DIR) + "/data/scenes/robot_arm.toml"; }
+
+TEST_F(Advise, WritesTheBeamForMujoco) {
+  const CommandResult advised = place_.run({"advise", arm(), "--within", "2 %", "--for", "mujoco",
+                                            "-o", "beam.xml", "--json", "advice.json"});
+  ASSERT_EQ(advised.code, 0) << advised.err;
+  EXPECT_NE(advised.out.find("robot_arm.toml for mujoco, within 2 %:\n  segments         = "),
+            std::string::npos)
+      << advised.out;
+  EXPECT_NE(advised.err.find("the step is 0.004 s, as advised"), std::string::npos) << advised.err;
+  const std::string beam = place_.read("beam.xml");
+  EXPECT_NE(beam.find("<option timestep=\"0.004\" integrator=\"Euler\""), std::string::npos);
+  EXPECT_NE(beam.find("Note: segments and step are advised for gripper"), std::string::npos);
+  EXPECT_NE(place_.read("advice.json").find("\"engine\": \"mujoco\""), std::string::npos);
+  // It does not write over what is there.
+  EXPECT_EQ(
+      place_.run({"advise", arm(), "--within", "2 %", "--for", "mujoco", "-o", "beam.xml"}).code,
+      2);
+}
+
+TEST_F(Advise, TakesMoreRunsByMujocosRuleThanOfOurs) {
+  const CommandResult advised =
+      place_.run({"advise", arm(), "--within", "0.5 %", "--for", "mujoco", "--max-runs", "16"});
+  EXPECT_EQ(advised.code, 0) << advised.err;
+  EXPECT_NE(advised.out.find("the advice took 16 runs of ours and "), std::string::npos)
+      << advised.out;
+}
+
+TEST_F(Advise, SaysWhereItFindsNothingForMujoco) {
+  const CommandResult none = place_.run({"advise", arm(), "--within", "0.5 %", "--for", "mujoco",
+                                         "--max-runs", "8", "-o", "beam.xml"});
+  EXPECT_EQ(none.code, 1) << none.out;
+  EXPECT_NE(none.out.find("robot_arm.toml for mujoco: nothing within 0.5 %: "), std::string::npos)
+      << none.out;
+  EXPECT_FALSE(place_.has("beam.xml"));
+}
+
+TEST_F(Advise, RefusesForMujocoInOneLine) {
+  const auto refusal = [&](std::vector<std::string> words) {
+    words.insert(words.begin(), {"advise", arm()});
+    const CommandResult result = place_.run(words);
+    EXPECT_EQ(result.code, 2) << result.out;
+    return result.err;
+  };
+  EXPECT_EQ(refusal({"--within", "1 %", "--for", "mujco"}),
+            "plastica: --for = mujco: must be one of mujoco; did you mean mujoco?\n");
+  EXPECT_EQ(refusal({"--within", "1 %", "--for", "mujoco", "-o", "advised.toml"}),
+            "plastica: -o = advised.toml: must end in .xml: with --for mujoco it is the beam\n");
+  EXPECT_EQ(refusal({"--budget", "2 ms", "--for", "mujoco"}),
+            "plastica: --budget: does not go with --for: what a step takes is the engine's "
+            "affair\n");
+  EXPECT_EQ(refusal({"--within", "1 %", "--for", "mujoco", "--plot", "a.svg"}),
+            "plastica: --plot: does not go with --for\n");
+  EXPECT_EQ(refusal({"--for", "mujoco"}), "plastica: advise: needs one of --within and --budget\n");
+  const CommandResult rests = place_.run({"advise", scene_, "--within", "1 %", "--for", "mujoco"});
+  EXPECT_EQ(rests.code, 2);
+  EXPECT_EQ(rests.err,
+            "plastica: solver.analysis: must be \"dynamics\" with --for: it advises the step of a "
+            "motion\n");
+}
+
 TEST_F(Advise, RefusesInOneLine) {
   const auto refusal = [&](std::vector<std::string> words) {
     words.insert(words.begin(), {"advise", scene_});

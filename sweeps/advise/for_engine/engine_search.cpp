@@ -1,0 +1,170 @@
+#include "sweeps/advise/for_engine/engine_search.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace plastica::sweeps {
+namespace {
+
+constexpr int kFirstSegments = 8;
+/// From one number of segments that is tried to the next.
+constexpr double kSegmentRatio = 1.25;
+/// Steps are bracketed this closely before the number of segments is settled, then both this
+/// closely, or to one.
+constexpr double kStepRatio = 1.2;
+constexpr double kFineRatio = 1.02;
+/// Numbers of segments in a row that are no cheaper, after which no others are tried.
+constexpr int kFailures = 2;
+/// Doubling both moves the result by less than this part of what is too much: it has come to its
+/// limit.
+constexpr double kOfGap = 0.1;
+
+std::vector<int> segment_numbers(int fewest, int most) {
+  std::vector<int> numbers{fewest};
+  while (numbers.back() < most) {
+    const int next = static_cast<int>(std::ceil(kSegmentRatio * numbers.back()));
+    numbers.push_back(std::min(next, most));
+  }
+  return numbers;
+}
+
+std::string per_cent(double fraction) { return fmt::format("{:.3g} %", 100.0 * fraction); }
+
+}  // namespace
+
+EngineSearch::EngineSearch(EngineRuns& runs, const Outcome& reference,
+                           const std::vector<WatchedProbe>& watched, double allowed)
+    : runs_(runs), reference_(reference), watched_(watched), allowed_(allowed) {}
+
+Deviation EngineSearch::off(const EngineSetting& setting) {
+  return deviation(runs_.run(setting), reference_, watched_, "our own");
+}
+
+double EngineSearch::change(const EngineSetting& from, const EngineSetting& to) {
+  if (from == to) return 0.0;
+  return deviation(runs_.run(from), runs_.run(to), watched_).largest;
+}
+
+EngineVerdict EngineSearch::judge(const EngineSetting& setting) {
+  last_ = setting;
+  EngineVerdict verdict;
+  verdict.off = off(setting);
+  if (verdict.off.largest > allowed_) {
+    verdict.reason = verdict.off.reason;
+    return verdict;
+  }
+  EngineSetting segments = setting;
+  segments.segments *= 2;  // the rule takes more than the engine's file may have
+  EngineSetting steps = setting;
+  steps.steps *= 2;
+  verdict.by_segments = change(setting, segments);
+  verdict.by_steps = change(setting, steps);
+  const double off_segments = off(segments).largest;
+  const double off_steps = off(steps).largest;
+  verdict.within = std::max(off_segments, off_steps) <= allowed_;
+  if (!verdict.within) {
+    verdict.reason =
+        off_segments > allowed_
+            ? fmt::format("with twice as many segments it is {} off", per_cent(off_segments))
+            : fmt::format("with half the step it is {} off", per_cent(off_steps));
+  }
+  return verdict;
+}
+
+bool EngineSearch::is_within(const EngineSetting& setting) { return judge(setting).within; }
+
+bool EngineSearch::find_first(EngineDamping damping) {
+  EngineSetting at{damping, std::max(kFirstSegments, runs_.fewest_segments()), 1};
+  at.segments = std::min(at.segments, runs_.most_segments());
+  int at_limit = 0;
+  while (!runs_.end()) {
+    if (best_ && runs_.work(at) >= runs_.work(*best_)) return false;
+    const EngineVerdict verdict = judge(at);
+    if (verdict.within) {
+      best_ = at;
+      return true;
+    }
+    EngineSetting segments = at;
+    segments.segments = std::min(2 * at.segments, runs_.most_segments());
+    EngineSetting steps = at;
+    steps.steps = std::min(2 * at.steps, runs_.most_steps());
+    if (segments == at && steps == at) return false;
+    const double by_segments = change(at, segments);
+    const double by_steps = change(at, steps);
+    const double gap = verdict.off.largest - allowed_;
+    at_limit = by_segments + by_steps < kOfGap * gap ? at_limit + 1 : 0;
+    if (at_limit >= 2) return false;
+    const bool refine_segments = segments != at && !(2.0 * by_segments < by_steps);
+    const bool refine_steps = steps != at && !(2.0 * by_steps < by_segments && segments != at);
+    if (refine_segments) at.segments = segments.segments;
+    if (refine_steps || !refine_segments) at.steps = steps.steps;
+  }
+  return false;
+}
+
+void EngineSearch::reduce(EngineSetting setting, int EngineSetting::*number, int few,
+                          double ratio) {
+  best_ = setting;
+  while (setting.*number > few + 1 && setting.*number > ratio * few && !runs_.end()) {
+    EngineSetting middle = setting;
+    const double mean = std::sqrt(static_cast<double>(std::max(few, 1)) * setting.*number);
+    middle.*number = std::clamp(static_cast<int>(std::lround(mean)), few + 1, setting.*number - 1);
+    if (is_within(middle)) {
+      setting = middle;
+      best_ = setting;
+    } else {
+      few = middle.*number;
+    }
+  }
+}
+
+bool EngineSearch::try_segments(int segments) {
+  const double most = static_cast<double>(best_->segments) * best_->steps / segments;
+  const EngineSetting setting{best_->damping, segments, static_cast<int>(std::ceil(most)) - 1};
+  if (setting.steps < 1 || !is_within(setting)) return false;
+  reduce(setting, &EngineSetting::steps, 0, kStepRatio);
+  return true;
+}
+
+void EngineSearch::try_other_segments() {
+  const int first = best_->segments;
+  std::vector<int> fewer;
+  std::vector<int> more;
+  for (const int n : segment_numbers(runs_.fewest_segments(), runs_.most_segments())) {
+    if (n < first) fewer.insert(fewer.begin(), n);
+    if (n > first) more.push_back(n);
+  }
+  for (const std::vector<int>& numbers : {fewer, more}) {
+    int failed = 0;
+    for (const int segments : numbers) {
+      if (runs_.end() || failed == kFailures) break;
+      failed = try_segments(segments) ? 0 : failed + 1;
+    }
+  }
+}
+
+void EngineSearch::polish() {
+  for (bool better = true; better && !runs_.end();) {
+    better = false;
+    for (int EngineSetting::*const number : {&EngineSetting::steps, &EngineSetting::segments}) {
+      const int fewest = number == &EngineSetting::steps ? 1 : runs_.fewest_segments();
+      EngineSetting less = *best_;
+      less.*number -= std::max(1, static_cast<int>((kFineRatio - 1.0) * less.*number));
+      if (less.*number < fewest || !is_within(less)) continue;
+      const int far = static_cast<int>(less.*number / kSegmentRatio);
+      reduce(less, number, std::max(far, fewest - 1), kFineRatio);
+      better = true;
+    }
+  }
+}
+
+void EngineSearch::search(EngineDamping damping) {
+  if (!find_first(damping)) return;
+  reduce(*best_, &EngineSetting::steps, 0, kStepRatio);
+  try_other_segments();
+  polish();
+}
+
+}  // namespace plastica::sweeps

@@ -1,0 +1,182 @@
+#include "sweeps/advise/for_engine/engine_advice.hpp"
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <cmath>
+#include <string>
+
+#include "plastica/io/scene_file.hpp"
+#include "sweeps/advise/for_engine/engine_advice_json.hpp"
+#include "sweeps/advise/for_engine/engine_advice_text.hpp"
+#include "tests/support/message.hpp"
+#include "tests/sweeps/advise/for_engine/engine_advice_scenes.hpp"
+
+namespace plastica::testing {
+namespace {
+
+using sweeps::AdviceOptions;
+using sweeps::EngineAdvice;
+using sweeps::EngineAdviceEnd;
+
+plastica::Setup setup_of(const std::string& text) {
+  return io::parse_scene_file(text, "scene.toml").setup;
+}
+
+AdviceOptions within(double error) {
+  AdviceOptions options;
+  options.within = error;
+  return options;
+}
+
+std::string refusal_of(const plastica::Setup& setup, const AdviceOptions& options = {}) {
+  return message_of([&] { (void)sweeps::advise_for_mujoco(setup, options); });
+}
+
+TEST(EngineAdvice, IsTheCheapestOfThoseThatItTried) {
+  const AdviceOptions options = within(0.02);
+  const EngineAdvice advice = sweeps::advise_for_mujoco(setup_of(released_strip()), options);
+  ASSERT_EQ(advice.end, EngineAdviceEnd::Found);
+  EXPECT_FALSE(advice.cut_short);
+  EXPECT_DOUBLE_EQ(advice.promised, advice.error + advice.reference_error);
+  EXPECT_LE(advice.reference_error, 0.25 * options.within);
+  EXPECT_EQ(advice.beam.segments.size(), static_cast<std::size_t>(advice.setting.segments));
+  EXPECT_DOUBLE_EQ(advice.beam.time_step, advice.time_step);
+  // 50 samples in a second.
+  EXPECT_NEAR(advice.time_step * advice.setting.steps, 0.02, 1e-12);
+  EXPECT_EQ(advice.work, advice.setting.segments * advice.setting.steps * 50);
+  ASSERT_TRUE(advice.next_cheaper.has_value());
+  EXPECT_LT(advice.next_cheaper->work, advice.work);
+  EXPECT_GT(advice.next_cheaper->error, options.within - advice.reference_error);
+  // Fewer of either alone do not do.
+  EXPECT_GT(advice.error, 0.7 * options.within);
+}
+
+TEST(EngineAdvice, SaysWhatAPersonAndAScriptNeed) {
+  const AdviceOptions options = within(0.05);
+  const EngineAdvice advice = sweeps::advise_for_mujoco(setup_of(struck_bar()), options);
+  ASSERT_EQ(advice.end, EngineAdviceEnd::Found);
+  const std::string text = sweeps::engine_advice_text(advice, options, "bar.toml");
+  for (const char* part :
+       {"bar.toml for mujoco, within 5 %:\n", "  segments         = ", "  step             = ",
+        "  joint stiffness  = ", "N m s/rad, none, as in the scene", "  joint armature   = ",
+        "at most ", "next cheaper, not within: ", "note: loads are not in the file"}) {
+    EXPECT_NE(text.find(part), std::string::npos) << part << '\n' << text;
+  }
+  const std::string json = sweeps::engine_advice_json(advice, options, "bar.toml");
+  for (const char* part : {"\"engine\": \"mujoco\"", "\"end\": \"found\"", "\"damping\": \"none\"",
+                           "\"name\": \"joint_1\"", "\"next_cheaper\": {"}) {
+    EXPECT_NE(json.find(part), std::string::npos) << part << '\n' << json;
+  }
+}
+
+TEST(EngineAdvice, KnowsWhatMujocosBeamLeavesOut) {
+  // Shear is some 3 % of the deflection of a beam five times as long as deep.
+  const plastica::Setup stocky = setup_of(plastic_strip(
+      "duration = '10 ms'\nsteps = 40\n",
+      "[gravity]\nacceleration = ['0 m/s^2', '-9.81 m/s^2', '0 m/s^2']\nhistory = 'constant'\n" +
+          tip_probe("y"),
+      "100 mm"));
+  const AdviceOptions options = within(0.005);
+  const EngineAdvice advice = sweeps::advise_for_mujoco(stocky, options);
+  EXPECT_EQ(advice.end, EngineAdviceEnd::AtLimit);
+  EXPECT_GT(advice.error, 0.01);
+  const std::string text = sweeps::engine_advice_text(advice, options, "stocky.toml");
+  EXPECT_NE(text.find("nothing within 0.5 %: more segments and shorter steps do not help"),
+            std::string::npos)
+      << text;
+  EXPECT_NE(sweeps::engine_advice_json(advice, options, "").find("\"promised\": null"),
+            std::string::npos);
+}
+
+TEST(EngineAdvice, RefusesWhatAnExportDoesNotHold) {
+  const plastica::Setup good = setup_of(struck_bar());
+  plastica::Setup bad = good;
+  bad.solver.analysis = Analysis::Statics;
+  EXPECT_EQ(refusal_of(bad),
+            "solver.analysis: must be \"dynamics\" with --for: it advises the step of a motion");
+  bad = good;
+  bad.scene.supports.push_back({.at = Place::end(), .kind = SupportKind::Roller});
+  EXPECT_EQ(refusal_of(bad),
+            "support[2]: is off the beam's start: advice for mujoco is for beams that are held at "
+            "their start alone");
+  bad = good;
+  bad.scene.supports.clear();
+  EXPECT_EQ(refusal_of(bad),
+            "support: is missing: advice for mujoco is for beams that are held at their start");
+  bad = good;
+  bad.scene.supports[0].translation = {0.0, 0.1, 0.0};
+  EXPECT_NE(refusal_of(bad).find("support[1]: moves: "), std::string::npos) << refusal_of(bad);
+  bad = good;
+  bad.scene.supports = {{.kind = SupportKind::Elastic, .stiffness = {1.0, 1.0, 1.0}}};
+  EXPECT_EQ(refusal_of(bad), "support[1]: is of kind elastic, which no export has");
+  bad = good;
+  bad.scene.initial_motions.push_back({.velocity = {0.0, 1.0, 0.0}});
+  EXPECT_EQ(refusal_of(bad), "initial_motion: does not go with --for: an export has no velocities");
+  bad = good;
+  bad.scene.cuts.push_back({.time = 0.1});
+  EXPECT_EQ(refusal_of(bad), "cut: does not go with --for: mujoco has no joint that breaks");
+}
+
+TEST(EngineAdvice, RefusesWhatYieldsOrBreaks) {
+  plastica::Setup bad = setup_of(struck_bar());
+  bad.scene.yield_model = YieldModel::PerAxis;
+  bad.scene.material.yield_stress = 1e9;
+  EXPECT_EQ(sweeps::advise_for_mujoco(bad, within(0.1)).end, EngineAdviceEnd::Found);
+  bad.scene.material.yield_stress = 1e6;
+  EXPECT_NE(refusal_of(bad).find("rules.yield_model: lets the beam yield here (plastic work "),
+            std::string::npos)
+      << refusal_of(bad);
+  bad.scene.material.break_strain = 1e-5;
+  EXPECT_NE(refusal_of(bad).find("material.break_strain: is exceeded after "), std::string::npos)
+      << refusal_of(bad);
+}
+
+TEST(EngineAdvice, LooksAtWhatAnEngineHas) {
+  plastica::Setup setup = setup_of(struck_bar());
+  setup.scene.probes.push_back(
+      {.name = "kinetic", .quantity = ProbeQuantity::Energy, .energy = EnergyKind::Kinetic});
+  const EngineAdvice advice = sweeps::advise_for_mujoco(setup, within(0.1));
+  EXPECT_EQ(advice.left_out, std::vector<std::string>{"kinetic"});
+  AdviceOptions options = within(0.1);
+  options.probes = {"kinetic"};
+  EXPECT_EQ(refusal_of(setup, options),
+            "--of = kinetic: is no displacement, rotation, velocity or spin, which alone are "
+            "compared with --for");
+  setup.scene.probes[0].component = Component::X;  // across the plane of the motion
+  EXPECT_NE(refusal_of(setup, within(0.1)).find("probe: stays within rounding"), std::string::npos);
+  setup.scene.probes.erase(setup.scene.probes.begin());
+  EXPECT_EQ(refusal_of(setup),
+            "probe: is missing: advice with --for needs a displacement, rotation, velocity or spin "
+            "to look at");
+}
+
+TEST(EngineAdvice, EndsInOrderWhereverItIsStopped) {
+  const plastica::Setup setup = setup_of(struck_bar());
+  int found = 0;
+  for (int runs = 4; runs < 40; runs += 7) {
+    AdviceOptions options = within(0.02);
+    options.max_runs = runs;
+    const EngineAdvice advice = sweeps::advise_for_mujoco(setup, options);
+    EXPECT_LE(advice.runs, 3 * runs);
+    if (advice.end != EngineAdviceEnd::Found) continue;
+    ++found;
+    EXPECT_LE(advice.promised, 0.02);
+  }
+  EXPECT_GT(found, 0);
+  for (int calls = 1; calls < 30; calls += 7) {
+    std::atomic<bool> stop = false;
+    std::atomic<int> done = 0;
+    AdviceOptions options = within(0.02);
+    options.stop = &stop;
+    options.progress = [&](int) { stop = ++done >= calls; };
+    const EngineAdvice advice = sweeps::advise_for_mujoco(setup, options);
+    EXPECT_EQ(advice.end, EngineAdviceEnd::Interrupted) << calls;
+    const std::string text = sweeps::engine_advice_text(advice, options, "bar.toml");
+    EXPECT_NE(text.find("interrupted"), std::string::npos);
+    EXPECT_EQ(text.find("= 0 s"), std::string::npos) << text;
+  }
+}
+
+}  // namespace
+}  // namespace plastica::testing
