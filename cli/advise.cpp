@@ -148,6 +148,7 @@ EngineAdviceRequest engine_request(const AdviseArguments& arguments) {
 
 int advise(AdviseArguments arguments) {
   const bool for_engine = !arguments.engine.empty();
+  if (!for_engine) require_ending("-o", arguments.output, ".toml", "it is the scene");
   if (for_engine) (void)engine_request(arguments);
   take_wish(arguments);
   check_outputs_of(arguments);

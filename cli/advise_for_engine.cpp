@@ -56,8 +56,7 @@ void write_beam(const EngineAdviceRequest& request, sweeps::EngineAdvice& advice
 void check_engine_request(const EngineAdviceRequest& request) {
   const auto engines = sweeps::advised_engines();
   check_word("--for", request.engine, std::vector<std::string>(engines.begin(), engines.end()));
-  if (request.output.empty() || std::filesystem::path(request.output).extension() == ".xml") return;
-  throw InputError({}, "-o", request.output, "must end in .xml: with --for mujoco it is the beam");
+  require_ending("-o", request.output, ".xml", "with --for mujoco it is the beam");
 }
 
 int advise_for_engine(EngineAdviceRequest request) {

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <utility>
 
 namespace plastica::cli {
@@ -16,7 +17,8 @@ void ProgressBar::update(std::size_t done, std::size_t failed, std::size_t resum
 
 std::string ProgressBar::line(const std::string& what, std::size_t done, std::size_t failed,
                               std::size_t resumed, std::size_t total, double seconds) {
-  const double fraction = total == 0 ? 1.0 : static_cast<double>(done) / static_cast<double>(total);
+  const double fraction =
+      total == 0 ? 1.0 : std::min(1.0, static_cast<double>(done) / static_cast<double>(total));
   const double rate = seconds > 0.0 ? static_cast<double>(done - resumed) / seconds : 0.0;
   std::string text = fmt::format("{} {} {}/{}, {} failed, {:.3g}/s", what, bar_text(fraction), done,
                                  total, failed, rate);

@@ -94,9 +94,11 @@ int recommend(const RecommendArguments& arguments) {
     throw InputError({arguments.file, 0}, "", "", "has no errors: its sweep has no error.against");
   }
   for (const auto& [option, path] :
-       {std::pair("--output", arguments.output), std::pair("--next", arguments.next)}) {
+       {std::pair<std::string_view, std::string>("--output", arguments.output),
+        std::pair<std::string_view, std::string>("--next", arguments.next)}) {
     if (path.empty()) continue;
     refuse_input(option, path, arguments.file);
+    require_ending(option, path, ".toml", option == "--next" ? "it is a sweep" : "it is the scene");
     io::check_output_path(path, arguments.force);
   }
   if (!arguments.next.empty() && !arguments.output.empty()) {

@@ -87,6 +87,12 @@ void refuse_other_format(const std::string& output) {
                    "of it");
 }
 
+void require_ending(std::string_view option, const std::string& output, std::string_view ending,
+                    std::string_view kind) {
+  if (output.empty() || fs::path(output).extension() == ending) return;
+  throw InputError({}, option, output, fmt::format("must end in {}: {}", ending, kind));
+}
+
 void refuse_option(bool given, std::string_view option, std::string_view rule) {
   if (given) throw InputError({}, option, "", rule);
 }

@@ -29,6 +29,11 @@ void refuse_own_files(std::string_view option, const std::string& path, const st
 /// Refuses the name of a result file that ends as another format does. @throws InputError
 void refuse_other_format(const std::string& output);
 
+/// Refuses an output, if there is one, that does not end as what is written does.
+/// @param kind  "it is the beam"
+void require_ending(std::string_view option, const std::string& output, std::string_view ending,
+                    std::string_view kind);
+
 /// Refuses an option that does not go with the others. @throws InputError
 /// @param given  whether the command line has the option
 void refuse_option(bool given, std::string_view option, std::string_view rule);

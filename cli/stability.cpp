@@ -44,6 +44,7 @@ void check_stability_outputs(const StabilityArguments& arguments) {
     io::check_output_path(path, arguments.force);
   };
   check("--output", arguments.output);
+  require_ending("--output", arguments.output, ".csv", "it has the points");
   if (!arguments.map.empty()) report::check_picture_output(arguments.map, "--map");
   if (arguments.map != "-") check("--map", arguments.map);
   if (!arguments.output.empty() && !arguments.map.empty()) {

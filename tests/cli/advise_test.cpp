@@ -176,6 +176,8 @@ TEST_F(Advise, RefusesInOneLine) {
   EXPECT_EQ(refusal({"--budget", "0 s"}), "plastica: --budget = 0 s: must be above 0 s\n");
   EXPECT_EQ(refusal({"--within", "1 %", "--plot", "a.txt"}),
             "plastica: --plot = a.txt: must end in .svg, .png, .pdf or .gp, or be -\n");
+  EXPECT_EQ(refusal({"--within", "1 %", "-o", "a.h5"}),
+            "plastica: -o = a.h5: must end in .toml: it is the scene\n");
   EXPECT_EQ(refusal({"--within", "1 %", "--json", "-"}),
             "plastica: -: is no file: standard output is not taken here\n");
   EXPECT_NE(refusal({"--within", "1 %", "--json", "a.svg", "--plot", "a.svg"}).find("--plot"),

@@ -74,6 +74,8 @@ TEST_F(StabilityCommand, RefusesInOneLine) {
             "plastica: --output = cantilever.toml: is a file that this run reads\n");
   EXPECT_TRUE(has(refusal({"--reach", "1"}), "--reach"));
   EXPECT_TRUE(has(refusal({"--vary", "beam.length", "-o", "-"}), "plastica: -: is no file"));
+  EXPECT_TRUE(has(refusal({"--vary", "beam.length", "-o", "p.svg"}),
+                  "plastica: --output = p.svg: must end in .csv: it has the points\n"));
   EXPECT_TRUE(has(refusal({"--vary", "beam.length,beam.segments", "--map", "map.jpg"}),
                   "plastica: --map = map.jpg: must end in"));
   EXPECT_TRUE(refusal({"--vary", "beam.lenght"})
