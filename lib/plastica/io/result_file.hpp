@@ -45,8 +45,7 @@ RunMeta begin_meta(std::string command_line, int threads);
 /// Checks where a result is to be written, before anything is computed.
 /// @param force  whether a file that is there may be overwritten
 /// @throws InputError if it is "-", exists already, is a folder, link, device or pipe, or its
-/// folder is
-///         missing or cannot be written to
+///         folder is missing or cannot be written to
 void check_output_path(const std::string& path, bool force);
 
 /// The attribute `schema` of a result file: "plastica/fits".
