@@ -17,6 +17,7 @@
 #include "plastica/io/result_file.hpp"
 #include "plastica/io/scene_file.hpp"
 #include "plastica/io/text_file.hpp"
+#include "plastica/report/format.hpp"
 #include "plastica/report/picture.hpp"
 #include "sweeps/stability/scene_scan_text.hpp"
 #include "sweeps/stability/summary.hpp"
@@ -91,8 +92,9 @@ int scan_file(const StabilityArguments& arguments) {
     tell("wrote {}\n", arguments.output);
   }
   if (interrupt.flag()) {
-    tell("plastica: interrupted after {} points{}\n", all.size(),
-         arguments.output.empty() ? ", which are lost: -o FILE keeps them" : "");
+    const bool lost = arguments.output.empty() && !all.empty();
+    tell("plastica: interrupted after {}{}\n", report::counted(all.size(), "point"),
+         lost ? ", which are lost: -o FILE keeps them" : "");
     return kInterrupted;
   }
   if (!grid.empty()) {

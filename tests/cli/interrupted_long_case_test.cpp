@@ -181,7 +181,7 @@ TEST_F(InterruptedLongCase, OfTheScanOfASceneIsNoPoint) {
   place_.write("beam.toml", long_path());
   const CommandResult result =
       interrupt({"stability", "beam.toml", "--vary", "beam.length", "--quiet"});
-  EXPECT_EQ(result.err, "plastica: interrupted; nothing is written of a scan\n");
+  EXPECT_EQ(result.err, "plastica: interrupted after 0 points\n");
 }
 
 TEST_F(InterruptedLongCase, OfAdviceWritesNothing) {

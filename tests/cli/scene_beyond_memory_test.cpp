@@ -36,7 +36,8 @@ TEST(SceneBeyondMemory, IsRefusedBeforeItRuns) {
   place.write("beam.toml", beam("10000"));
   const CommandResult result = place.run({"simulate", "beam.toml", "-o", "beam.h5"});
   EXPECT_EQ(result.code, 2) << result.err;
-  EXPECT_TRUE(has(result.err, "plastica: beam.segments = 10000: takes 16 TB of memory"))
+  EXPECT_TRUE(
+      has(result.err, "plastica: beam.toml:3: beam.segments = 10000: takes 16 TB of memory"))
       << result.err;
   EXPECT_TRUE(has(result.err, "fewer segments, solver.steps or solver.frames take less\n"));
   EXPECT_EQ(lines_of(result.err), 1U);
