@@ -121,6 +121,7 @@ std::vector<double> graded_fractions(const Scene& scene, const std::vector<doubl
       cumulative_density(changes_of_curvature(bent, ends, needed_ends(scene)), ends);
   if (sum.empty()) return {};
   std::vector<double> density_at;
+  density_at.reserve(wanted.size());
   for (const double place : wanted) density_at.push_back(on_line(ends, sum, place));
   const std::vector<int> counts = dealt(density_at, segments);
   // Ends with few digits, for who reads them; a thousandth of a segment does not matter.
