@@ -11,16 +11,12 @@
 namespace plastica::sweeps {
 namespace {
 
-std::string percent(double fraction) {
-  return std::isfinite(fraction) ? fmt::format("{:.3g} %", 100.0 * fraction) : "unknown";
-}
-
 std::string cost_text(std::int64_t work, double seconds) {
   return fmt::format("{} segment-iterations, {:.3g} ms", work, 1e3 * seconds);
 }
 
 std::string error_text(const TriedSetting& one) {
-  return std::isfinite(one.error) ? "error " + percent(one.error) : "no error: " + one.reason;
+  return std::isfinite(one.error) ? "error " + error_percent(one.error) : "no error: " + one.reason;
 }
 
 /// Why nothing was found.
@@ -39,7 +35,7 @@ std::string why_nothing(const Advice& advice) {
 
 std::string head(const Advice& advice, const AdviceOptions& options, const std::string& name) {
   const std::string wish = options.budget > 0.0 ? fmt::format("for {:.3g} ms", 1e3 * options.budget)
-                                                : "within " + percent(options.within);
+                                                : "within " + error_percent(options.within);
   if (advice.end == AdviceEnd::Found) return fmt::format("{}, {}:\n", name, wish);
   return fmt::format("{}: nothing {}: {}; the {} setting:\n", name, wish, why_nothing(advice),
                      advice.end == AdviceEnd::TooDear ? "cheapest" : "last");
@@ -55,7 +51,7 @@ std::string numbers_text(const Advice& advice) {
     text += line_of(*advice.axes[k].field, value_text(*advice.axes[k].field, advice.setting[k]));
     if (k < advice.budget.size()) {
       const BudgetLine& line = advice.budget[k];
-      text += fmt::format("  error {}", percent(line.error));
+      text += fmt::format("  error {}", error_percent(line.error));
       if (line.error > 0.0 && std::isfinite(line.error)) {
         text += line.order_seen ? fmt::format(", order {:.2g}", line.order)
                                 : fmt::format(", order {:.2g} supposed", line.order);
@@ -71,7 +67,7 @@ std::string graded_text(const Advice& advice) {
   const auto [shortest, longest] = std::ranges::minmax(advice.fractions);
   std::string text = fmt::format("  beam.segment_lengths: {}, from {} to {} of the length",
                                  advice.even ? "graded" : "with ends at the probes",
-                                 percent(shortest), percent(longest));
+                                 error_percent(shortest), error_percent(longest));
   if (advice.even && advice.cost > 0.0) {
     text += fmt::format("; {:.0f} even ones would be {:.2g} times the cost",
                         advice.even->setting.front(), advice.even->cost / advice.cost);
@@ -96,7 +92,8 @@ std::string other_text(const WordAxis& axis, std::size_t chosen, const OtherWord
   if (!std::isfinite(other.error)) return fmt::format("; {} will not do: {}", word, other.reason);
   std::string text = fmt::format("; {} would be {:.2g} times the cost", word, other.cost);
   if (axis.kind == WordKind::Method) return text;
-  return other.choice < chosen ? text + fmt::format(" and {} off", percent(other.error)) : text;
+  return other.choice < chosen ? text + fmt::format(" and {} off", error_percent(other.error))
+                               : text;
 }
 
 std::string words_text(const Advice& advice) {
@@ -107,7 +104,7 @@ std::string words_text(const Advice& advice) {
     text += line_of(axis.field(), axis.choices[chosen].text());
     if (!advice.word_budget.empty()) {
       const WordLine& line = advice.word_budget[w];
-      text += axis.kind == WordKind::Model ? fmt::format("  error {}", percent(line.error))
+      text += axis.kind == WordKind::Model ? fmt::format("  error {}", error_percent(line.error))
                                            : "  its error is in the numbers";
       if (const OtherWord* other = told(axis, chosen, line))
         text += other_text(axis, chosen, *other);
@@ -119,6 +116,10 @@ std::string words_text(const Advice& advice) {
 }
 
 }  // namespace
+
+std::string error_percent(double fraction) {
+  return std::isfinite(fraction) ? fmt::format("{:.3g} %", 100.0 * fraction) : "unknown";
+}
 
 std::string setting_text(const Advice& advice, const TriedSetting& one) {
   std::string text = setting_text(advice.axes, one.setting);
@@ -149,7 +150,7 @@ std::string advice_text(const Advice& advice, const AdviceOptions& options,
   if (advice.end == AdviceEnd::Found) {
     text +=
         fmt::format("  together at most {}; a run that is finer in each, and richest, is {} off\n",
-                    percent(advice.promised), percent(advice.verified));
+                    error_percent(advice.promised), error_percent(advice.verified));
   }
   if (advice.end == AdviceEnd::Found || advice.end == AdviceEnd::TooDear) {
     text += fmt::format("  cost {} (median of such runs' time for that work)\n",

@@ -12,6 +12,9 @@ namespace plastica::sweeps {
 std::string advice_text(const Advice& advice, const AdviceOptions& options,
                         const std::string& name);
 
+/// "1.25 %"; "unknown" of what is not finite.
+std::string error_percent(double fraction);
+
 /// "beam.segments = 16, solver.time_step = 0.001 s"
 std::string setting_text(const std::vector<FinenessAxis>& axes, const Setting& setting);
 /// The same, with the words that are others than the advised ones.

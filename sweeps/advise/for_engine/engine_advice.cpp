@@ -16,8 +16,6 @@
 namespace plastica::sweeps {
 namespace {
 
-/// What of the allowed error the reference may be off by itself.
-constexpr double kReferenceShare = 0.25;
 /// A motion in a plane that leaves it by no more stays in it [1].
 constexpr double kInPlane = 1e-6;
 constexpr std::array<bool, 3> kAllTurns{true, true, true};

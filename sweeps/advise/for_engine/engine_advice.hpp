@@ -19,6 +19,9 @@ std::span<const std::string_view> advised_engines();
 /// Runs by an engine's rule, which are cheap, for each of ours that is allowed.
 inline constexpr int kRuleRunsPerRun = 3;
 
+/// What of the allowed error the run that an engine's are compared with may be off by itself.
+inline constexpr double kReferenceShare = 0.25;
+
 /// A setting of an engine that was run.
 struct TriedEngineSetting {
   EngineSetting setting{};

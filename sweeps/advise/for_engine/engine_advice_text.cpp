@@ -14,10 +14,6 @@
 namespace plastica::sweeps {
 namespace {
 
-std::string per_cent_text(double fraction) {
-  return std::isfinite(fraction) ? fmt::format("{:.3g} %", 100.0 * fraction) : "unknown";
-}
-
 std::string why_no_setting(const EngineAdvice& advice) {
   switch (advice.end) {
     case EngineAdviceEnd::NoReference: return "no run of ours came close enough to compare with";
@@ -79,16 +75,16 @@ std::string setting_lines(const EngineAdvice& advice) {
   std::string text = engine_line("segments", std::to_string(advice.setting.segments));
   const bool found = advice.end == EngineAdviceEnd::Found;
   if (found)
-    text += fmt::format("  twice as many move it by {}", per_cent_text(advice.by_segments));
+    text += fmt::format("  twice as many move it by {}", error_percent(advice.by_segments));
   text += '\n' + engine_line("step", fmt::format("{:.6g} s", advice.time_step));
-  if (found) text += fmt::format("  half of it moves it by {}", per_cent_text(advice.by_steps));
+  if (found) text += fmt::format("  half of it moves it by {}", error_percent(advice.by_steps));
   return text + '\n' + joint_lines(advice);
 }
 
 std::string tried_text(const TriedEngineSetting& one) {
   std::string text =
       setting_text_of(one.setting.segments, one.time_step, one.setting.damping) + "\n  ";
-  text += std::isfinite(one.error) ? "error " + per_cent_text(one.error) : "no error";
+  text += std::isfinite(one.error) ? "error " + error_percent(one.error) : "no error";
   if (!one.reason.empty()) text += fmt::format(" ({})", one.reason);
   return text + fmt::format(", {} segment-steps\n", one.work);
 }
@@ -103,26 +99,26 @@ std::string engine_advice_text(const EngineAdvice& advice, const AdviceOptions& 
   }
   if (advice.end == EngineAdviceEnd::NoReference) {
     AdviceOptions ours = options;
-    ours.within = 0.25 * options.within;
+    ours.within = kReferenceShare * options.within;
     return fmt::format("{} for mujoco: nothing within {}: {}\n", name,
-                       per_cent_text(options.within), why_no_setting(advice)) +
+                       error_percent(options.within), why_no_setting(advice)) +
            advice_text(advice.reference, ours, name);
   }
   if (advice.end != EngineAdviceEnd::Found) {
     std::string text = fmt::format("{} for mujoco: nothing within {}: {}", name,
-                                   per_cent_text(options.within), why_no_setting(advice));
+                                   error_percent(options.within), why_no_setting(advice));
     if (advice.time_step == 0.0) return text + '\n';
     return text + "; the last setting:\n" + setting_lines(advice) +
-           fmt::format("  it is {} off our own run with {}\n", per_cent_text(advice.error),
+           fmt::format("  it is {} off our own run with {}\n", error_percent(advice.error),
                        advice.reference_setting);
   }
   std::string text =
-      fmt::format("{} for mujoco, within {}:\n", name, per_cent_text(options.within)) +
+      fmt::format("{} for mujoco, within {}:\n", name, error_percent(options.within)) +
       setting_lines(advice);
-  text += fmt::format("  error {} against our own run with {}\n", per_cent_text(advice.error),
+  text += fmt::format("  error {} against our own run with {}\n", error_percent(advice.error),
                       advice.reference_setting);
   text += fmt::format("  which is within {} itself: at most {} in all\n",
-                      per_cent_text(advice.reference_error), per_cent_text(advice.promised));
+                      error_percent(advice.reference_error), error_percent(advice.promised));
   if (!advice.worst.empty()) text += fmt::format("  the largest is of {}\n", advice.worst);
   text += fmt::format("  cost {} segment-steps\n", advice.work);
   if (advice.next_cheaper) {

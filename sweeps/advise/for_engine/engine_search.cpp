@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sweeps/advise/advice_text.hpp"
+
 namespace plastica::sweeps {
 namespace {
 
@@ -29,8 +31,6 @@ std::vector<int> segment_numbers(int fewest, int most) {
   }
   return numbers;
 }
-
-std::string per_cent(double fraction) { return fmt::format("{:.3g} %", 100.0 * fraction); }
 
 }  // namespace
 
@@ -67,8 +67,8 @@ EngineVerdict EngineSearch::judge(const EngineSetting& setting) {
   if (!verdict.within) {
     verdict.reason =
         off_segments > allowed_
-            ? fmt::format("with twice as many segments it is {} off", per_cent(off_segments))
-            : fmt::format("with half the step it is {} off", per_cent(off_steps));
+            ? fmt::format("with twice as many segments it is {} off", error_percent(off_segments))
+            : fmt::format("with half the step it is {} off", error_percent(off_steps));
   }
   return verdict;
 }
