@@ -78,16 +78,25 @@ TEST(SceneScan, IsNotTakenInByProbesOfTheSameNearestJoint) {
   EXPECT_NEAR(scan.deviation.value_or(0.0), 0.1 / 0.9, 0.01);
 }
 
+/// Steps of 4 ms and of 2 ms see nothing of a force that swings in one: they differ by 0.5 %, and
+/// are 22 % off.
 TEST(SceneScan, IsNotTakenInByStepsOfTheLoadsPeriod) {
-  plastica::Setup setup = places_alike(8);
-  setup.solver.analysis = Analysis::Dynamics;
-  setup.solver.duration = 0.2;
-  setup.solver.steps = 50;
-  setup.solver.time_step = 4e-3;
-  setup.scene.loads[0].history = History::sine(1e-3, 200.0, 0.5);
-  setup.scene.loads[0].at = Place{0.5, {}};
-  setup.scene.probes[0].at = Place{0.5, {}};
-  EXPECT_EQ(scan_of(setup, {"beam.length"}).own.validity, Validity::Inaccurate);
+  const plastica::Setup setup =
+      io::parse_scene_file(
+          "material = 'S355'\n[beam]\nlength = '2 m'\nsegments = 16\n"
+          "section = { shape = 'rectangle', width = '20 mm', height = '20 mm' }\n"
+          "[rules]\nyield_model = 'elastic'\n"
+          "[solver]\nanalysis = 'dynamics'\nduration = '200 ms'\nsteps = 50\n"
+          "time_step = '4 ms'\nframes = 1\n[gravity]\ny = '-9.81 m/s^2'\n"
+          "[[support]]\nat = 'start'\nkind = 'clamp'\n"
+          "[[load]]\nat = 'end'\nforce = ['0 N', '-200 N', '0 N']\n"
+          "history = { period = '1 ms', cycles = 200 }\n"
+          "[[probe]]\nname = 'tip'\nkind = 'displacement'\nat = 'end'\ncomponent = 'y'\n",
+          "shaken.toml")
+          .setup;
+  const SceneScan scan = scan_of(setup, {"beam.length"});
+  EXPECT_EQ(scan.own.validity, Validity::Inaccurate);
+  EXPECT_GT(scan.deviation.value_or(0.0), 0.15);
 }
 
 TEST(SceneScan, FollowsASceneWhoseResultIsTheSameUpToItsReach) {
