@@ -185,13 +185,13 @@ void add_advise(CLI::App& app, Action& action) {
                   "Take the most accurate whose run takes no more CPU time: \"2 ms\"")
       ->option_text("TIME");
   sub->add_option("--for", arguments->engine,
-                  "Choose segments, joints and step for this engine: mujoco")
+                  "Choose segments, joints and step for this engine: mujoco, bullet")
       ->option_text("ENGINE");
   sub->add_option("--of", arguments->options.probes,
                   "Look at these probes; without it at all of the scene")
       ->option_text("PROBE...");
   sub->add_option("-o,--output", arguments->output,
-                  "Write the scene with what is advised; with --for the beam, .xml")
+                  "Write the scene with what is advised; with --for the beam, .xml or .hpp")
       ->option_text("FILE");
   add_json_option(*sub, arguments->json);
   sub->add_option("--plot", arguments->plot,

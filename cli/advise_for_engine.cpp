@@ -22,7 +22,8 @@
 namespace plastica::cli {
 namespace {
 
-sweeps::EngineAdvice engine_advice_with_progress(const Setup& setup, sweeps::AdviceOptions options,
+sweeps::EngineAdvice engine_advice_with_progress(const sweeps::AdvisedEngine& engine,
+                                                 const Setup& setup, sweeps::AdviceOptions options,
                                                  bool quiet) {
   const InterruptGuard interrupt;
   options.stop = &interrupt.flag();
@@ -30,7 +31,7 @@ sweeps::EngineAdvice engine_advice_with_progress(const Setup& setup, sweeps::Adv
   ProgressBar bar("runs, at most",
                   static_cast<std::size_t>(sweeps::kRuleRunsPerRun * options.max_runs), quiet);
   options.progress = [&](int runs) { bar.update(static_cast<std::size_t>(runs), 0); };
-  sweeps::EngineAdvice advice = sweeps::advise_for_mujoco(setup, options);
+  sweeps::EngineAdvice advice = sweeps::advise_for_engine(engine, setup, options);
   bar.clear();
   return advice;
 }
@@ -38,7 +39,8 @@ sweeps::EngineAdvice engine_advice_with_progress(const Setup& setup, sweeps::Adv
 void write_beam(const EngineAdviceRequest& request, sweeps::EngineAdvice& advice,
                 const std::string& name) {
   calibrate::EngineBeam& beam = advice.beam;
-  for (const std::string& note : calibrate::engine_notes(beam, calibrate::EngineFormat::Mjcf)) {
+  const calibrate::EngineFormat format = advice.engine->format;
+  for (const std::string& note : calibrate::engine_notes(beam, format)) {
     tell("note: {}\n", note);
   }
   beam.notes.insert(beam.notes.begin(), advice.notes.begin(), advice.notes.end());
@@ -46,7 +48,7 @@ void write_beam(const EngineAdviceRequest& request, sweeps::EngineAdvice& advice
       beam.notes.begin(),
       fmt::format("segments and step are advised for {} of {}: error {:.3g} % at most",
                   advice.worst, name, 100.0 * advice.promised));
-  io::write_text_file(request.output, calibrate::engine_text(beam, calibrate::EngineFormat::Mjcf),
+  io::write_text_file(request.output, calibrate::engine_text(beam, format),
                       io::overwrite_if(request.force));
   tell("wrote {}\n", request.output);
 }
@@ -54,16 +56,19 @@ void write_beam(const EngineAdviceRequest& request, sweeps::EngineAdvice& advice
 }  // namespace
 
 void check_engine_request(const EngineAdviceRequest& request) {
-  const auto engines = sweeps::advised_engines();
-  check_word("--for", request.engine, std::vector<std::string>(engines.begin(), engines.end()));
-  require_ending("-o", request.output, ".xml", "with --for mujoco it is the beam");
+  std::vector<std::string> words;
+  for (const sweeps::AdvisedEngine& one : sweeps::advised_engines()) words.emplace_back(one.word);
+  check_word("--for", request.engine, words);
+  const sweeps::AdvisedEngine& engine = *sweeps::advised_engine(request.engine);
+  require_ending("-o", request.output, std::string(engine.ending),
+                 fmt::format("with --for {} it is the beam", engine.word));
 }
 
 int advise_for_engine(EngineAdviceRequest request) {
   const io::SceneFile file = io::read_scene_file(request.scene);
   tell_notes(file.notes);
-  sweeps::EngineAdvice advice =
-      engine_advice_with_progress(file.setup, request.options, request.quiet);
+  sweeps::EngineAdvice advice = engine_advice_with_progress(
+      *sweeps::advised_engine(request.engine), file.setup, request.options, request.quiet);
   const std::string name = std::filesystem::path(request.scene).filename().string();
   fmt::print("{}", sweeps::engine_advice_text(advice, request.options, name));
   if (advice.end == sweeps::EngineAdviceEnd::Interrupted) return kInterrupted;

@@ -178,7 +178,7 @@ std::string text_of(const ExportArguments& arguments) {
                    {Sweep}}};
   refuse_options_of_others(kind, options);
   constexpr std::string_view kOfBeams =
-      "goes with a beam: --what beam, or --to mjcf, agx, chrono or opensees";
+      "goes with a beam: --what beam, or --to mjcf, agx, bullet, chrono or opensees";
   refuse_option(!beam && !arguments.beam.scene.empty(), "--scene", kOfBeams);
   refuse_option(!beam && !arguments.beam.which.empty(), "--case", kOfBeams);
   refuse_option(!beam && !arguments.beam.target.empty(), "--target", kOfBeams);
@@ -247,7 +247,7 @@ void add_export(CLI::App& app, Action& action) {
   sub->add_option(
          "--to", arguments->beam.to,
          "Write csv or json; of a sweep also markdown or latex; the beam as mjcf (MuJoCo), "
-         "agx, chrono or opensees; default: as the output's name ends, else csv")
+         "agx, bullet, chrono or opensees; default: as the output's name ends, else csv")
       ->option_text("FORMAT");
   sub->add_option("--what", arguments->what, "Write these numbers as CSV; names below")
       ->option_text("NAME");
@@ -273,7 +273,7 @@ void add_export(CLI::App& app, Action& action) {
   sub->add_option("--segments", arguments->beam.segments, "Divide the beam into N segments")
       ->option_text("N")
       ->group(beam);
-  const char* world = "World of an engine (mjcf, agx, chrono)";
+  const char* world = "World of an engine (mjcf, agx, bullet, chrono)";
   sub->add_option("--up", arguments->beam.up,
                   "Turn what is up in the scene (against its gravity, else y) to this axis")
       ->option_text("z|y|x|-z|-y|-x")

@@ -129,7 +129,13 @@ BeamSource simulated_beam(const BeamRequest& request) {
 /// Whether a format has a world with an up axis and gravity.
 bool has_world(calibrate::EngineFormat format) {
   using enum calibrate::EngineFormat;
-  return format == Mjcf || format == Agx || format == Chrono;
+  return format == Mjcf || format == Agx || format == Bullet || format == Chrono;
+}
+
+/// Whether a format's joints have the damping that is asked for.
+bool takes_damping(calibrate::EngineFormat format) {
+  using enum calibrate::EngineFormat;
+  return format == Mjcf || format == Bullet;
 }
 
 /// The world that the options ask for.
@@ -137,11 +143,12 @@ bool has_world(calibrate::EngineFormat format) {
 calibrate::EngineWorld world_of(const BeamRequest& request, calibrate::EngineFormat format) {
   using enum calibrate::EngineFormat;
   const bool in_world = has_world(format);
-  constexpr std::string_view kWithWorld = "goes with --to mjcf, agx or chrono";
+  constexpr std::string_view kWithWorld = "goes with --to mjcf, agx, bullet or chrono";
   refuse_option(!request.up.empty() && !in_world, "--up", kWithWorld);
   refuse_option(!request.gravity.empty() && !in_world, "--gravity", kWithWorld);
   constexpr std::string_view kWithMjcf = "goes with --to mjcf";
-  refuse_option(!request.damping.empty() && format != Mjcf, "--damping", kWithMjcf);
+  refuse_option(!request.damping.empty() && !takes_damping(format), "--damping",
+                "goes with --to mjcf or bullet");
   refuse_option(!request.contacts.empty() && format != Mjcf, "--contacts", kWithMjcf);
   calibrate::EngineWorld world{.up = request.up};
   if (!request.gravity.empty()) {
@@ -189,7 +196,7 @@ std::string beam_text(const BeamRequest& request, ResultKind kind) {
   if (has_world(format) && beam.gravity == std::array<double, 3>{}) {
     tell("note: no gravity, as in the scene; --gravity sets it\n");
   }
-  if (format == calibrate::EngineFormat::Mjcf && request.damping.empty()) {
+  if (takes_damping(format) && request.damping.empty()) {
     tell("note: --damping sets what times its stiffness damps a joint\n");
   }
   beam.notes.insert(beam.notes.begin(), source.notes.begin(), source.notes.end());

@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 
 #include "calibrate/engine/engine_notes.hpp"
-#include "calibrate/engine/mujoco_numbers.hpp"
+#include "calibrate/engine/hinge_numbers.hpp"
 #include "calibrate/engine/writers.hpp"
 #include "plastica/model/section_kind.hpp"
 #include "plastica/report/xml_text.hpp"
@@ -124,11 +124,12 @@ class MjcfWriter {
     if (!joint.off_start) add_slides(joint, axes, indent);
     for (std::size_t k = 0; k < 3; ++k) {
       if (joint.rotation[k] == JointHold::Rigid) continue;
+      const HingeNumbers hinge = hinge_numbers(HingeEngine::Mujoco, beam_, joint, k);
       text_ += written(
           "{}  <joint name=\"{}\" type=\"hinge\" axis=\"{}\" stiffness=\"{}\" damping=\"{}\" "
           "armature=\"{}\"/>\n",
-          indent, hinge_name(joint, k), of_vector(seen_from(axes, joint.axes[k])),
-          joint.stiffness[k], mujoco_damping(beam_, joint, k), mujoco_armature(beam_, joint, k));
+          indent, hinge_name(joint, k), of_vector(seen_from(axes, joint.axes[k])), hinge.stiffness,
+          hinge.damping, hinge.armature);
     }
     if (joint.off_start) add_slides(joint, axes, indent);
   }

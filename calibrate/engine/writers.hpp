@@ -10,9 +10,13 @@ namespace plastica::calibrate {
 /// How a MuJoCo step stays stable, and what damps the joints.
 std::string mjcf_step_note(const EngineBeam& beam);
 
+/// That Bullet's step must be short enough for the springs.
+std::string bullet_step_note(const EngineBeam& beam);
+
 std::string csv_text(const EngineBeam& beam);
 std::string mjcf_text(const EngineBeam& beam);
 std::string agx_text(const EngineBeam& beam);
+std::string bullet_text(const EngineBeam& beam);
 std::string chrono_text(const EngineBeam& beam);
 std::string opensees_text(const EngineBeam& beam);
 

@@ -142,7 +142,7 @@ TEST_F(Advise, RefusesForMujocoInOneLine) {
     return result.err;
   };
   EXPECT_EQ(refusal({"--within", "1 %", "--for", "mujco"}),
-            "plastica: --for = mujco: must be one of mujoco; did you mean mujoco?\n");
+            "plastica: --for = mujco: must be one of mujoco, bullet; did you mean mujoco?\n");
   EXPECT_EQ(refusal({"--within", "1 %", "--for", "mujoco", "-o", "advised.toml"}),
             "plastica: -o = advised.toml: must end in .xml: with --for mujoco it is the beam\n");
   EXPECT_EQ(refusal({"--budget", "2 ms", "--for", "mujoco"}),

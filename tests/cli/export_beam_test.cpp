@@ -164,7 +164,8 @@ TEST_F(ExportBeam, ThatCannotBeIsRefusedInOneLine) {
   for (const char* name : {"fit.h5", "scene.toml", "coupon.toml"}) files[name] = place_.read(name);
   const std::vector<std::pair<std::vector<std::string>, std::string>> requests = {
       {{"--to", "mjfc"},
-       "--to = mjfc: must be one of csv, json, markdown, latex, mjcf, agx, chrono, opensees; did "
+       "--to = mjfc: must be one of csv, json, markdown, latex, mjcf, agx, bullet, chrono, "
+       "opensees; did "
        "you mean mjcf?"},
       {{"--to", "mjcf", "--case", "a"},
        "--scene: is missing: a fit knows the material; a scene file has the beam"},
@@ -178,11 +179,11 @@ TEST_F(ExportBeam, ThatCannotBeIsRefusedInOneLine) {
       {{"--to", "agx", "--scene", "scene.toml", "--case", "a", "--segments", "0"},
        "beam.segments = 0: must be…"},
       {{"--to", "json", "--scene", "scene.toml"},
-       "--scene: goes with a beam: --what beam, or --to mjcf, agx, chrono or opensees"},
+       "--scene: goes with a beam: --what beam, or --to mjcf, agx, bullet, chrono or opensees"},
       {{"--case", "a"},
-       "--case: goes with a beam: --what beam, or --to mjcf, agx, chrono or opensees"},
+       "--case: goes with a beam: --what beam, or --to mjcf, agx, bullet, chrono or opensees"},
       {{"--segments", "3"},
-       "--segments: goes with a beam: --what beam, or --to mjcf, agx, chrono or opensees"},
+       "--segments: goes with a beam: --what beam, or --to mjcf, agx, bullet, chrono or opensees"},
       {{"--to", "mjcf", "--scene", "scene.toml", "--case", "a", "--gravity", "9.81"},
        "--gravity = 9.81: an acceleration needs a unit (examples: m/s^2, gravity)"},
       {{"--to", "mjcf", "--scene", "scene.toml", "--case", "a", "--gravity", "-9.81 m/s^2"},
@@ -190,7 +191,7 @@ TEST_F(ExportBeam, ThatCannotBeIsRefusedInOneLine) {
       {{"--to", "mjcf", "--scene", "scene.toml", "--case", "a", "--damping", "1 m"},
        "--damping = 1 m: …"},
       {{"--to", "opensees", "--scene", "scene.toml", "--case", "a", "--up", "z"},
-       "--up: goes with --to mjcf, agx or chrono"},
+       "--up: goes with --to mjcf, agx, bullet or chrono"},
       {{"--to", "agx", "--scene", "scene.toml", "--case", "a", "--contacts", "all"},
        "--contacts: goes with --to mjcf"},
       {{"--to", "mjcf", "--up", "up"}, "--up = up: must be one of x, y, z, -x, -y, -z"},
@@ -199,7 +200,7 @@ TEST_F(ExportBeam, ThatCannotBeIsRefusedInOneLine) {
       {{"--to", "mjcf", "--target", "a"},
        "--target: is for results of fits; this is a result of fits"},
       {{"--to", "csv", "--up", "z"},
-       "--up: goes with a beam: --what beam, or --to mjcf, agx, chrono or opensees"},
+       "--up: goes with a beam: --what beam, or --to mjcf, agx, bullet, chrono or opensees"},
       {{"--to", "mjcf", "--what", "curves"}, "--what: goes with --to csv or json"},
       {{"--to", "mjcf", "--time", "1 s"},
        "--time: is for simulated scenes; this is a result of fits"},

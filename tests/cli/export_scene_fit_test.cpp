@@ -91,7 +91,7 @@ TEST_F(ExportSceneFit, NeedsNoSceneFile) {
 
 TEST_F(ExportSceneFit, SaysInEachFormatWithHowManySegmentsTheFitWasMade) {
   fit(std::string(kFit) + kTarget);
-  for (const char* format : {"csv", "mjcf", "agx", "chrono", "opensees"}) {
+  for (const char* format : {"csv", "mjcf", "agx", "bullet", "chrono", "opensees"}) {
     SCOPED_TRACE(format);
     const CommandResult own = beam({"--what", "beam", "--to", format});
     EXPECT_NE(own.out.find("fitted with 8 segments"), std::string::npos) << own.out;
@@ -236,7 +236,7 @@ TEST_F(ExportJointFit, NamesItsTargetsWhereItCannotChoose) {
       "a (ideal.toml (6 segments), ideal plasticity), b (hard.toml (4 segments), linear "
       "hardening), b2 (hard.toml (4 segments), linear hardening)";
   const std::map<std::string, std::string> files{{"fit.h5", place_.read("fit.h5")}};
-  for (const char* format : {"mjcf", "agx", "chrono", "opensees"}) {
+  for (const char* format : {"mjcf", "agx", "bullet", "chrono", "opensees"}) {
     expect_refusal(
         {"",
          files,
@@ -255,7 +255,7 @@ TEST_F(ExportJointFit, NamesItsTargetsWhereItCannotChoose) {
   expect_refusal({"",
                   files,
                   {"export", "fit.h5", "--what", "curves", "--target", "a"},
-                  "--target: goes with a beam: --what beam, or --to mjcf, agx, chrono or "
+                  "--target: goes with a beam: --what beam, or --to mjcf, agx, bullet, chrono or "
                   "opensees"});
 }
 

@@ -30,17 +30,18 @@ EngineAdviceEnd end_of(AdviceEnd end) {
 }
 
 /// Runs a scene of ours; refuses what yields or breaks. @throws InputError
-Outcome elastic_run(const Setup& setup, const std::vector<WatchedProbe>& watched,
-                    const AdviceOptions& options) {
+Outcome elastic_run(const AdvisedEngine& engine, const Setup& setup,
+                    const std::vector<WatchedProbe>& watched, const AdviceOptions& options) {
   const std::vector<BatchCase> cases{{"reference", setup.scene, setup.solver}};
   const BatchRow row = run_batch(cases, {.threads = 1, .stop = options.stop}).front();
-  check_elastic(setup, row.response);
+  check_elastic(engine, setup, row.response);
   return outcome_of(row, watched);
 }
 
 /// The dampings that the exported joints may have.
-std::vector<EngineDamping> dampings_of(const Setup& setup) {
+std::vector<EngineDamping> dampings_of(const AdvisedEngine& engine, const Setup& setup) {
   if (setup.solver.damping != Damping::None) return {EngineDamping::Scene};
+  if (!engine.damps_numerically) return {EngineDamping::None};
   return {EngineDamping::None, EngineDamping::Numerical};
 }
 
@@ -53,20 +54,15 @@ TriedEngineSetting tried_of(EngineSearch& search, const EngineRuns& runs,
 void add_notes(const Setup& setup, EngineAdvice& advice) {
   const Scene& scene = setup.scene;
   if (!scene.loads.empty()) {
-    advice.notes.emplace_back(
-        "loads are not in the file: set them before each step, at the present pose "
-        "(mj_step1, mj_applyFT, mj_step2)");
+    advice.notes.emplace_back(advice.engine->load_note);
   }
   const bool is_constant = scene.gravity_history.factor == std::vector<double>{1.0};
   if (scene.gravity != std::array<double, 3>{} && !is_constant) {
-    advice.notes.emplace_back(
-        "gravity has a history, and is constant in the file: set opt.gravity before each step");
+    advice.notes.emplace_back(advice.engine->gravity_note);
   }
   const bool moves = std::ranges::any_of(scene.supports, &Support::moves);
   if (moves) {
-    advice.notes.emplace_back(
-        "the clamp turns, and stands still in the file: set qpos_spring of the first joint's hinge "
-        "to its angle before each step");
+    advice.notes.emplace_back(advice.engine->clamp_note);
   }
 }
 
@@ -101,11 +97,13 @@ void fill_setting(EngineSearch& search, EngineRuns& runs, EngineAdvice& advice) 
   }
 }
 
-/// Whether all hinges of a joint, run together, come to what those of the plane come to.
-bool stays_in_plane(const Setup& setup, const std::vector<WatchedProbe>& watched,
-                    const AdviceOptions& options, EngineRuns& runs, const EngineSetting& setting) {
-  if (runs.turns() == kAllTurns) return true;
-  EngineRuns space(setup, watched, options);
+/// Whether all hinges of a joint, run together, come to what those of the plane come to, if the
+/// beam has them.
+bool stays_in_plane(const AdvisedEngine& engine, const Setup& setup,
+                    const std::vector<WatchedProbe>& watched, const AdviceOptions& options,
+                    EngineRuns& runs, const EngineSetting& setting) {
+  if (runs.turns() == kAllTurns || engine.holds_what_rests) return true;
+  EngineRuns space(engine, setup, watched, options);
   space.set_turns(kAllTurns);
   return deviation(runs.run(setting), space.run(setting), watched).largest <= kInPlane;
 }
@@ -120,7 +118,7 @@ Outcome reference_for(const Setup& setup, const std::vector<WatchedProbe>& watch
   ours.probes.clear();
   for (const WatchedProbe& one : watched) ours.probes.push_back(one.name);
   // What yields would take long to advise on.
-  (void)elastic_run(setup, watched, options);
+  (void)elastic_run(*advice.engine, setup, watched, options);
   advice.end = EngineAdviceEnd::NoReference;
   advice.reference = advise(setup, ours);
   if (advice.reference.end != AdviceEnd::Found) {
@@ -128,10 +126,12 @@ Outcome reference_for(const Setup& setup, const std::vector<WatchedProbe>& watch
     return {};
   }
   const Setup finest = finer_setup(setup, advice.reference, 0.5);
-  Outcome reference = elastic_run(finest, watched, options);
+  Outcome reference = elastic_run(*advice.engine, finest, watched, options);
   if (is_raised(options.stop)) advice.end = EngineAdviceEnd::Interrupted;
   advice.reason = reference.reason;
-  advice.reference_error = advice.reference.verified;
+  // Of graded segments errors may cancel in a single comparison.
+  advice.reference_error =
+      advice.reference.fractions.empty() ? advice.reference.verified : advice.reference.promised;
   advice.reference_setting =
       setting_text(advice.reference.axes, own_setting(finest, advice.reference.axes));
   return reference;
@@ -142,7 +142,7 @@ void advise_by_rule(const Setup& setup, const std::vector<WatchedProbe>& watched
                     const AdviceOptions& options, const Outcome& reference, EngineRuns& runs,
                     EngineAdvice& advice) {
   EngineSearch search(runs, reference, watched, options.within - advice.reference_error);
-  for (const EngineDamping damping : dampings_of(setup)) search.search(damping);
+  for (const EngineDamping damping : dampings_of(*advice.engine, setup)) search.search(damping);
   advice.cut_short = runs.end().has_value();
   advice.setting = search.best().value_or(search.last());
   if (search.best() && runs.end() != AdviceEnd::Interrupted) {
@@ -158,24 +158,21 @@ void advise_by_rule(const Setup& setup, const std::vector<WatchedProbe>& watched
 
 }  // namespace
 
-std::span<const std::string_view> advised_engines() {
-  static constexpr std::array<std::string_view, 1> kWords{"mujoco"};
-  return kWords;
-}
-
-EngineAdvice advise_for_mujoco(const Setup& setup, const AdviceOptions& options) {
+EngineAdvice advise_for_engine(const AdvisedEngine& engine, const Setup& setup,
+                               const AdviceOptions& options) {
   check_scene(setup.scene, setup.solver);
   (void)fineness_axes(setup);
-  check_for_mujoco(setup);
+  check_for_engine(engine, setup);
   const WatchedProbes probes = engine_probes(setup, options.probes);
   EngineAdvice advice;
+  advice.engine = &engine;
   advice.left_out = probes.left_out;
   const Outcome reference = reference_for(setup, probes.watched, options, advice);
   if (!usable(reference.status)) return advice;
-  EngineRuns runs(setup, probes.watched, options);
+  EngineRuns runs(engine, setup, probes.watched, options);
   advise_by_rule(setup, probes.watched, options, reference, runs, advice);
   if (advice.end == EngineAdviceEnd::Found &&
-      !stays_in_plane(setup, probes.watched, options, runs, advice.setting)) {
+      !stays_in_plane(engine, setup, probes.watched, options, runs, advice.setting)) {
     runs.set_turns(kAllTurns);
     advise_by_rule(setup, probes.watched, options, reference, runs, advice);
   }

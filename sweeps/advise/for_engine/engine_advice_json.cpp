@@ -7,8 +7,6 @@
 
 #include <nlohmann/json.hpp>
 
-#include "calibrate/engine/mujoco_numbers.hpp"
-
 namespace plastica::sweeps {
 namespace {
 
@@ -48,14 +46,15 @@ EngineJson json_of(const TriedEngineSetting& one) {
           {"segment_steps", one.work}};
 }
 
-EngineJson joints_of(const calibrate::EngineBeam& beam) {
+EngineJson joints_of(const AdvisedEngine& engine, const calibrate::EngineBeam& beam) {
   EngineJson all = EngineJson::array();
   for (const calibrate::EngineJoint& joint : beam.joints) {
     std::array<double, 3> damping{};
     std::array<double, 3> armature{};
     for (std::size_t k = 0; k < 3; ++k) {
-      damping[k] = calibrate::mujoco_damping(beam, joint, k);
-      armature[k] = calibrate::mujoco_armature(beam, joint, k);
+      const auto hinge = calibrate::hinge_numbers(engine.hinges, beam, joint, k);
+      damping[k] = hinge.damping;
+      armature[k] = hinge.armature;
     }
     all.push_back({{"name", joint.name},
                    {"stiffness", joint.stiffness},
@@ -77,13 +76,13 @@ std::string engine_advice_json(const EngineAdvice& advice, const AdviceOptions& 
   for (const TriedEngineSetting& one : advice.tried) tried.push_back(json_of(one));
   const EngineJson all = {
       {"scene", name},
-      {"engine", "mujoco"},
+      {"engine", advice.engine->word},
       {"end", word_of(advice.end)},
       {"within", options.within},
       {"segments", found ? EngineJson(advice.setting.segments) : EngineJson(nullptr)},
       {"time_step", if_found(advice.time_step)},
       {"damping", found ? EngineJson(word_of(advice.setting.damping)) : EngineJson(nullptr)},
-      {"joints", found ? joints_of(advice.beam) : EngineJson::array()},
+      {"joints", found ? joints_of(*advice.engine, advice.beam) : EngineJson::array()},
       {"error", if_found(advice.error)},
       {"reference_error", if_found(advice.reference_error)},
       {"promised", if_found(advice.promised)},

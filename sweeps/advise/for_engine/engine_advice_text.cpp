@@ -8,7 +8,6 @@
 #include <span>
 #include <utility>
 
-#include "calibrate/engine/mujoco_numbers.hpp"
 #include "sweeps/advise/advice_text.hpp"
 
 namespace plastica::sweeps {
@@ -23,11 +22,13 @@ std::string why_no_setting(const EngineAdvice& advice) {
     case EngineAdviceEnd::AtLimit:
     case EngineAdviceEnd::Found: break;
   }
-  if (advice.setting.segments >= static_cast<int>(calibrate::kMujocoSegments)) {
-    return fmt::format("not with {} segments, the most that mujoco 2 reads",
-                       calibrate::kMujocoSegments);
+  const AdvisedEngine& engine = *advice.engine;
+  if (advice.setting.segments >= engine.most_segments) {
+    return fmt::format("not with {} segments, {}", engine.most_segments, engine.limit);
   }
-  return "more segments and shorter steps do not help (mujoco's joints neither stretch nor shear)";
+  return fmt::format(
+      "more segments and shorter steps do not help ({}'s joints neither stretch nor shear)",
+      engine.word);
 }
 
 std::string setting_text_of(int segments, double time_step, EngineDamping damping) {
@@ -59,16 +60,19 @@ std::string joint_lines(const EngineAdvice& advice) {
   std::array<double, 3> damping{};
   std::array<double, 3> armature{};
   for (std::size_t k = 0; k < 3; ++k) {
-    damping[k] = calibrate::mujoco_damping(beam, *inner, k);
-    armature[k] = calibrate::mujoco_armature(beam, *inner, k);
+    const auto hinge = calibrate::hinge_numbers(advice.engine->hinges, beam, *inner, k);
+    damping[k] = hinge.damping;
+    armature[k] = hinge.armature;
   }
   const auto three = [](const std::array<double, 3>& v) {
     return fmt::format("{:.6g}, {:.6g}, {:.6g}", v[0], v[1], v[2]);
   };
-  return engine_line("joint stiffness", three(inner->stiffness)) + "  N m/rad, about x, y, z of " +
-         inner->name + "\n" + engine_line("joint damping", three(damping)) + "  N m s/rad, " +
-         std::string(damping_remark(advice.setting.damping)) + "\n" +
-         engine_line("joint armature", three(armature)) + "  kg m^2, for this step\n";
+  std::string text = engine_line("joint stiffness", three(inner->stiffness)) +
+                     "  N m/rad, about x, y, z of " + inner->name + "\n" +
+                     engine_line("joint damping", three(damping)) + "  N m s/rad, " +
+                     std::string(damping_remark(advice.setting.damping)) + "\n";
+  if (armature == std::array<double, 3>{}) return text;
+  return text + engine_line("joint armature", three(armature)) + "  kg m^2, for this step\n";
 }
 
 std::string setting_lines(const EngineAdvice& advice) {
@@ -94,27 +98,27 @@ std::string tried_text(const TriedEngineSetting& one) {
 std::string engine_advice_text(const EngineAdvice& advice, const AdviceOptions& options,
                                const std::string& name) {
   if (advice.end == EngineAdviceEnd::NoReference && !advice.reason.empty()) {
-    return fmt::format("{} for mujoco: nothing to compare with: our own run with {}: {}\n", name,
-                       advice.reference_setting, advice.reason);
+    return fmt::format("{} for {}: nothing to compare with: our own run with {}: {}\n", name,
+                       advice.engine->word, advice.reference_setting, advice.reason);
   }
   if (advice.end == EngineAdviceEnd::NoReference) {
     AdviceOptions ours = options;
     ours.within = kReferenceShare * options.within;
-    return fmt::format("{} for mujoco: nothing within {}: {}\n", name,
+    return fmt::format("{} for {}: nothing within {}: {}\n", name, advice.engine->word,
                        error_percent(options.within), why_no_setting(advice)) +
            advice_text(advice.reference, ours, name);
   }
   if (advice.end != EngineAdviceEnd::Found) {
-    std::string text = fmt::format("{} for mujoco: nothing within {}: {}", name,
+    std::string text = fmt::format("{} for {}: nothing within {}: {}", name, advice.engine->word,
                                    error_percent(options.within), why_no_setting(advice));
     if (advice.time_step == 0.0) return text + '\n';
     return text + "; the last setting:\n" + setting_lines(advice) +
            fmt::format("  it is {} off our own run with {}\n", error_percent(advice.error),
                        advice.reference_setting);
   }
-  std::string text =
-      fmt::format("{} for mujoco, within {}:\n", name, error_percent(options.within)) +
-      setting_lines(advice);
+  std::string text = fmt::format("{} for {}, within {}:\n", name, advice.engine->word,
+                                 error_percent(options.within)) +
+                     setting_lines(advice);
   text += fmt::format("  error {} against our own run with {}\n", error_percent(advice.error),
                       advice.reference_setting);
   text += fmt::format("  which is within {} itself: at most {} in all\n",
@@ -127,8 +131,8 @@ std::string engine_advice_text(const EngineAdvice& advice, const AdviceOptions& 
   if (advice.cut_short) {
     text += "the search was cut short (--max-runs, --max-work): others may be cheaper\n";
   }
-  text += fmt::format("the advice took {} runs of ours and {} by MuJoCo's rule\n",
-                      advice.reference.runs, advice.runs);
+  text += fmt::format("the advice took {} runs of ours and {} by {}'s rule\n",
+                      advice.reference.runs, advice.runs, advice.engine->name);
   for (const std::string& note : advice.notes) text += fmt::format("note: {}\n", note);
   for (const std::string& probe : advice.left_out) {
     text += fmt::format(

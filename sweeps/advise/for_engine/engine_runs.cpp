@@ -1,16 +1,17 @@
 #include "sweeps/advise/for_engine/engine_runs.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <utility>
 
 #include "calibrate/engine/engine_world.hpp"
-#include "calibrate/engine/mujoco_numbers.hpp"
 #include "plastica/model/beam_axis.hpp"
 #include "plastica/model/choose_level.hpp"
 #include "plastica/run/path_stops.hpp"
 #include "sweeps/advise/for_engine/engine_advice.hpp"
 #include "sweeps/advise/for_engine/engine_loads.hpp"
-#include "sweeps/advise/for_engine/mujoco_chain.hpp"
+#include "sweeps/advise/for_engine/hinge_chain.hpp"
 
 namespace plastica::sweeps {
 namespace {
@@ -38,11 +39,24 @@ std::array<bool, 3> turns_of(const Setup& setup) {
   }
 }
 
+/// Joints of a motion in a plane keep the hinges of that plane alone.
+void hold_what_rests(const std::array<bool, 3>& turns, calibrate::EngineBeam& beam) {
+  if (std::ranges::count(turns, false) == 0) return;
+  for (calibrate::EngineJoint& joint : beam.joints) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      if (!turns[k]) joint.rotation[k] = calibrate::JointHold::Rigid;
+    }
+  }
+  const auto axis = std::ranges::find(turns, true) - turns.begin();
+  beam.notes.push_back(fmt::format("joints turn about {} alone, as the motion does", "xyz"[axis]));
+}
+
 }  // namespace
 
-EngineRuns::EngineRuns(const Setup& setup, const std::vector<WatchedProbe>& watched,
-                       const AdviceOptions& options)
-    : setup_(setup),
+EngineRuns::EngineRuns(const AdvisedEngine& engine, const Setup& setup,
+                       const std::vector<WatchedProbe>& watched, const AdviceOptions& options)
+    : engine_(engine),
+      setup_(setup),
       watched_(watched),
       options_(options),
       fewest_(std::max(kFewestSegmentsOfEngine, needed_segments(setup.scene))),
@@ -51,12 +65,14 @@ EngineRuns::EngineRuns(const Setup& setup, const std::vector<WatchedProbe>& watc
   not_run_.reason = "it was not run";
 }
 
-int EngineRuns::most_segments() const { return static_cast<int>(calibrate::kMujocoSegments); }
-
 void EngineRuns::set_turns(const std::array<bool, 3>& turns) {
   if (turns == turns_) return;
   turns_ = turns;
   outcomes_.clear();
+}
+
+EngineSetting EngineRuns::with_twice_segments(const EngineSetting& setting) const {
+  return {setting.damping, 2 * setting.segments, engine_.steps_of_twice_segments * setting.steps};
 }
 
 std::int64_t EngineRuns::work(const EngineSetting& setting) const {
@@ -72,6 +88,7 @@ calibrate::EngineBeam EngineRuns::beam(const EngineSetting& setting) const {
   if (setting.damping == EngineDamping::None) world.damping_time = 0.0;
   calibrate::put_into(world, beam);
   beam.time_step_of = "as advised";
+  if (engine_.holds_what_rests) hold_what_rests(turns_, beam);
   return beam;
 }
 
@@ -104,7 +121,7 @@ const Outcome& EngineRuns::run(const EngineSetting& setting) {
 
 Outcome EngineRuns::made(const EngineSetting& setting) const {
   const calibrate::EngineBeam numbers = beam(setting);
-  MujocoChain chain(numbers, turns_);
+  HingeChain chain(engine_, numbers, turns_);
   const EngineLoads loads(setup_.scene, numbers);
   Outcome outcome;
   outcome.status = Status::Completed;
@@ -129,7 +146,7 @@ Outcome EngineRuns::made(const EngineSetting& setting) const {
       loads.gather(chain, time, wrenches);
       if (chain.step(loads.gravity(time), wrenches)) continue;
       outcome.status = Status::NonFinite;
-      outcome.reason = "mujoco's steps blow up";
+      outcome.reason = fmt::format("{}'s steps blow up", engine_.word);
       return outcome;
     }
     record(sample + 1);

@@ -8,6 +8,7 @@
 
 #include "calibrate/engine/engine_beam.hpp"
 #include "sweeps/advise/advice.hpp"
+#include "sweeps/advise/for_engine/advised_engine.hpp"
 #include "sweeps/advise/for_engine/engine_setting.hpp"
 #include "sweeps/advise/watched_probes.hpp"
 
@@ -18,14 +19,16 @@ namespace plastica::sweeps {
 class EngineRuns {
  public:
   /// @param watched  probes that the engine has, which outlive this
-  EngineRuns(const Setup& setup, const std::vector<WatchedProbe>& watched,
-             const AdviceOptions& options);
+  EngineRuns(const AdvisedEngine& engine, const Setup& setup,
+             const std::vector<WatchedProbe>& watched, const AdviceOptions& options);
 
-  /// The fewest segments that the scene's beam may have, and the most that MuJoCo reads.
+  /// The fewest segments that the scene's beam may have, and the most that the engine takes.
   int fewest_segments() const { return fewest_; }
-  int most_segments() const;
+  int most_segments() const { return engine_.most_segments; }
   /// The largest number of steps that advice looks at, of a sample.
   int most_steps() const { return 100'000; }
+  /// A setting with twice as many segments, and as many steps as these need to be as stable.
+  EngineSetting with_twice_segments(const EngineSetting& setting) const;
   /// About which axes of its joints the beam turns: of a motion in a plane about one.
   const std::array<bool, 3>& turns() const { return turns_; }
   void set_turns(const std::array<bool, 3>& turns);
@@ -48,6 +51,7 @@ class EngineRuns {
   Outcome made(const EngineSetting& setting) const;
   bool is_allowed(const EngineSetting& setting);
 
+  const AdvisedEngine& engine_;
   const Setup& setup_;
   const std::vector<WatchedProbe>& watched_;
   const AdviceOptions& options_;

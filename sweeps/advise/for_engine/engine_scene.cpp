@@ -21,7 +21,7 @@ constexpr double kPlasticRounding = 1e-9;
   throw InputError({}, field, "", rule);
 }
 
-/// A clamp that turns in a plane is the rest of its half joint's spring (MuJoCo's qpos_spring).
+/// A clamp that turns in a plane is the rest of its half joint's spring.
 bool turns_in_plane(const Setup& setup, const Support& support) {
   const Level level = choose_level(setup.scene, setup.solver).level;
   const HeldFreedoms held = support.held();
@@ -33,12 +33,14 @@ bool turns_in_plane(const Setup& setup, const Support& support) {
          setup.solver.damping == Damping::None;
 }
 
-void check_engine_support(const Setup& setup, const Support& support, const std::string& name) {
+void check_engine_support(const AdvisedEngine& engine, const Setup& setup, const Support& support,
+                          const std::string& name) {
   const SupportTraits& kind = traits_of(support);
   if (support.at.fraction > 1e-9) {
     refuse_for_engine(name,
-                      "is off the beam's start: advice for mujoco is for beams that are held "
-                      "at their start alone");
+                      fmt::format("is off the beam's start: advice for {} is for beams that are "
+                                  "held at their start alone",
+                                  engine.word));
   }
   if (kind.springs || kind.normal) {
     refuse_for_engine(name, fmt::format("is of kind {}, which no export has", kind.word));
@@ -57,7 +59,7 @@ bool is_of_engine(ProbeQuantity quantity) {
 
 }  // namespace
 
-void check_for_mujoco(const Setup& setup) {
+void check_for_engine(const AdvisedEngine& engine, const Setup& setup) {
   const Scene& scene = setup.scene;
   if (setup.solver.analysis != Analysis::Dynamics) {
     refuse_for_engine("solver.analysis",
@@ -66,25 +68,27 @@ void check_for_mujoco(const Setup& setup) {
   }
   if (scene.supports.empty()) {
     refuse_for_engine("support",
-                      "is missing: advice for mujoco is for beams that are held at their "
-                      "start");
+                      fmt::format("is missing: advice for {} is for beams that are held at their "
+                                  "start",
+                                  engine.word));
   }
   for (std::size_t i = 0; i < scene.supports.size(); ++i) {
-    check_engine_support(setup, scene.supports[i], fmt::format("support[{}]", i + 1));
+    check_engine_support(engine, setup, scene.supports[i], fmt::format("support[{}]", i + 1));
   }
   if (!scene.initial_motions.empty()) {
     refuse_for_engine("initial_motion", "does not go with --for: an export has no velocities");
   }
   if (!scene.cuts.empty()) {
-    refuse_for_engine("cut", "does not go with --for: mujoco has no joint that breaks");
+    refuse_for_engine(
+        "cut", fmt::format("does not go with --for: {} has no joint that breaks", engine.word));
   }
 }
 
-void check_elastic(const Setup& setup, const Response& response) {
+void check_elastic(const AdvisedEngine& engine, const Setup& setup, const Response& response) {
   if (!response.chain.events.empty()) {
     refuse_for_engine("material.break_strain",
-                      fmt::format("is exceeded after {:.4g} s, and mujoco has no joint that breaks",
-                                  response.chain.events.front().time));
+                      fmt::format("is exceeded after {:.4g} s, and {} has no joint that breaks",
+                                  response.chain.events.front().time, engine.word));
   }
   double plastic = 0.0;
   double stored = 0.0;
@@ -95,9 +99,9 @@ void check_elastic(const Setup& setup, const Response& response) {
   if (plastic <= kPlasticRounding * stored || setup.scene.yield_model == YieldModel::Elastic)
     return;
   refuse_for_engine("rules.yield_model",
-                    fmt::format("lets the beam yield here (plastic work {:.3g} J), and mujoco has "
+                    fmt::format("lets the beam yield here (plastic work {:.3g} J), and {} has "
                                 "no joint that yields",
-                                plastic));
+                                plastic, engine.word));
 }
 
 WatchedProbes engine_probes(const Setup& setup, const std::vector<std::string>& names) {

@@ -19,6 +19,10 @@ constexpr double kStepRatio = 1.2;
 constexpr double kFineRatio = 1.02;
 /// Numbers of segments in a row that are no cheaper, after which no others are tried.
 constexpr int kFailures = 2;
+/// By how much a step that is advised is shorter than one that blows up.
+constexpr double kStepMargin = 1.1;
+/// How often steps are halved once more if twice as many segments blow up.
+constexpr int kMoreSteps = 2;
 /// Doubling both moves the result by less than this part of what is too much: it has come to its
 /// limit.
 constexpr double kOfGap = 0.1;
@@ -55,16 +59,21 @@ EngineVerdict EngineSearch::judge(const EngineSetting& setting) {
     verdict.reason = verdict.off.reason;
     return verdict;
   }
-  EngineSetting segments = setting;
-  segments.segments *= 2;  // the rule takes more than the engine's file may have
+  // The rule takes more segments than the engine's file may have.
+  const EngineSetting segments = with_twice_segments(setting);
   EngineSetting steps = setting;
   steps.steps *= 2;
   verdict.by_segments = change(setting, segments);
   verdict.by_steps = change(setting, steps);
   const double off_segments = off(segments).largest;
   const double off_steps = off(steps).largest;
+  EngineSetting longer = setting;
+  longer.steps = static_cast<int>(setting.steps / kStepMargin);
   verdict.within = std::max(off_segments, off_steps) <= allowed_;
-  if (!verdict.within) {
+  if (verdict.within && longer.steps >= 1 && blows_up(longer)) {
+    verdict.within = false;
+    verdict.reason = "with a step that is little longer it blows up";
+  } else if (!verdict.within) {
     verdict.reason =
         off_segments > allowed_
             ? fmt::format("with twice as many segments it is {} off", error_percent(off_segments))
@@ -74,6 +83,16 @@ EngineVerdict EngineSearch::judge(const EngineSetting& setting) {
 }
 
 bool EngineSearch::is_within(const EngineSetting& setting) { return judge(setting).within; }
+
+bool EngineSearch::blows_up(const EngineSetting& setting) {
+  return runs_.run(setting).status == Status::NonFinite;
+}
+
+EngineSetting EngineSearch::with_twice_segments(const EngineSetting& setting) {
+  EngineSetting twice = runs_.with_twice_segments(setting);
+  for (int i = 0; i < kMoreSteps && blows_up(twice); ++i) twice.steps *= 2;
+  return twice;
+}
 
 bool EngineSearch::find_first(EngineDamping damping) {
   EngineSetting at{damping, std::max(kFirstSegments, runs_.fewest_segments()), 1};
@@ -86,11 +105,17 @@ bool EngineSearch::find_first(EngineDamping damping) {
       best_ = at;
       return true;
     }
-    EngineSetting segments = at;
-    segments.segments = std::min(2 * at.segments, runs_.most_segments());
+    EngineSetting segments = at.segments == runs_.most_segments() ? at : with_twice_segments(at);
+    segments.segments = std::min(segments.segments, runs_.most_segments());
+    segments.steps = std::min(segments.steps, runs_.most_steps());
     EngineSetting steps = at;
     steps.steps = std::min(2 * at.steps, runs_.most_steps());
     if (segments == at && steps == at) return false;
+    if (blows_up(at)) {
+      if (steps == at) return false;
+      at = steps;
+      continue;
+    }
     const double by_segments = change(at, segments);
     const double by_steps = change(at, steps);
     const double gap = verdict.off.largest - allowed_;
@@ -98,8 +123,9 @@ bool EngineSearch::find_first(EngineDamping damping) {
     if (at_limit >= 2) return false;
     const bool refine_segments = segments != at && !(2.0 * by_segments < by_steps);
     const bool refine_steps = steps != at && !(2.0 * by_steps < by_segments && segments != at);
-    if (refine_segments) at.segments = segments.segments;
-    if (refine_steps || !refine_segments) at.steps = steps.steps;
+    const int times = refine_steps || !refine_segments ? 2 : 1;
+    if (refine_segments) at = segments;
+    at.steps = std::min(times * at.steps, runs_.most_steps());
   }
   return false;
 }

@@ -25,7 +25,8 @@ struct EngineVerdict {
 /// is within the error of the reference. Then, for other numbers of segments, the nearest first,
 /// the fewest steps are bracketed whose product is less. A setting counts as within only if it
 /// stays there with twice as many segments, and with twice as many steps: else errors of both only
-/// cancel.
+/// cancel. A step that is a tenth longer must not blow up, whatever its error: else a motion that
+/// lasts a little longer, or is a little stiffer, may.
 class EngineSearch {
  public:
   /// @param allowed  error against the reference [1]
@@ -47,6 +48,10 @@ class EngineSearch {
  private:
   double change(const EngineSetting& from, const EngineSetting& to);
   bool is_within(const EngineSetting& setting);
+  bool blows_up(const EngineSetting& setting);
+  /// With twice as many segments, and steps that are short enough for them: explicit springs need
+  /// four times as many, explicit dampers sixteen.
+  EngineSetting with_twice_segments(const EngineSetting& setting);
   bool find_first(EngineDamping damping);
   /// Brackets the least of a number that does, the other as it is.
   /// @param setting  that does; it is the best now

@@ -129,13 +129,27 @@ INSTANTIATE_TEST_SUITE_P(Hardening, EngineFormats, ::testing::Bool(), [](const a
   return hardening.param ? "linear" : "ideal";
 });
 
+TEST(EngineText, HoldsBeamsForBulletAtTheirStartAlone) {
+  EXPECT_EQ(message_of([&] { engine_text(beam_of(rich_scene()), EngineFormat::Bullet); }),
+            "support_2: is off the beam's start, where the multibody for bullet cannot be held");
+  Scene free = rich_scene();
+  free.supports.clear();
+  EXPECT_EQ(message_of([&] { engine_text(beam_of(free), EngineFormat::Bullet); }),
+            "support: is missing: the beam for bullet is a multibody on a fixed base, and nothing "
+            "holds this one at its start");
+}
+
 TEST(EngineText, SaysTheEquationsInEachFormat) {
   Scene scene = rich_scene();
   scene.name = "a -- b \"<c>\"\nwipe";
+  Scene held = scene;
+  held.supports.resize(1);
   const EngineBeam beam = beam_of(scene);
-  for (const EngineFormat format : {EngineFormat::Csv, EngineFormat::Mjcf, EngineFormat::Agx,
-                                    EngineFormat::Chrono, EngineFormat::OpenSees}) {
-    const std::string text = engine_text(beam, format);
+  for (const EngineFormat format :
+       {EngineFormat::Csv, EngineFormat::Mjcf, EngineFormat::Agx, EngineFormat::Bullet,
+        EngineFormat::Chrono, EngineFormat::OpenSees}) {
+    const std::string text =
+        engine_text(format == EngineFormat::Bullet ? beam_of(held) : beam, format);
     for (const char* line : {"stiffness [N m/rad]: f_x E I_x/l", "c_x sigma_y W_x",
                              "E = 200000000000 Pa", "eps a/(h/2)"}) {
       EXPECT_NE(text.find(line), std::string::npos) << line;

@@ -78,7 +78,7 @@ TEST(EngineMasses, ThatAFormatDoesNotHoldAreRefused) {
   EXPECT_NO_THROW(engine_text(beam, EngineFormat::Csv));
   EXPECT_EQ(message_of([&] { engine_text(beam, EngineFormat::OpenSees); }),
             "mass: does not go with opensees, whose segments have their mass evenly: csv, mjcf, "
-            "agx and chrono take point masses");
+            "agx, bullet and chrono take point masses");
   Scene bent = loaded_scene();
   bent.beam.shape = BeamShape::Arc;
   bent.beam.arc_angle = 1.0;

@@ -66,10 +66,11 @@ inline std::string robot_arm() {
 }
 
 /// With a gripper at its end, pushed by a pulse, and damped by its material.
-inline std::string damped_arm() {
+inline std::string damped_arm(const std::string& damping_time = "3 ms") {
   return plastic_strip(
       "duration = '1 s'\nsteps = 50\ndamping = 'stiffness'\n"
-      "damping_time = '3 ms'\n",
+      "damping_time = '" +
+          damping_time + "'\n",
       "[[mass]]\nat = 'end'\nmass = '30 g'\n"
       "[[load]]\nat = 0.6\nforce = ['0 N', '0.5 N', '0 N']\n"
       "history = { time = ['0 s', '100 ms', '200 ms'], factor = [0, 1, 0] }\n" +

@@ -5,10 +5,12 @@
 #include <atomic>
 #include <cmath>
 #include <string>
+#include <vector>
 
 #include "plastica/io/scene_file.hpp"
 #include "sweeps/advise/for_engine/engine_advice_json.hpp"
 #include "sweeps/advise/for_engine/engine_advice_text.hpp"
+#include "sweeps/advise/for_engine/hinge_chain.hpp"
 #include "tests/support/message.hpp"
 #include "tests/sweeps/advise/for_engine/engine_advice_scenes.hpp"
 
@@ -18,6 +20,9 @@ namespace {
 using sweeps::AdviceOptions;
 using sweeps::EngineAdvice;
 using sweeps::EngineAdviceEnd;
+
+const sweeps::AdvisedEngine& kMujoco = *sweeps::advised_engine("mujoco");
+const sweeps::AdvisedEngine& kBullet = *sweeps::advised_engine("bullet");
 
 plastica::Setup setup_of(const std::string& text) {
   return io::parse_scene_file(text, "scene.toml").setup;
@@ -30,12 +35,13 @@ AdviceOptions within(double error) {
 }
 
 std::string refusal_of(const plastica::Setup& setup, const AdviceOptions& options = {}) {
-  return message_of([&] { (void)sweeps::advise_for_mujoco(setup, options); });
+  return message_of([&] { (void)sweeps::advise_for_engine(kMujoco, setup, options); });
 }
 
 TEST(EngineAdvice, IsTheCheapestOfThoseThatItTried) {
   const AdviceOptions options = within(0.02);
-  const EngineAdvice advice = sweeps::advise_for_mujoco(setup_of(released_strip()), options);
+  const EngineAdvice advice =
+      sweeps::advise_for_engine(kMujoco, setup_of(released_strip()), options);
   ASSERT_EQ(advice.end, EngineAdviceEnd::Found);
   EXPECT_FALSE(advice.cut_short);
   EXPECT_DOUBLE_EQ(advice.promised, advice.error + advice.reference_error);
@@ -54,7 +60,7 @@ TEST(EngineAdvice, IsTheCheapestOfThoseThatItTried) {
 
 TEST(EngineAdvice, SaysWhatAPersonAndAScriptNeed) {
   const AdviceOptions options = within(0.05);
-  const EngineAdvice advice = sweeps::advise_for_mujoco(setup_of(struck_bar()), options);
+  const EngineAdvice advice = sweeps::advise_for_engine(kMujoco, setup_of(struck_bar()), options);
   ASSERT_EQ(advice.end, EngineAdviceEnd::Found);
   const std::string text = sweeps::engine_advice_text(advice, options, "bar.toml");
   for (const char* part :
@@ -78,7 +84,7 @@ TEST(EngineAdvice, KnowsWhatMujocosBeamLeavesOut) {
           tip_probe("y"),
       "100 mm"));
   const AdviceOptions options = within(0.005);
-  const EngineAdvice advice = sweeps::advise_for_mujoco(stocky, options);
+  const EngineAdvice advice = sweeps::advise_for_engine(kMujoco, stocky, options);
   EXPECT_EQ(advice.end, EngineAdviceEnd::AtLimit);
   EXPECT_GT(advice.error, 0.01);
   const std::string text = sweeps::engine_advice_text(advice, options, "stocky.toml");
@@ -118,11 +124,45 @@ TEST(EngineAdvice, RefusesWhatAnExportDoesNotHold) {
   EXPECT_EQ(refusal_of(bad), "cut: does not go with --for: mujoco has no joint that breaks");
 }
 
+// Bullet has no armature: its step must be below 2/w of the highest frequency.
+TEST(EngineAdvice, StaysBelowTheStableStepOfBullet) {
+  const plastica::Setup setup = setup_of(struck_bar());
+  const AdviceOptions options = within(0.02);
+  const EngineAdvice bullet = sweeps::advise_for_engine(kBullet, setup, options);
+  ASSERT_EQ(bullet.end, EngineAdviceEnd::Found);
+  EXPECT_LT(bullet.time_step, sweeps::advise_for_engine(kMujoco, setup, options).time_step);
+  EXPECT_EQ(bullet.beam.joints[1].rotation[0], calibrate::JointHold::Sprung);
+  EXPECT_EQ(bullet.beam.joints[1].rotation[1], calibrate::JointHold::Rigid);
+  // Every mode is moved, for much longer than the scene lasts.
+  sweeps::HingeChain chain(kBullet, bullet.beam, {true, false, false});
+  const std::vector<double> still(chain.freedoms(), 0.0);
+  std::vector<double> speeds(chain.freedoms(), 0.0);
+  speeds.back() = 1e-3;
+  chain.set_state(still, speeds);
+  const std::vector<sweeps::SegmentWrench> none(chain.size());
+  for (int i = 0; i < 100 * setup.solver.steps * bullet.setting.steps; ++i) {
+    ASSERT_TRUE(chain.step({}, none)) << i;
+    ASSERT_LT(std::abs(chain.coordinate(chain.freedoms() - 1)), 1e-3) << i;
+  }
+}
+
+TEST(EngineAdvice, SpeaksOfBulletAsOfMujoco) {
+  const AdviceOptions options = within(0.05);
+  const EngineAdvice bullet = sweeps::advise_for_engine(kBullet, setup_of(struck_bar()), options);
+  const std::string text = sweeps::engine_advice_text(bullet, options, "bar.toml");
+  EXPECT_TRUE(text.starts_with("bar.toml for bullet, within 5 %:\n")) << text;
+  EXPECT_EQ(text.find("armature"), std::string::npos) << text;
+  EXPECT_NE(text.find(" by Bullet's rule\n"), std::string::npos) << text;
+  EXPECT_NE(text.find("addLinkForce"), std::string::npos) << text;
+  EXPECT_NE(sweeps::engine_advice_json(bullet, options, "").find("\"engine\": \"bullet\""),
+            std::string::npos);
+}
+
 TEST(EngineAdvice, RefusesWhatYieldsOrBreaks) {
   plastica::Setup bad = setup_of(struck_bar());
   bad.scene.yield_model = YieldModel::PerAxis;
   bad.scene.material.yield_stress = 1e9;
-  EXPECT_EQ(sweeps::advise_for_mujoco(bad, within(0.1)).end, EngineAdviceEnd::Found);
+  EXPECT_EQ(sweeps::advise_for_engine(kMujoco, bad, within(0.1)).end, EngineAdviceEnd::Found);
   bad.scene.material.yield_stress = 1e6;
   EXPECT_NE(refusal_of(bad).find("rules.yield_model: lets the beam yield here (plastic work "),
             std::string::npos)
@@ -136,7 +176,7 @@ TEST(EngineAdvice, LooksAtWhatAnEngineHas) {
   plastica::Setup setup = setup_of(struck_bar());
   setup.scene.probes.push_back(
       {.name = "kinetic", .quantity = ProbeQuantity::Energy, .energy = EnergyKind::Kinetic});
-  const EngineAdvice advice = sweeps::advise_for_mujoco(setup, within(0.1));
+  const EngineAdvice advice = sweeps::advise_for_engine(kMujoco, setup, within(0.1));
   EXPECT_EQ(advice.left_out, std::vector<std::string>{"kinetic"});
   AdviceOptions options = within(0.1);
   options.probes = {"kinetic"};
@@ -157,7 +197,7 @@ TEST(EngineAdvice, EndsInOrderWhereverItIsStopped) {
   for (int runs = 4; runs < 40; runs += 7) {
     AdviceOptions options = within(0.02);
     options.max_runs = runs;
-    const EngineAdvice advice = sweeps::advise_for_mujoco(setup, options);
+    const EngineAdvice advice = sweeps::advise_for_engine(kMujoco, setup, options);
     EXPECT_LE(advice.runs, 3 * runs);
     if (advice.end != EngineAdviceEnd::Found) continue;
     ++found;
@@ -170,7 +210,7 @@ TEST(EngineAdvice, EndsInOrderWhereverItIsStopped) {
     AdviceOptions options = within(0.02);
     options.stop = &stop;
     options.progress = [&](int) { stop = ++done >= calls; };
-    const EngineAdvice advice = sweeps::advise_for_mujoco(setup, options);
+    const EngineAdvice advice = sweeps::advise_for_engine(kMujoco, setup, options);
     EXPECT_EQ(advice.end, EngineAdviceEnd::Interrupted) << calls;
     const std::string text = sweeps::engine_advice_text(advice, options, "bar.toml");
     EXPECT_NE(text.find("interrupted"), std::string::npos);

@@ -9,7 +9,7 @@
 
 #include "calibrate/engine/engine_world.hpp"
 #include "sweeps/advise/for_engine/engine_loads.hpp"
-#include "sweeps/advise/for_engine/mujoco_chain.hpp"
+#include "sweeps/advise/for_engine/hinge_chain.hpp"
 #include "tests/sweeps/advise/for_engine/mujoco_scene.hpp"
 
 /// MuJoCo itself says whether our rule of it is its own.
@@ -27,7 +27,7 @@ struct RuleCase {
 double rule_error(const RuleCase& one) {
   const calibrate::EngineBeam beam = calibrate::engine_beam(one.scene, one.solver);
   MujocoScene mujoco(one.scene, beam);
-  sweeps::MujocoChain chain(beam, one.turns);
+  sweeps::HingeChain chain(*sweeps::advised_engine("mujoco"), beam, one.turns);
   const sweeps::EngineLoads loads(one.scene, beam);
   std::vector<sweeps::SegmentWrench> wrenches;
   double largest = 0.0;

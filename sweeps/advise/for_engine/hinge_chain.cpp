@@ -1,9 +1,8 @@
-#include "sweeps/advise/for_engine/mujoco_chain.hpp"
+#include "sweeps/advise/for_engine/hinge_chain.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-#include "calibrate/engine/mujoco_numbers.hpp"
 #include "plastica/base/check.hpp"
 #include "plastica/chain/rotation.hpp"
 
@@ -12,9 +11,6 @@ namespace {
 
 using Vector = Vec<double, 3>;
 using Matrix = Mat<double, 3, 3>;
-
-/// mjMAXVAL: MuJoCo puts a simulation back to its start where anything is beyond.
-constexpr double kMujocoLargest = 1e10;
 
 /// Columns: the axes of a frame.
 Matrix matrix_of(const calibrate::EngineAxes& axes) {
@@ -25,12 +21,11 @@ Matrix matrix_of(const calibrate::EngineAxes& axes) {
   return m;
 }
 
-bool is_in_range(double value) { return std::abs(value) <= kMujocoLargest; }
-
 }  // namespace
 
-MujocoChain::MujocoChain(const calibrate::EngineBeam& beam, const std::array<bool, 3>& turns)
-    : time_step_(beam.time_step) {
+HingeChain::HingeChain(const AdvisedEngine& engine, const calibrate::EngineBeam& beam,
+                       const std::array<bool, 3>& turns)
+    : engine_(&engine), time_step_(beam.time_step) {
   for (std::size_t i = 0; i < beam.segments.size(); ++i) {
     const calibrate::EngineSegment& numbers = beam.segments[i];
     const Matrix frame = matrix_of(numbers.axes);
@@ -58,8 +53,8 @@ MujocoChain::MujocoChain(const calibrate::EngineBeam& beam, const std::array<boo
   place();
 }
 
-void MujocoChain::add_joints(const calibrate::EngineBeam& beam, const calibrate::EngineJoint& joint,
-                             const std::array<bool, 3>& turns) {
+void HingeChain::add_joints(const calibrate::EngineBeam& beam, const calibrate::EngineJoint& joint,
+                            const std::array<bool, 3>& turns) {
   const Matrix frame = matrix_of(beam.segments[joint.child].axes);
   for (std::size_t k = 0; k < 3; ++k) {
     if (joint.holds[k]) continue;
@@ -73,25 +68,27 @@ void MujocoChain::add_joints(const calibrate::EngineBeam& beam, const calibrate:
     Joint hinge;
     hinge.about = k;
     hinge.axis = transposed_times(frame, Vector{joint.axes[k]});
-    hinge.stiffness = joint.stiffness[k];
-    hinge.damping = calibrate::mujoco_damping(beam, joint, k);
+    const calibrate::HingeNumbers numbers =
+        calibrate::hinge_numbers(engine_->hinges, beam, joint, k);
+    hinge.stiffness = numbers.stiffness;
+    hinge.damping = numbers.damping;
     hinge.added_inertia =
-        calibrate::mujoco_armature(beam, joint, k) + beam.time_step * hinge.damping;
+        numbers.armature + (engine_->implicit_damping ? beam.time_step * numbers.damping : 0.0);
     joints_.push_back(hinge);
   }
 }
 
-Vector MujocoChain::point(std::size_t segment, const Vector& arm) const {
+Vector HingeChain::point(std::size_t segment, const Vector& arm) const {
   const SegmentPose& at = segments_[segment].pose;
   return at.position + at.frame * arm;
 }
 
-Vector MujocoChain::point_velocity(std::size_t segment, const Vector& arm) const {
+Vector HingeChain::point_velocity(std::size_t segment, const Vector& arm) const {
   const SegmentPose& at = segments_[segment].pose;
   return at.velocity + cross(at.spin, at.frame * arm);
 }
 
-void MujocoChain::set_state(std::span<const double> positions, std::span<const double> speeds) {
+void HingeChain::set_state(std::span<const double> positions, std::span<const double> speeds) {
   for (std::size_t j = 0; j < joints_.size(); ++j) {
     joints_[j].position = positions[j];
     joints_[j].speed = speeds[j];
@@ -99,13 +96,13 @@ void MujocoChain::set_state(std::span<const double> positions, std::span<const d
   place();
 }
 
-void MujocoChain::set_rest(std::size_t axis, double angle) {
+void HingeChain::set_rest(std::size_t axis, double angle) {
   for (std::size_t j = segments_[0].first; j < segments_[0].last; ++j) {
     if (!joints_[j].slides && joints_[j].about == axis) joints_[j].rest = angle;
   }
 }
 
-void MujocoChain::place() {
+void HingeChain::place() {
   SegmentPose at;
   for (Segment& segment : segments_) {
     segment.reach = at.frame * segment.offset;
@@ -128,7 +125,7 @@ void MujocoChain::place() {
   }
 }
 
-void MujocoChain::load(const Vector& gravity, std::span<const SegmentWrench> wrenches) {
+void HingeChain::load(const Vector& gravity, std::span<const SegmentWrench> wrenches) {
   Vector angular;
   Vector linear = -gravity;  // a ground that accelerates upward
   Vector spin;
@@ -157,7 +154,7 @@ void MujocoChain::load(const Vector& gravity, std::span<const SegmentWrench> wre
   }
 }
 
-void MujocoChain::eliminate() {
+void HingeChain::eliminate() {
   for (std::size_t i = segments_.size(); i-- > 0;) {
     Segment& s = segments_[i];
     for (std::size_t j = s.last; j-- > s.first;) {
@@ -188,7 +185,7 @@ void MujocoChain::eliminate() {
   }
 }
 
-bool MujocoChain::advance() {
+bool HingeChain::advance() {
   bool in_range = true;
   Vector angular;
   Vector linear;
@@ -209,7 +206,7 @@ bool MujocoChain::advance() {
   return in_range;
 }
 
-bool MujocoChain::step(const Vector& gravity, std::span<const SegmentWrench> wrenches) {
+bool HingeChain::step(const Vector& gravity, std::span<const SegmentWrench> wrenches) {
   load(gravity, wrenches);
   eliminate();
   const bool in_range = advance();

@@ -1,12 +1,14 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <span>
 #include <vector>
 
 #include "calibrate/engine/engine_beam.hpp"
 #include "plastica/base/matrix.hpp"
+#include "sweeps/advise/for_engine/advised_engine.hpp"
 
 namespace plastica::sweeps {
 
@@ -24,30 +26,37 @@ struct SegmentPose {
   Vec<double, 3> spin{};                            ///< world axes [rad/s]
 };
 
-/// What MuJoCo does with a beam that is exported for it, by its published rule: a chain of slides
-/// and hinges, stepped by its integrator "Euler" in the coordinates q of these,
+/// What an engine does with a beam that is exported for it, by its published rule: a chain of
+/// slides and hinges, stepped in the coordinates q of these. MuJoCo's integrator "Euler" is
 ///
 ///   (M + A + h D) a = f - K (q - r) - D v - c(q, v),   v' = v + h a,   q' = q + h v',
 ///
 /// h the time step, M the inertia of the segments, A the armature, D the damping and K the
 /// stiffness of the joints (diagonal), r where springs are at rest, f what acts on the segments, c
 /// what gravity and the present velocity ask for. Damping is implicit, springs are not; what acts
-/// is that of the present pose, as set between `mj_step1` and `mj_step2`.
+/// is that of the present pose, as set between `mj_step1` and `mj_step2`. Bullet's multibody is
+///
+///   M a = f - K (q - r) - D v - c(q, v),   v' = v + h a,   q' = q + h v',
+///
+/// where the torques of springs and dampers are set before `stepSimulation`, as forces are.
 ///
 /// The matrix is that of an articulated body with A + h D added to each joint, and is solved in
-/// O(N) (Featherstone, Rigid Body Dynamics Algorithms, 2008, chapter 7); MuJoCo factorizes it as it
-/// is. All is in world axes, about the inner end of each segment.
+/// O(N) (Featherstone, Rigid Body Dynamics Algorithms, 2008, chapter 7), as Bullet does; MuJoCo
+/// factorizes it as it is. All is in world axes, about the inner end of each segment.
 ///
 /// Source: MuJoCo documentation, "Computation", sections "Continuous time" and "Numerical
-/// integration"; version 2.2.2 with `mj_step`.
-class MujocoChain {
+/// integration", version 2.2.2 with `mj_step`; Bullet 3.24, btMultiBody.h and
+/// btMultiBodyDynamicsWorld.h.
+class HingeChain {
  public:
   /// A beam at rest, undeformed.
+  /// @param engine  whose rule it is, which outlives this
   /// @param beam   whose joints are all between neighbours, but the first one, to the ground
   /// @param turns  about which of x, y and z of a joint the hinges are that move: of a motion in a
   ///               plane the others stand still
   /// @throws InputError for a beam with supports off the start, or that nothing holds
-  MujocoChain(const calibrate::EngineBeam& beam, const std::array<bool, 3>& turns);
+  HingeChain(const AdvisedEngine& engine, const calibrate::EngineBeam& beam,
+             const std::array<bool, 3>& turns);
 
   std::size_t size() const { return segments_.size(); }
   double time_step() const { return time_step_; }
@@ -63,15 +72,16 @@ class MujocoChain {
   void set_state(std::span<const double> positions, std::span<const double> speeds);
 
   /// Where the spring of the first segment's hinge about an axis of its joint is at rest (MuJoCo's
-  /// `qpos_spring`, 0 at the beginning) [rad]: what a clamp has turned, in a plane.
+  /// `qpos_spring`, Bullet's torque; 0 at the beginning) [rad]: what a clamp has turned, in a
+  /// plane.
   /// @param axis  0 … 2, about which the first joint turns
   void set_rest(std::size_t axis, double angle);
 
   /// One step. Allocates nothing.
   /// @param gravity  acceleration in world axes [m/s^2]
   /// @param wrenches  (N)
-  /// @return false where MuJoCo gives up: a coordinate, a speed or an acceleration is not finite,
-  ///         or beyond 1e10 in SI (mjMAXVAL)
+  /// @return false where the engine gives up: a coordinate, a speed or an acceleration is not
+  ///         finite, or beyond its largest
   bool step(const Vec<double, 3>& gravity, std::span<const SegmentWrench> wrenches);
 
  private:
@@ -81,7 +91,7 @@ class MujocoChain {
     Vec<double, 3> axis{};  ///< in the axes of its segment
     double stiffness = 0.0;
     double damping = 0.0;
-    double added_inertia = 0.0;  ///< A + h D
+    double added_inertia = 0.0;  ///< A, and h D where damping is implicit
     std::size_t about = 0;       ///< a hinge: the axis of its joint
     double rest = 0.0;           ///< of its spring
     double position = 0.0;
@@ -117,7 +127,9 @@ class MujocoChain {
   /// Takes the joints out one by one, from the last on.
   void eliminate();
   bool advance();
+  bool is_in_range(double value) const { return std::abs(value) <= engine_->largest; }
 
+  const AdvisedEngine* engine_ = nullptr;
   double time_step_ = 0.0;
   std::vector<Segment> segments_;
   std::vector<Joint> joints_;

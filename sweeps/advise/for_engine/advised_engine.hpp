@@ -1,0 +1,43 @@
+#pragma once
+
+#include <span>
+#include <string_view>
+
+#include "calibrate/engine/engine_text.hpp"
+#include "calibrate/engine/hinge_numbers.hpp"
+
+namespace plastica::sweeps {
+
+/// An engine that advice can be for: what is said of it, and by which rule it steps.
+struct AdvisedEngine {
+  std::string_view word{};  ///< of `--for`
+  std::string_view name{};
+  calibrate::HingeEngine hinges{};
+  calibrate::EngineFormat format{};
+  std::string_view ending{};  ///< of the beam's file
+  int most_segments = 0;
+  std::string_view limit{};  ///< what so many segments are
+  /// Whether the damping of joints is taken at the end of a step, not at its beginning.
+  bool implicit_damping = false;
+  /// Whether joints that the scene does not damp may have numerical damping.
+  bool damps_numerically = false;
+  /// How many times as many steps twice as many segments need to stay stable. Without armature the
+  /// highest frequency of a chain grows with the square of its segments.
+  int steps_of_twice_segments = 1;
+  /// Whether the beam has no hinges about axes about which a motion in a plane does not turn: their
+  /// springs, which may be stiffer by far, would ask for steps that the motion does not.
+  bool holds_what_rests = false;
+  double largest = 0.0;  ///< coordinate, speed or acceleration in SI; beyond it gives up
+  // What whoever runs the beam has to do:
+  std::string_view load_note{};
+  std::string_view gravity_note{};
+  std::string_view clamp_note{};
+};
+
+/// All of them, in the order in which `--help` has them.
+std::span<const AdvisedEngine> advised_engines();
+
+/// That of a word; null for another.
+const AdvisedEngine* advised_engine(std::string_view word);
+
+}  // namespace plastica::sweeps
