@@ -4,6 +4,9 @@
 #include <array>
 #include <limits>
 
+#include "calibrate/engine/engine_text.hpp"
+#include "calibrate/engine/hinge_numbers.hpp"
+
 namespace plastica::sweeps {
 namespace {
 

@@ -3,8 +3,10 @@
 #include <span>
 #include <string_view>
 
-#include "calibrate/engine/engine_text.hpp"
-#include "calibrate/engine/hinge_numbers.hpp"
+namespace plastica::calibrate {
+enum class EngineFormat;
+enum class HingeEngine;
+}  // namespace plastica::calibrate
 
 namespace plastica::sweeps {
 

@@ -129,9 +129,9 @@ Outcome reference_for(const Setup& setup, const std::vector<WatchedProbe>& watch
   Outcome reference = elastic_run(*advice.engine, finest, watched, options);
   if (is_raised(options.stop)) advice.end = EngineAdviceEnd::Interrupted;
   advice.reason = reference.reason;
-  // Of graded segments errors may cancel in a single comparison.
-  advice.reference_error =
-      advice.reference.fractions.empty() ? advice.reference.verified : advice.reference.promised;
+  // Twice as fine as what was promised for, of order 1 at least; no less than what the two differ
+  // by, which may be little where errors cancel.
+  advice.reference_error = std::max(advice.reference.verified, 0.5 * advice.reference.promised);
   advice.reference_setting =
       setting_text(advice.reference.axes, own_setting(finest, advice.reference.axes));
   return reference;

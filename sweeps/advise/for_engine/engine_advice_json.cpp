@@ -7,6 +7,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "calibrate/engine/hinge_numbers.hpp"
+
 namespace plastica::sweeps {
 namespace {
 

@@ -8,6 +8,7 @@
 #include <span>
 #include <utility>
 
+#include "calibrate/engine/hinge_numbers.hpp"
 #include "sweeps/advise/advice_text.hpp"
 
 namespace plastica::sweeps {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "calibrate/engine/hinge_numbers.hpp"
 #include "plastica/base/check.hpp"
 #include "plastica/chain/rotation.hpp"
 

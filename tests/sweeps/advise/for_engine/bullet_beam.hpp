@@ -39,7 +39,7 @@ class BulletBeam {
     std::filesystem::create_directories(folder_);
     std::ofstream(folder_ / "beam.hpp")
         << calibrate::engine_text(beam, calibrate::EngineFormat::Bullet);
-    run(fmt::format("{} -I {} -o {}", PLASTICA_BULLET_COMPILE, quoted(folder_),
+    run(fmt::format("{} -include {} -o {}", PLASTICA_BULLET_COMPILE, quoted(folder_ / "beam.hpp"),
                     quoted(folder_ / "driver")) +
         " " PLASTICA_BULLET_LIBRARIES);
   }

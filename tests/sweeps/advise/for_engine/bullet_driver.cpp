@@ -1,4 +1,5 @@
-// Runs the beam of beam.hpp, as plastica writes it for Bullet, in Bullet itself.
+// Runs a beam that plastica has written for Bullet in Bullet itself; its header is included from
+// the command line.
 //
 //   bullet_driver LINK X Y Z <ROWS
 //
@@ -11,7 +12,6 @@
 
 #include <BulletDynamics/Featherstone/btMultiBodyConstraintSolver.h>
 #include <btBulletCollisionCommon.h>
-#include "beam.hpp"
 
 int main(int count, char** arguments) {
   if (count != 8) return 2;
