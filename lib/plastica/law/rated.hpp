@@ -16,6 +16,7 @@ template <class Law>
 struct Rated : Law {
   using Scalar = typename Law::Scalar;
   using S = Scalar;
+  static constexpr bool kDecays = false;   // the factor does not
   static constexpr bool kHasKinks = true;  // Johnson and Cook's, at the reference rate
 
   RateFactor<S> factor;

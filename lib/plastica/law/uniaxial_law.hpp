@@ -35,6 +35,20 @@ struct LawState<S, 0> {
   S accumulated{};
 };
 
+/// A state without its derivatives.
+template <class S, std::size_t kBacks>
+inline auto values_of(const LawState<S, kBacks>& state) {
+  LawState<decltype(value_of(state.plastic)), kBacks> values;
+  values.plastic = value_of(state.plastic);
+  values.accumulated = value_of(state.accumulated);
+  if constexpr (kBacks > 0) {
+    for (std::size_t k = 0; k < kBacks; ++k) {
+      values.back_stress[k] = value_of(state.back_stress[k]);
+    }
+  }
+  return values;
+}
+
 /// What `respond` returns. @tparam State the law's state after the increment
 template <class S, class State>
 struct UniaxialResponse {

@@ -13,7 +13,8 @@ namespace plastica::law {
 /// Radius: yield + Q (1 - exp(-b p)), p the accumulated plastic strain (Voce 1948).
 /// Back stress: the sum of dX_k = C_k d e_p - gamma_k X_k dp (Armstrong and Frederick 1966;
 /// Chaboche 1986). gamma_k = 0 makes a part linear (Prager). For Q >= 0 the return's f is convex
-/// and falls with p, so Newton's method from p = 0 never overshoots.
+/// and falls with p, so Newton's method from p = 0 never overshoots. All that changes with p decays
+/// at rates of its own, so that f'' comes with f' and the return takes Halley's steps.
 template <class S>
 struct VoceChaboche {
   using Scalar = S;
@@ -21,6 +22,7 @@ struct VoceChaboche {
   static constexpr bool kByNewton = true;
   static constexpr bool kHasKinks = false;
   static constexpr bool kRecovers = true;
+  static constexpr bool kDecays = true;
   static constexpr std::size_t kBacks = 3;
   using State = LawState<S, kBacks>;
 
@@ -44,22 +46,35 @@ struct VoceChaboche {
     }
     return law;
   }
+  /// The same without derivatives.
+  auto values() const requires kCarriesDerivatives<S> {
+    const auto of = [](const std::array<S, kBacks>& x) {
+      return std::array{value_of(x[0]), value_of(x[1]), value_of(x[2])};
+    };
+    return VoceChaboche<decltype(value_of(stiffness))>{value_of(stiffness),  value_of(yield),
+                                                       value_of(saturation), value_of(rate),
+                                                       of(back_modulus),     of(back_rate)};
+  }
   Grown<S> radius(const S& accumulated, const S& p) const {
     using plastica::exp;
-    const S left = saturation * exp(-rate * (accumulated + p));
-    return {yield + saturation - left, rate * left};
+    return radius_left(saturation * exp(-rate * (accumulated + p)));
   }
+  /// How much Q is still to come [Pa].
+  S left(const S& accumulated) const {
+    using plastica::exp;
+    return saturation * exp(-rate * accumulated);
+  }
+  /// @param left  what it is after the flow
+  Grown<S> radius_left(const S& left) const { return {yield + saturation - left, rate * left}; }
   S radius_integral(const S& accumulated, const S& p) const {
     using plastica::exp;
-    const S softened = saturation * exp(-rate * accumulated);
-    return (yield + saturation) * p - softened * detail::decay(rate, p, exp(-rate * p));
+    return (yield + saturation) * p - left(accumulated) * detail::decay(rate, p, exp(-rate * p));
   }
   S drive(std::size_t k, const S& /*accumulated*/, const S& along) const {
     return back_modulus[k] - back_rate[k] * along;
   }
   Grown<S> shift(std::size_t k, const S& /*accumulated*/, const S& drive, const S& p) const {
-    using plastica::exp;
-    const S power = exp(-back_rate[k] * p);
+    const S power = decayed_to(back_rate[k], p);
     return {drive * detail::decay(back_rate[k], p, power), drive * power};
   }
   const S& recovery(std::size_t k) const { return back_rate[k]; }
@@ -72,9 +87,18 @@ struct VoceChaboche {
   }
   /// The radius shrinks by no more than what is left of a negative Q.
   S latest(const S& over, const S& accumulated) const {
+    return latest_left(over, left(accumulated));
+  }
+  S latest_left(const S& over, const S& left) const {
+    return (over + max(constant<S>(0), -left)) / stiffness;
+  }
+  /// exp(-rate p). Laws with fewer back stresses than there is room for have rates of 0.
+  static S decayed_to(const S& rate, const S& p) {
     using plastica::exp;
-    const S shrinks = max(constant<S>(0), -saturation * exp(-rate * accumulated));
-    return (over + shrinks) / stiffness;
+    if constexpr (!kCarriesDerivatives<S>) {
+      if (!any(rate > constant<S>(0))) return constant<S>(1);
+    }
+    return exp(-rate * p);
   }
 };
 
