@@ -18,9 +18,11 @@ struct AdviceOptions {
   double budget = 0.0;                ///< CPU time of a run [s]: the best for it; 0: by `within`
   std::vector<std::string> probes{};  ///< names; empty: all of the scene
   int max_runs = 100;                 ///< >= 4
-  double max_work = 1e8;              ///< of all runs, segment-iterations by `kernel_cost`
-  int threads = 0;                    ///< 0: as many as the machine has
-  StopFlag stop = nullptr;            ///< may be null
+  /// Of all runs, segment-iterations by `kernel_cost`; a run that would take more than is left is
+  /// stopped, see `cost_limit`.
+  double max_work = 1e8;
+  int threads = 0;          ///< 0: as many as the machine has
+  StopFlag stop = nullptr;  ///< may be null
   /// Called after each run with their number, from any thread, one call at a time.
   std::function<void(int runs)> progress{};
 };
@@ -62,7 +64,7 @@ struct TriedSetting {
 enum class AdviceEnd {
   Found,        ///< the setting is within what was asked for
   TooManyRuns,  ///< none was within it when the runs were used up
-  TooMuchWork,  ///< the next runs would have taken more work than is allowed
+  TooMuchWork,  ///< the next runs would have taken more work than is allowed, or did
   Diverging,    ///< refinement does not make the error smaller
   TooDear,      ///< what is cheapest takes more time than the budget
   AtFinest,     ///< none was within it at the finest values of the axes
