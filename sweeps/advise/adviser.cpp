@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <string>
 #include <string_view>
 #include <utility>
 
@@ -35,6 +36,13 @@ constexpr double kCloseToAllowed = 8.0;
 constexpr double kFarFiner = 0.0625;
 /// So often words may be decided: where those that a coarse beam asks for do not do.
 constexpr int kDecisions = 3;
+
+/// "tip, middle"
+std::string names_of(const std::vector<WatchedProbe>& probes) {
+  std::string names;
+  for (const WatchedProbe& probe : probes) names += (names.empty() ? "" : ", ") + probe.name;
+  return names;
+}
 
 }  // namespace
 
@@ -95,21 +103,40 @@ bool Adviser::estimate(Candidate& candidate) {
     measured.push_back(k);
     trials.push_back(finer(trial, k));
   }
-  if (!runs_.run_all(trials)) return false;
-  double largest = 0.0;
+  if (!runs_.run_all(trials)) {
+    for (const std::size_t k : measured) {
+      if (!models_.knows(k)) candidate.errors[k].error = std::numeric_limits<double>::infinity();
+    }
+    name_worst(candidate);
+    return false;
+  }
   moves_ = moves_ && measured.empty();
   for (std::size_t i = 0; i < measured.size(); ++i) {
     const std::size_t k = measured[i];
     const Deviation off = runs_.off(trial, trials[i + 1]);
     candidate.errors[k] = models_.measured(k, axes[k].size(trial.setting[k]),
-                                           axes[k].size(trials[i + 1].setting[k]), off.largest);
+                                           axes[k].size(trials[i + 1].setting[k]), off);
     if (!off.reason.empty()) candidate.reason = off.reason;
-    if (candidate.errors[k].error >= largest) candidate.worst = off.quantity;
-    largest = std::max(largest, candidate.errors[k].error);
     moves_ = moves_ || !off.reason.empty() || off.quantities > 0;
   }
   for (const AxisError& e : candidate.errors) candidate.numbers += e.error;
+  name_worst(candidate);
   return true;
+}
+
+void Adviser::name_worst(Candidate& candidate) const {
+  double largest = 0.0;
+  std::string named;
+  bool all_named = true;
+  const auto look = [&](double error, const std::string& quantity) {
+    all_named = all_named && (std::isfinite(error) || !quantity.empty());
+    if (quantity.empty() || !(error > largest)) return;
+    largest = error;
+    named = quantity;
+  };
+  for (const AxisError& e : candidate.errors) look(e.error, e.quantity);
+  const bool known = all_named || candidate.worst.empty();
+  if (known && !named.empty()) candidate.worst = named;
 }
 
 void Adviser::forget_methods(const Words& before, const Words& after) {
@@ -235,9 +262,8 @@ bool Adviser::go_on_if_finer_moves(Candidate& candidate) {
   if (!runs_.run_all({finer})) return false;
   const Deviation off = runs_.off(candidate.trial, finer);
   if (off.quantities == 0 && off.reason.empty()) {
-    throw InputError({}, "probe", "",
-                     "stays within rounding, whatever is probed: advice needs "
-                     "a probe of something that moves");
+    throw InputError({}, "probe", names_of(runs_.probes().watched),
+                     "stays within rounding: advice needs a probe of something that moves");
   }
   for (std::size_t k = 0; k < runs_.axes().size(); ++k) models_.forget(k);
   candidate = {.trial = words_.with_own_methods(finer)};
@@ -287,7 +313,7 @@ bool Adviser::try_own_methods() {
   words_.doubt();
   least_sum_ = std::numeric_limits<double>::infinity();
   since_least_ = 0;
-  now_ = {.trial = other};
+  now_ = {.trial = other, .worst = now_.worst};
   return true;
 }
 
@@ -300,6 +326,10 @@ void Adviser::search(double within, const std::optional<Trial>& start) {
   least_sum_ = std::numeric_limits<double>::infinity();
   words_.doubt();
   now_ = {.trial = start ? *start : coarsest()};
+  if (!words_.let_move(now_.trial)) {
+    end_ = runs_.end();
+    return;
+  }
   while (judge(now_)) {
     const bool cheaper = !best_ || runs_.cost(now_.trial) < runs_.cost(best_->trial);
     if (now_.within && cheaper) best_ = now_;
@@ -315,7 +345,7 @@ void Adviser::search(double within, const std::optional<Trial>& start) {
       return;
     }
     if (next == now_.trial) return;
-    now_ = {.trial = next};
+    now_ = {.trial = next, .worst = now_.worst};
   }
   if (end_ == AdviceEnd::AtFinest) end_ = runs_.end();
 }

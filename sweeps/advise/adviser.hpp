@@ -41,6 +41,9 @@ class Adviser {
   bool outcomes_vary() const;
   /// What the axes of numbers add. False, as in all below: runs or work are used up.
   bool estimate(Candidate& candidate);
+  /// Names the quantity of the largest error of an axis; the one that was named before stays where
+  /// an error is unknown.
+  void name_worst(Candidate& candidate) const;
   void forget_methods(const Words& before, const Words& after);
   /// Decides the words where numbers are close enough. `changed`: the candidate has other ones now.
   bool settle_words(Candidate& candidate, bool& changed);
