@@ -82,13 +82,16 @@ struct Advice {
   Words words;                        ///< advised; else the last ones (n_word_axes)
   std::vector<WordLine> word_budget;  ///< (n_word_axes); empty: words were not decided
   double promised = 0.0;  ///< the error is at most this, of the worst quantity, models included [1]
-  /// Difference from a run that is finer in every axis, and richest in every word that matters [1].
+  /// Difference from a run that is finer in every axis; with the richest of every word that
+  /// matters, or with the advised ones, if what they leave out has settled [1].
   double verified = 0.0;
-  std::string worst;      ///< quantity whose error is the largest
-  std::string reason;     ///< why no error can be said, where it cannot
-  std::int64_t work = 0;  ///< of the setting, segment-iterations
-  double cost = 0.0;      ///< work by `kernel_cost`
-  double seconds = 0.0;   ///< CPU time
+  bool words_settled = false;  ///< whether that run has the advised words, see `measure_settled`
+  double of_words = 0.0;       ///< what that run's words leave out, at most; of the richest 0 [1]
+  std::string worst;           ///< quantity whose error is the largest
+  std::string reason;          ///< why no error can be said, where it cannot
+  std::int64_t work = 0;       ///< of the setting, segment-iterations
+  double cost = 0.0;           ///< work by `kernel_cost`
+  double seconds = 0.0;        ///< CPU time
   /// Its work times the median CPU time that runs with its words and about its work took for each
   /// segment-iteration [s]: times of single runs are noisy.
   double expected_seconds = 0.0;
@@ -108,8 +111,9 @@ struct Advice {
 /// From these follows the next setting (`next_setting`). Where numbers are close enough, the words
 /// are decided (`WordChooser`): the richest models and, beside them, each simpler one. Where the
 /// sum over numbers and words is small enough, what the words leave out is measured once more, and
-/// the setting is run finer in every axis at once and richest in every word: what is promised is
-/// the larger of the sum and of what that run shows. Errors are the largest of `deviation`'s
+/// the setting is run finer in every axis at once and richest in every word, or with its own words,
+/// if what they leave out has settled (`measure_settled`) and is added: what is promised is the
+/// larger of the sum and of what that run shows. Errors are the largest of `deviation`'s
 /// quantities. Last, graded segments are tried in the place of even ones (`graded_fractions`),
 /// unless it is for a budget.
 /// @throws InputError for a coupon, a probe that is not there, a scene that cannot be run

@@ -196,6 +196,7 @@ double AdviceRuns::expected_seconds(const Trial& trial) const {
 double AdviceRuns::foreseen_cost(const std::vector<Trial>& trials) const {
   double sum = 0.0;
   for (const Trial& trial : trials) {
+    if (has(trial)) continue;
     double least = std::numeric_limits<double>::infinity();
     for (const auto& [ran, of] : outcomes_) {
       // What failed early says nothing of one that does not.

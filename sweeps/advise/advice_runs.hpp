@@ -78,7 +78,7 @@ class AdviceRuns {
   double cost(const Trial& trial) const;
   /// The cost of a trial over that of another, if it goes with the number of segments and steps.
   double expected_cost(const Trial& from, const Trial& to) const;
-  /// Of trials that were not run: from those that came to an end; 0 where none has.
+  /// Of those of the trials that were not run: from those that came to an end; 0 where none has.
   double foreseen_cost(const std::vector<Trial>& trials) const;
 
   /// The CPU time of a trial that was run, see `Advice::expected_seconds` [s].

@@ -167,11 +167,23 @@ bool Adviser::settle_words(Candidate& candidate, bool& changed) {
   return true;
 }
 
-bool Adviser::run_finest(const Candidate& candidate, const std::vector<double>& factors) {
-  const Trial finest = words_.enriched(runs_.scaled(candidate.trial, factors));
+bool Adviser::run_finest(const Candidate& candidate, const std::vector<double>& factors,
+                         bool richest) {
+  const Trial finer = runs_.scaled(candidate.trial, factors);
+  const Trial finest = richest ? words_.enriched(finer) : finer;
   if (!runs_.run_all({finest})) return false;
   finest_ = finest;
   return true;
+}
+
+bool Adviser::look_whether_settled(const Candidate& candidate, const std::vector<double>& factors,
+                                   SettledWords& settled) {
+  settled = {};
+  const Trial finer = runs_.scaled(candidate.trial, factors);
+  const Trial richest = words_.enriched(finer);
+  if (richest == finer || measure_all_ || outcomes_vary(candidate.trial)) return true;
+  const double saved = runs_.foreseen_cost({richest}) - runs_.foreseen_cost({finer});
+  return measure_settled(runs_, words_, candidate, within_, saved, settled);
 }
 
 bool Adviser::verify(Candidate& candidate) {
@@ -189,12 +201,15 @@ bool Adviser::verify(Candidate& candidate) {
   for (std::size_t k = 0; k < factors.size(); ++k) {
     if (rests_on_unseen(candidate, k)) factors[k] *= kRefined;
   }
-  if (!run_finest(candidate, factors)) return false;
+  SettledWords settled;
+  if (!look_whether_settled(candidate, factors, settled)) return false;
+  if (!run_finest(candidate, factors, !settled.are_so)) return false;
   Deviation off = runs_.off(candidate.trial, *finest_);
-  if (off.reason.empty() && outcomes_vary()) {
+  if (off.reason.empty() && outcomes_vary(*finest_)) {
+    settled = {};
     // Near a break, a limit or another path it may be on the same wrong side, too.
     for (std::size_t k = 0; k < factors.size(); ++k) factors[k] = usual[k] * kRefined;
-    if (!run_finest(candidate, factors)) return false;
+    if (!run_finest(candidate, factors, true)) return false;
     const Deviation further = runs_.off(candidate.trial, *finest_);
     if (further.largest > off.largest) off = further;
   }
@@ -213,13 +228,15 @@ bool Adviser::verify(Candidate& candidate) {
       left = std::max(left, left_of(1.0, e.ratio * kRefined / factors[k], e.order));
     }
   }
-  if (off.largest > kTrusted * expected + words_.error() && !measure_all_) {
+  const double words = settled.are_so ? 0.0 : words_.error();  // that are in the difference
+  if (off.largest > kTrusted * expected + words && !measure_all_) {
     measure_all_ = true;  // what was foretold is not so
     return true;
   }
-  const double of_finest = (left - 1.0) * std::max(changes, off.largest - words_.error());
   candidate.finest = finest_;
-  candidate.of_finest = of_finest;
+  candidate.words_settled = settled.are_so;
+  candidate.of_words = settled.are_so ? settled.error : 0.0;
+  candidate.of_finest = (left - 1.0) * std::max(changes, off.largest - words);
   candidate.promised = promise(candidate, words_.error());
   candidate.within = candidate.promised <= within_;
   return true;
@@ -230,10 +247,10 @@ bool Adviser::rests_on_unseen(const Candidate& candidate, std::size_t axis) cons
   return !e.seen && e.error > kMinor * candidate.numbers;
 }
 
-bool Adviser::outcomes_vary() const {
-  const Outcome& finest = runs_.outcome(*finest_);
+bool Adviser::outcomes_vary(const Trial& trial) const {
+  const Outcome& one = runs_.outcome(trial);
   return std::ranges::any_of(runs_.outcomes(), [&](const auto& ran) {
-    return usable(ran.second.status) && !end_alike(ran.second, finest);
+    return usable(ran.second.status) && !end_alike(ran.second, one);
   });
 }
 

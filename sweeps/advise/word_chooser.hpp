@@ -41,6 +41,8 @@ class WordChooser {
   ///             beam may in a finer one
   /// @return as `decide`
   bool confirm(const Trial& trial, double within, bool all);
+  /// The run with the richest words beside which they were decided.
+  const Trial& decided_at() const { return richest_; }
   /// The trial with the richest of all models, in space only if that has made a difference.
   Trial enriched(const Trial& trial) const;
 
