@@ -202,7 +202,8 @@ void add_advise(CLI::App& app, Action& action) {
       ->option_text("N")
       ->capture_default_str();
   sub->add_option("--max-work", arguments->options.max_work,
-                  "Let all runs together cost at most N segment-iterations")
+                  "Let all runs together cost at most N segment-iterations; stop a run that takes "
+                  "more than is left, or 200 times what was foreseen")
       ->check(CLI::PositiveNumber)
       ->option_text("N")
       ->capture_default_str();

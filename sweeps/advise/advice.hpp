@@ -18,9 +18,11 @@ struct AdviceOptions {
   double budget = 0.0;                ///< CPU time of a run [s]: the best for it; 0: by `within`
   std::vector<std::string> probes{};  ///< names; empty: all of the scene
   int max_runs = 100;                 ///< >= 4
-  double max_work = 1e8;              ///< of all runs, segment-iterations by `kernel_cost`
-  int threads = 0;                    ///< 0: as many as the machine has
-  StopFlag stop = nullptr;            ///< may be null
+  /// Of all runs, segment-iterations by `kernel_cost`; a run that would take more than is left is
+  /// stopped, see `cost_limit`.
+  double max_work = 1e8;
+  int threads = 0;          ///< 0: as many as the machine has
+  StopFlag stop = nullptr;  ///< may be null
   /// Called after each run with their number, from any thread, one call at a time.
   std::function<void(int runs)> progress{};
 };
@@ -62,7 +64,7 @@ struct TriedSetting {
 enum class AdviceEnd {
   Found,        ///< the setting is within what was asked for
   TooManyRuns,  ///< none was within it when the runs were used up
-  TooMuchWork,  ///< the next runs would have taken more work than is allowed
+  TooMuchWork,  ///< the next runs would have taken more work than is allowed, or did
   Diverging,    ///< refinement does not make the error smaller
   TooDear,      ///< what is cheapest takes more time than the budget
   AtFinest,     ///< none was within it at the finest values of the axes
@@ -80,13 +82,16 @@ struct Advice {
   Words words;                        ///< advised; else the last ones (n_word_axes)
   std::vector<WordLine> word_budget;  ///< (n_word_axes); empty: words were not decided
   double promised = 0.0;  ///< the error is at most this, of the worst quantity, models included [1]
-  /// Difference from a run that is finer in every axis, and richest in every word that matters [1].
+  /// Difference from a run that is finer in every axis; with the richest of every word that
+  /// matters, or with the advised ones, if what they leave out has settled [1].
   double verified = 0.0;
-  std::string worst;      ///< quantity whose error is the largest
-  std::string reason;     ///< why no error can be said, where it cannot
-  std::int64_t work = 0;  ///< of the setting, segment-iterations
-  double cost = 0.0;      ///< work by `kernel_cost`
-  double seconds = 0.0;   ///< CPU time
+  bool words_settled = false;  ///< whether that run has the advised words, see `measure_settled`
+  double of_words = 0.0;       ///< what that run's words leave out, at most; of the richest 0 [1]
+  std::string worst;           ///< quantity whose error is the largest
+  std::string reason;          ///< why no error can be said, where it cannot
+  std::int64_t work = 0;       ///< of the setting, segment-iterations
+  double cost = 0.0;           ///< work by `kernel_cost`
+  double seconds = 0.0;        ///< CPU time
   /// Its work times the median CPU time that runs with its words and about its work took for each
   /// segment-iteration [s]: times of single runs are noisy.
   double expected_seconds = 0.0;
@@ -106,8 +111,9 @@ struct Advice {
 /// From these follows the next setting (`next_setting`). Where numbers are close enough, the words
 /// are decided (`WordChooser`): the richest models and, beside them, each simpler one. Where the
 /// sum over numbers and words is small enough, what the words leave out is measured once more, and
-/// the setting is run finer in every axis at once and richest in every word: what is promised is
-/// the larger of the sum and of what that run shows. Errors are the largest of `deviation`'s
+/// the setting is run finer in every axis at once and richest in every word, or with its own words,
+/// if what they leave out has settled (`measure_settled`) and is added: what is promised is the
+/// larger of the sum and of what that run shows. Errors are the largest of `deviation`'s
 /// quantities. Last, graded segments are tried in the place of even ones (`graded_fractions`),
 /// unless it is for a budget.
 /// @throws InputError for a coupon, a probe that is not there, a scene that cannot be run

@@ -34,6 +34,12 @@ std::string_view word_of(AdviceEnd end) {
   return "interrupted";
 }
 
+/// The words of the run that verifies; empty: there is none.
+std::string_view verified_with(const Advice& advice) {
+  if (advice.end != AdviceEnd::Found) return {};
+  return advice.words_settled ? "advised_words" : "richest_words";
+}
+
 /// Fields and their values: those of the axes, then those of the words.
 OrderedJson values_of(const Advice& advice, const Setting& setting, const Words& words) {
   OrderedJson all = OrderedJson::object();
@@ -122,6 +128,8 @@ std::string advice_json(const Advice& advice, const AdviceOptions& options,
       {"budget", options.budget > 0.0 ? OrderedJson(options.budget) : OrderedJson(nullptr)},
       {"promised", found ? finite_or_null(advice.promised) : OrderedJson(nullptr)},
       {"verified", found ? finite_or_null(advice.verified) : OrderedJson(nullptr)},
+      {"verified_with", words_or_null(verified_with(advice))},
+      {"words_left_out", found ? finite_or_null(advice.of_words) : OrderedJson(nullptr)},
       {"worst", words_or_null(advice.worst)},
       {"reason", words_or_null(advice.reason)},
       {"numbers", numbers_of(advice)},

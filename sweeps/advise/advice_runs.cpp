@@ -3,9 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <string>
+#include <mutex>
 #include <utility>
 
+#include "plastica/base/parallel_for.hpp"
 #include "sweeps/advise/grading.hpp"
 
 namespace plastica::sweeps {
@@ -13,6 +14,9 @@ namespace {
 
 /// Of a fibre section that others are compared with: some 40 are 0.002 % off (docs/accuracy.md).
 constexpr double kRichFibres = 40.0;
+/// A run is stopped where it costs so many times what was foreseen. Of all that the corpus needs
+/// (tests/studies) none costs more than 50 times that.
+constexpr double kTimesForeseen = 200.0;
 
 /// The scene with all that advice may choose in it, so that it has every axis of numbers.
 Setup richest_of(const Setup& setup, const std::vector<WordAxis>& axes) {
@@ -22,6 +26,11 @@ Setup richest_of(const Setup& setup, const std::vector<WordAxis>& axes) {
 }
 
 }  // namespace
+
+CostLimit cost_limit(double left, double foreseen) {
+  const double most = kTimesForeseen * foreseen;
+  return most < left ? CostLimit{most, false} : CostLimit{left, true};
+}
 
 AdviceRuns::AdviceRuns(const Setup& setup, const AdviceOptions& options)
     : setup_(setup),
@@ -102,27 +111,55 @@ bool AdviceRuns::run_all(std::vector<Trial> trials) {
     end_ = AdviceEnd::TooMuchWork;
     return false;
   }
-  std::vector<BatchCase> cases;
-  for (const Trial& trial : trials) {
-    const Setup at = setup_of(trial);
-    cases.push_back({std::to_string(cases.size()), at.scene, at.solver});
-  }
-  BatchOptions how{.threads = options_.threads, .stop = options_.stop};
-  if (options_.progress) {
-    how.progress = [&](std::size_t done) { options_.progress(runs_ + static_cast<int>(done)); };
-  }
-  const std::vector<BatchRow> rows = run_batch(cases, how);
+  std::vector<CostLimit> limits;
+  for (const Trial& trial : trials) limits.push_back(limit_of(trial, trials));
+  std::vector<LimitedRun> made(trials.size());
+  std::mutex telling;
+  int done = 0;
+  parallel_for(trials.size(), {options_.threads, options_.stop}, [&](std::size_t i, int) {
+    made[i] = run(trials[i], limits[i]);
+    if (!options_.progress || is_raised(options_.stop)) return;
+    const std::lock_guard lock(telling);
+    options_.progress(runs_ + ++done);
+  });
   if (is_raised(options_.stop)) {
     end_ = AdviceEnd::Interrupted;
     return false;
   }
-  for (std::size_t i = 0; i < rows.size(); ++i) {
-    const Outcome made = outcome_of(rows[i], probes_.watched);
-    outcomes_.emplace(trials[i], made);
+  bool used_up = false;
+  for (std::size_t i = 0; i < trials.size(); ++i) {
+    outcomes_.emplace(trials[i], outcome_of(made[i].row, probes_.watched));
     cost_ += cost(trials[i]);
+    used_up = used_up || (made[i].stopped && limits[i].of_all_work);
   }
-  runs_ += static_cast<int>(rows.size());
-  return true;
+  runs_ += static_cast<int>(trials.size());
+  if (used_up) end_ = AdviceEnd::TooMuchWork;
+  return !used_up;
+}
+
+CostLimit AdviceRuns::limit_of(const Trial& trial, const std::vector<Trial>& together) const {
+  const double left = options_.max_work - cost_;
+  const double foreseen = foreseen_cost({trial});
+  // Nothing is foreseen of the first ones: they have equal parts.
+  if (!(foreseen > 0.0)) return {left / static_cast<double>(together.size()), true};
+  const Setup at = setup_of(trial);
+  const double planned = planned_steps(at) * at.scene.beam.segments * kernel_cost(at);
+  return cost_limit(left - (foreseen_cost(together) - foreseen), std::max(foreseen, planned));
+}
+
+LimitedRun AdviceRuns::run(const Trial& trial, const CostLimit& limit) const {
+  LimitedRun run;
+  try {
+    const Setup at = setup_of(trial);
+    const double of_iteration = at.scene.beam.segments * kernel_cost(at);
+    run = run_limited(at, {.iterations = limit.cost / of_iteration}, options_.stop);
+  } catch (const InputError& error) {
+    run.row.response.status = Status::Rejected;
+    run.row.reason = error.what();
+  } catch (const std::exception& error) {
+    run.row.reason = error.what();  // out of memory, or a defect: the others go on
+  }
+  return run;
 }
 
 double AdviceRuns::cost(const Trial& trial) const {
@@ -159,11 +196,14 @@ double AdviceRuns::expected_seconds(const Trial& trial) const {
 double AdviceRuns::foreseen_cost(const std::vector<Trial>& trials) const {
   double sum = 0.0;
   for (const Trial& trial : trials) {
-    double least = outcomes_.empty() ? 0.0 : std::numeric_limits<double>::infinity();
+    if (has(trial)) continue;
+    double least = std::numeric_limits<double>::infinity();
     for (const auto& [ran, of] : outcomes_) {
+      // What failed early says nothing of one that does not.
+      if (!is_complete(of.status)) continue;
       least = std::min(least, cost(ran) * expected_cost(ran, trial));
     }
-    sum += least;
+    if (std::isfinite(least)) sum += least;
   }
   return sum;
 }

@@ -8,6 +8,7 @@
 
 #include "sweeps/advise/advice.hpp"
 #include "sweeps/advise/watched_probes.hpp"
+#include "sweeps/run/limited_run.hpp"
 
 /// The runs of an advice; not installed.
 namespace plastica::sweeps {
@@ -23,6 +24,17 @@ struct Trial {
     return std::tie(a.words, a.setting, a.fractions) < std::tie(b.words, b.setting, b.fractions);
   }
 };
+
+/// What a run may cost at most.
+struct CostLimit {
+  double cost = 0.0;         ///< by `kernel_cost`
+  bool of_all_work = false;  ///< it is what `AdviceOptions::max_work` leaves
+};
+
+/// The lesser of what is left of all work and 200 times what was foreseen: a run that takes so much
+/// more is cut back again and again, and what it comes to is of no use to the advice.
+/// @param left, foreseen  by `kernel_cost`, > 0; of steps without any iteration one each
+CostLimit cost_limit(double left, double foreseen);
 
 /// Runs a scene in different ways, each once, and keeps what they came to.
 class AdviceRuns {
@@ -51,8 +63,9 @@ class AdviceRuns {
   /// first, is one over a whole number, each is divided; else they are with ends at probes.
   Trial scaled(const Trial& trial, const std::vector<double>& factors) const;
 
-  /// Runs the trials, as taken, that were not run yet. False: runs or work are used up, or it was
-  /// stopped; `end` says which.
+  /// Runs the trials, as taken, that were not run yet; each is stopped where it takes many times
+  /// what was foreseen of it, or what work is left, see `cost_limit`. False: runs or work are used
+  /// up, or it was stopped; `end` says which.
   bool run_all(std::vector<Trial> trials);
   bool has(const Trial& trial) const { return outcomes_.count(trial) > 0; }
   const Outcome& outcome(const Trial& trial) const { return outcomes_.at(trial); }
@@ -65,7 +78,7 @@ class AdviceRuns {
   double cost(const Trial& trial) const;
   /// The cost of a trial over that of another, if it goes with the number of segments and steps.
   double expected_cost(const Trial& from, const Trial& to) const;
-  /// Of trials that were not run: from those that were.
+  /// Of those of the trials that were not run: from those that came to an end; 0 where none has.
   double foreseen_cost(const std::vector<Trial>& trials) const;
 
   /// The CPU time of a trial that was run, see `Advice::expected_seconds` [s].
@@ -77,6 +90,10 @@ class AdviceRuns {
  private:
   /// By counts of segments and steps alone.
   double expected_work(const Trial& from, const Trial& to) const;
+  /// @param together  the trials that are run with it, itself among them
+  CostLimit limit_of(const Trial& trial, const std::vector<Trial>& together) const;
+  /// Runs a trial; what cannot be run is a row, too.
+  LimitedRun run(const Trial& trial, const CostLimit& limit) const;
 
   const Setup& setup_;
   const AdviceOptions& options_;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <string>
 #include <string_view>
 #include <utility>
 
@@ -35,6 +36,13 @@ constexpr double kCloseToAllowed = 8.0;
 constexpr double kFarFiner = 0.0625;
 /// So often words may be decided: where those that a coarse beam asks for do not do.
 constexpr int kDecisions = 3;
+
+/// "tip, middle"
+std::string names_of(const std::vector<WatchedProbe>& probes) {
+  std::string names;
+  for (const WatchedProbe& probe : probes) names += (names.empty() ? "" : ", ") + probe.name;
+  return names;
+}
 
 }  // namespace
 
@@ -95,21 +103,40 @@ bool Adviser::estimate(Candidate& candidate) {
     measured.push_back(k);
     trials.push_back(finer(trial, k));
   }
-  if (!runs_.run_all(trials)) return false;
-  double largest = 0.0;
+  if (!runs_.run_all(trials)) {
+    for (const std::size_t k : measured) {
+      if (!models_.knows(k)) candidate.errors[k].error = std::numeric_limits<double>::infinity();
+    }
+    name_worst(candidate);
+    return false;
+  }
   moves_ = moves_ && measured.empty();
   for (std::size_t i = 0; i < measured.size(); ++i) {
     const std::size_t k = measured[i];
     const Deviation off = runs_.off(trial, trials[i + 1]);
     candidate.errors[k] = models_.measured(k, axes[k].size(trial.setting[k]),
-                                           axes[k].size(trials[i + 1].setting[k]), off.largest);
+                                           axes[k].size(trials[i + 1].setting[k]), off);
     if (!off.reason.empty()) candidate.reason = off.reason;
-    if (candidate.errors[k].error >= largest) candidate.worst = off.quantity;
-    largest = std::max(largest, candidate.errors[k].error);
     moves_ = moves_ || !off.reason.empty() || off.quantities > 0;
   }
   for (const AxisError& e : candidate.errors) candidate.numbers += e.error;
+  name_worst(candidate);
   return true;
+}
+
+void Adviser::name_worst(Candidate& candidate) const {
+  double largest = 0.0;
+  std::string named;
+  bool all_named = true;
+  const auto look = [&](double error, const std::string& quantity) {
+    all_named = all_named && (std::isfinite(error) || !quantity.empty());
+    if (quantity.empty() || !(error > largest)) return;
+    largest = error;
+    named = quantity;
+  };
+  for (const AxisError& e : candidate.errors) look(e.error, e.quantity);
+  const bool known = all_named || candidate.worst.empty();
+  if (known && !named.empty()) candidate.worst = named;
 }
 
 void Adviser::forget_methods(const Words& before, const Words& after) {
@@ -140,11 +167,23 @@ bool Adviser::settle_words(Candidate& candidate, bool& changed) {
   return true;
 }
 
-bool Adviser::run_finest(const Candidate& candidate, const std::vector<double>& factors) {
-  const Trial finest = words_.enriched(runs_.scaled(candidate.trial, factors));
+bool Adviser::run_finest(const Candidate& candidate, const std::vector<double>& factors,
+                         bool richest) {
+  const Trial finer = runs_.scaled(candidate.trial, factors);
+  const Trial finest = richest ? words_.enriched(finer) : finer;
   if (!runs_.run_all({finest})) return false;
   finest_ = finest;
   return true;
+}
+
+bool Adviser::look_whether_settled(const Candidate& candidate, const std::vector<double>& factors,
+                                   SettledWords& settled) {
+  settled = {};
+  const Trial finer = runs_.scaled(candidate.trial, factors);
+  const Trial richest = words_.enriched(finer);
+  if (richest == finer || measure_all_ || outcomes_vary(candidate.trial)) return true;
+  const double saved = runs_.foreseen_cost({richest}) - runs_.foreseen_cost({finer});
+  return measure_settled(runs_, words_, candidate, within_, saved, settled);
 }
 
 bool Adviser::verify(Candidate& candidate) {
@@ -162,12 +201,15 @@ bool Adviser::verify(Candidate& candidate) {
   for (std::size_t k = 0; k < factors.size(); ++k) {
     if (rests_on_unseen(candidate, k)) factors[k] *= kRefined;
   }
-  if (!run_finest(candidate, factors)) return false;
+  SettledWords settled;
+  if (!look_whether_settled(candidate, factors, settled)) return false;
+  if (!run_finest(candidate, factors, !settled.are_so)) return false;
   Deviation off = runs_.off(candidate.trial, *finest_);
-  if (off.reason.empty() && outcomes_vary()) {
+  if (off.reason.empty() && outcomes_vary(*finest_)) {
+    settled = {};
     // Near a break, a limit or another path it may be on the same wrong side, too.
     for (std::size_t k = 0; k < factors.size(); ++k) factors[k] = usual[k] * kRefined;
-    if (!run_finest(candidate, factors)) return false;
+    if (!run_finest(candidate, factors, true)) return false;
     const Deviation further = runs_.off(candidate.trial, *finest_);
     if (further.largest > off.largest) off = further;
   }
@@ -186,13 +228,15 @@ bool Adviser::verify(Candidate& candidate) {
       left = std::max(left, left_of(1.0, e.ratio * kRefined / factors[k], e.order));
     }
   }
-  if (off.largest > kTrusted * expected + words_.error() && !measure_all_) {
+  const double words = settled.are_so ? 0.0 : words_.error();  // that are in the difference
+  if (off.largest > kTrusted * expected + words && !measure_all_) {
     measure_all_ = true;  // what was foretold is not so
     return true;
   }
-  const double of_finest = (left - 1.0) * std::max(changes, off.largest - words_.error());
   candidate.finest = finest_;
-  candidate.of_finest = of_finest;
+  candidate.words_settled = settled.are_so;
+  candidate.of_words = settled.are_so ? settled.error : 0.0;
+  candidate.of_finest = (left - 1.0) * std::max(changes, off.largest - words);
   candidate.promised = promise(candidate, words_.error());
   candidate.within = candidate.promised <= within_;
   return true;
@@ -203,10 +247,10 @@ bool Adviser::rests_on_unseen(const Candidate& candidate, std::size_t axis) cons
   return !e.seen && e.error > kMinor * candidate.numbers;
 }
 
-bool Adviser::outcomes_vary() const {
-  const Outcome& finest = runs_.outcome(*finest_);
+bool Adviser::outcomes_vary(const Trial& trial) const {
+  const Outcome& one = runs_.outcome(trial);
   return std::ranges::any_of(runs_.outcomes(), [&](const auto& ran) {
-    return usable(ran.second.status) && !end_alike(ran.second, finest);
+    return usable(ran.second.status) && !end_alike(ran.second, one);
   });
 }
 
@@ -235,9 +279,8 @@ bool Adviser::go_on_if_finer_moves(Candidate& candidate) {
   if (!runs_.run_all({finer})) return false;
   const Deviation off = runs_.off(candidate.trial, finer);
   if (off.quantities == 0 && off.reason.empty()) {
-    throw InputError({}, "probe", "",
-                     "stays within rounding, whatever is probed: advice needs "
-                     "a probe of something that moves");
+    throw InputError({}, "probe", names_of(runs_.probes().watched),
+                     "stays within rounding: advice needs a probe of something that moves");
   }
   for (std::size_t k = 0; k < runs_.axes().size(); ++k) models_.forget(k);
   candidate = {.trial = words_.with_own_methods(finer)};
@@ -287,7 +330,7 @@ bool Adviser::try_own_methods() {
   words_.doubt();
   least_sum_ = std::numeric_limits<double>::infinity();
   since_least_ = 0;
-  now_ = {.trial = other};
+  now_ = {.trial = other, .worst = now_.worst};
   return true;
 }
 
@@ -300,6 +343,10 @@ void Adviser::search(double within, const std::optional<Trial>& start) {
   least_sum_ = std::numeric_limits<double>::infinity();
   words_.doubt();
   now_ = {.trial = start ? *start : coarsest()};
+  if (!words_.let_move(now_.trial)) {
+    end_ = runs_.end();
+    return;
+  }
   while (judge(now_)) {
     const bool cheaper = !best_ || runs_.cost(now_.trial) < runs_.cost(best_->trial);
     if (now_.within && cheaper) best_ = now_;
@@ -315,7 +362,7 @@ void Adviser::search(double within, const std::optional<Trial>& start) {
       return;
     }
     if (next == now_.trial) return;
-    now_ = {.trial = next};
+    now_ = {.trial = next, .worst = now_.worst};
   }
   if (end_ == AdviceEnd::AtFinest) end_ = runs_.end();
 }

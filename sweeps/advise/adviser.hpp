@@ -6,6 +6,7 @@
 #include "sweeps/advise/advice_runs.hpp"
 #include "sweeps/advise/axis_models.hpp"
 #include "sweeps/advise/fill_advice.hpp"
+#include "sweeps/advise/settled_words.hpp"
 #include "sweeps/advise/word_chooser.hpp"
 
 /// The search for the cheapest setting within an error; not installed.
@@ -37,15 +38,23 @@ class Adviser {
   bool is_foretold(std::size_t axis, const Candidate& candidate) const;
   /// Whether an axis that matters has shown no order.
   bool rests_on_unseen(const Candidate& candidate, std::size_t axis) const;
-  /// Whether a run has ended otherwise than the finest.
-  bool outcomes_vary() const;
+  /// Whether a run has ended otherwise than this one.
+  bool outcomes_vary(const Trial& trial) const;
   /// What the axes of numbers add. False, as in all below: runs or work are used up.
   bool estimate(Candidate& candidate);
+  /// Names the quantity of the largest error of an axis; the one that was named before stays where
+  /// an error is unknown.
+  void name_worst(Candidate& candidate) const;
   void forget_methods(const Words& before, const Words& after);
   /// Decides the words where numbers are close enough. `changed`: the candidate has other ones now.
   bool settle_words(Candidate& candidate, bool& changed);
-  /// Runs a candidate finer in every axis and richest in every word; only then it is `finest`.
-  bool run_finest(const Candidate& candidate, const std::vector<double>& factors);
+  /// Runs a candidate finer in every axis, and richest in every word unless `richest` is false;
+  /// only then it is `finest`.
+  bool run_finest(const Candidate& candidate, const std::vector<double>& factors, bool richest);
+  /// Looks whether the run that verifies may have the candidate's own words, where that costs less
+  /// than the richest ones and no run has ended otherwise.
+  bool look_whether_settled(const Candidate& candidate, const std::vector<double>& factors,
+                            SettledWords& settled);
   /// Measures what the words leave out, and runs the finest beside the candidate.
   bool verify(Candidate& candidate);
   bool judge(Candidate& candidate);

@@ -13,8 +13,11 @@ constexpr double kLeastRatio = 1.3;
 
 }  // namespace
 
-AxisError AxisModels::measured(std::size_t axis, double size, double finer_size, double change) {
+AxisError AxisModels::measured(std::size_t axis, double size, double finer_size,
+                               const Deviation& off) {
+  const double change = off.largest;
   AxisError error;
+  error.quantity = off.quantity;
   error.ratio = size / finer_size;
   if (!(error.ratio > 1.0)) {  // it is at its finest, and nothing says what it is off
     error.change = error.error = std::numeric_limits<double>::infinity();

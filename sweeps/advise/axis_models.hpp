@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "sweeps/advise/next_setting.hpp"
+#include "sweeps/advise/outcome.hpp"
 
 /// What runs have shown of the error along each axis; not installed.
 namespace plastica::sweeps {
@@ -15,9 +16,8 @@ class AxisModels {
 
   /// The error along an axis, of a change that was measured; notes it for later.
   /// @param size, finer_size  of the setting and of the run that is finer along the axis
-  /// @param change  of the result; infinite where the two cannot be compared
-  /// @param quantity  whose it is
-  AxisError measured(std::size_t axis, double size, double finer_size, double change);
+  /// @param off  of the result, from the finer run's
+  AxisError measured(std::size_t axis, double size, double finer_size, const Deviation& off);
   /// The error that the last change of an axis foretells, at another size: with the order that was
   /// seen, else with 1 where it is finer and 2 where it is coarser, so that it is not too small.
   AxisError foretold(std::size_t axis, double size) const;

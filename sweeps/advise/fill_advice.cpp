@@ -68,7 +68,7 @@ TriedSetting Filler::tried(const Trial& trial) const {
     one.reason = "it is as fine as the run that verifies";
   } else {
     const Deviation off = runs_.off(trial, *finest_);
-    one.error = off.largest;
+    one.error = off.largest + candidate_.of_words;
     one.reason = off.reason;
   }
   return one;
@@ -121,6 +121,8 @@ Advice Filler::advice() {
   advice.setting = shown(candidate_.trial.setting);
   advice.promised = candidate_.promised;
   advice.verified = candidate_.verified;
+  advice.words_settled = candidate_.words_settled;
+  advice.of_words = candidate_.of_words;
   advice.worst = candidate_.worst;
   advice.reason = candidate_.reason;
   advice.left_out = runs_.probes().left_out;
@@ -142,7 +144,8 @@ Advice Filler::advice() {
 }  // namespace
 
 double promise(const Candidate& candidate, double words) {
-  const double most = std::max(candidate.numbers + words, candidate.verified + candidate.of_finest);
+  const double most = std::max(candidate.numbers + words,
+                               candidate.verified + candidate.of_finest + candidate.of_words);
   return most * (1.0 + most);
 }
 

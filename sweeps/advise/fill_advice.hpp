@@ -18,7 +18,9 @@ struct Candidate {
   double numbers = 0.0;             ///< the sum of `errors`
   std::optional<Trial> finest{};    ///< the run that verified it
   double verified = 0.0;            ///< difference from that [1]
-  double of_finest = 0.0;           ///< what that is off itself, at most [1]
+  double of_finest = 0.0;           ///< what the numbers of that leave, at most [1]
+  bool words_settled = false;       ///< whether that has the candidate's words, not the richest
+  double of_words = 0.0;            ///< what its words leave out, at most; of the richest 0 [1]
   double promised = 0.0;
   std::string worst{};
   std::string reason{};

@@ -46,7 +46,7 @@ class Grading {
         const bool cheaper = runs_.cost(found->trial) < kWorthGrading * runs_.cost(even_.trial);
         return cheaper ? found : std::nullopt;
       }
-      const double next = number_for(segments, found->promised - others);
+      const double next = number_for(segments, found->promised - others - even_.of_words);
       segments = std::max(next, segments + 1.0);
     }
     return std::nullopt;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "sweeps/advise/discretization.hpp"
@@ -9,11 +10,12 @@ namespace plastica::sweeps {
 
 /// What one axis adds to the error of a setting.
 struct AxisError {
-  double change = 0.0;  ///< of the result when the axis is made finer alone [1]; may be infinite
-  double ratio = 2.0;   ///< size over the finer size, > 1
-  double order = 1.0;   ///< with which the error falls along the axis [1]
-  double error = 0.0;   ///< change/(1 - ratio^-order): what is left down to the limit [1]
-  bool seen = false;    ///< whether the order was seen, and not supposed
+  double change = 0.0;     ///< of the result when the axis is made finer alone [1]; may be infinite
+  double ratio = 2.0;      ///< size over the finer size, > 1
+  double order = 1.0;      ///< with which the error falls along the axis [1]
+  double error = 0.0;      ///< change/(1 - ratio^-order): what is left down to the limit [1]
+  bool seen = false;       ///< whether the order was seen, and not supposed
+  std::string quantity{};  ///< whose change it is
 };
 
 /// An error that falls as size^order: what a step to a finer size leaves of it down to the limit.

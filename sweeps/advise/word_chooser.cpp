@@ -254,6 +254,19 @@ void WordChooser::fill_lines() {
   }
 }
 
+bool WordChooser::let_move(Trial& trial) {
+  if (!runs_.run_all({trial})) return false;
+  if (runs_.outcome(trial).status != Status::HeldTwice) return true;
+  const auto& axes = runs_.word_axes();
+  for (std::size_t w = 0; w < axes.size(); ++w) {
+    if (axes[w].field().path != "solver.translation") continue;
+    Trial shifting = with(trial, w, axes[w].richest);
+    if (!is_accepted(runs_.setup_of(shifting))) shifting = comparable(shifting);
+    if (is_accepted(runs_.setup_of(shifting))) trial = shifting;
+  }
+  return true;
+}
+
 Trial WordChooser::with_own_methods(Trial trial) {
   own_methods_ = true;
   const auto& axes = runs_.word_axes();

@@ -41,8 +41,14 @@ class WordChooser {
   ///             beam may in a finer one
   /// @return as `decide`
   bool confirm(const Trial& trial, double within, bool all);
+  /// The run with the richest words beside which they were decided.
+  const Trial& decided_at() const { return richest_; }
   /// The trial with the richest of all models, in space only if that has made a difference.
   Trial enriched(const Trial& trial) const;
+
+  /// The trial, or that with joints that shift, where rigid ones do not let the beam move at all:
+  /// two supports hold it along its axis. False: as `decide`
+  bool let_move(Trial& trial);
 
   /// From now on the methods are those of the scene's file. @return the trial by these
   Trial with_own_methods(Trial trial);

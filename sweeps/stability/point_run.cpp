@@ -5,11 +5,10 @@
 #include <cmath>
 
 #include "plastica/report/format.hpp"
-#include "plastica/run/path_stops.hpp"
-#include "plastica/run/response_size.hpp"
 #include "plastica/run/simulate.hpp"
 #include "sweeps/advise/discretization.hpp"
 #include "sweeps/advise/grading.hpp"
+#include "sweeps/run/limited_run.hpp"
 
 namespace plastica::sweeps::stability {
 namespace {
@@ -57,32 +56,14 @@ PointRunner::PointRunner(const Setup& setup, const SceneScanOptions& options)
 }
 
 double PointRunner::work(const Setup& setup) const {
-  const double segments = setup.scene.beam.segments;
-  if (setup.solver.analysis != Analysis::Dynamics) return segments * setup.solver.steps;
-  const FixedSteps steps =
-      fixed_steps(path_stops(setup.scene, setup.solver), setup.solver.time_step);
-  return segments * steps.count;
+  return setup.scene.beam.segments * planned_steps(setup);
 }
 
 BatchRow PointRunner::simulated(const Setup& setup, double& steps) const {
-  BatchRow row;
-  check_memory(setup.scene, setup.solver);
-  const Model model = prepare(setup.scene, setup.solver);
-  row.response = make_response(model);
-  row.level = model.level;
-  row.in_motion = is_motion(model);
-  Workspace workspace = make_workspace(model);
   // Adaptive steps have no estimate of their own.
-  const double estimate = work(setup) / std::max(1.0, double(setup.scene.beam.segments));
   const bool adaptive = setup.solver.step_error > 0.0;
-  const double most = kTimesEstimate * estimate * (adaptive ? 100.0 : 10.0);
-  double taken = 0.0;
-  workspace.on_progress = [&](double /*time*/) { return ++taken < most; };
-  workspace.stop = options_.stop;
-  plastica::run(model, {}, workspace, row.response);
-  if (row.response.status == Status::Interrupted && !is_raised(options_.stop)) {
-    row.reason = "takes more than " + report::brief(most) + " steps";
-  }
+  const RunLimit limit{.steps = kTimesEstimate * planned_steps(setup) * (adaptive ? 100.0 : 10.0)};
+  BatchRow row = run_limited(setup, limit, options_.stop).row;
   steps = row.response.counters.steps;
   return row;
 }

@@ -9,6 +9,7 @@
 #include "plastica/base/check.hpp"
 #include "plastica/base/parallel_for.hpp"
 #include "plastica/run/simulate.hpp"
+#include "sweeps/run/limited_run.hpp"
 #include "sweeps/stability/scan.hpp"
 
 namespace plastica::sweeps::stability {
@@ -64,17 +65,9 @@ void run_point(const StabilityPoint& point, const StabilityOptions& options, Sta
   row.begun = true;
   const StabilityCase made = point.scene->make(point.knobs);
   try {
-    const Model model = prepare(made.setup.scene, made.setup.solver);
-    Response response = make_response(model);
-    Workspace workspace = make_workspace(model);
     const double most = std::max(4.0 * point.segment_steps, options.min_segment_steps);
-    double taken = 0.0;
-    workspace.on_progress = [&](double /*time*/) {
-      taken += point.knobs.segments;
-      return taken < most && seconds_since(began) < options.max_seconds;
-    };
-    workspace.stop = options.stop;
-    run(model, {}, workspace, response);
+    const RunLimit limit{.steps = most / point.knobs.segments, .seconds = options.max_seconds};
+    const Response response = run_limited(made.setup, limit, options.stop).row.response;
     if (response.status == Status::Interrupted && is_raised(options.stop)) {
       row.begun = false;
       return;

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <string>
 
+#include "sweeps/advise/advice_runs.hpp"
 #include "sweeps/advise/advice_text.hpp"
 #include "sweeps/advise/watched_probes.hpp"
 #include "tests/support/message.hpp"
@@ -80,6 +81,43 @@ TEST(Advice, SaysWhereItFindsNothing) {
   EXPECT_EQ(advice.end, AdviceEnd::TooMuchWork);
   EXPECT_NE(advice_text(advice, options, "crash_bumper.toml").find("nothing within 0.1 %"),
             std::string::npos);
+}
+
+TEST(Advice, NamesTheQuantityThatIsNotWithinWhereverItEnds) {
+  const plastica::Setup setup = shipped_scene("robot_arm");
+  for (int runs = 4; runs < 20; ++runs) {
+    AdviceOptions options = asked(1e-3);
+    options.max_runs = runs;
+    const Advice advice = advise(setup, options);
+    if (advice.end == AdviceEnd::Found) break;
+    EXPECT_EQ(advice.worst.find("gripper: "), 0u) << runs;
+    // An axis that no run has measured is not free of error.
+    for (const BudgetLine& line : advice.budget) EXPECT_GT(line.error, 0.0) << runs;
+  }
+  AdviceOptions options = asked(1e-3);
+  options.max_work = 2e5;
+  const Advice impact = advise(shipped_scene("crash_bumper"), options);
+  EXPECT_FALSE(impact.worst.empty());
+}
+
+TEST(CostLimit, IsWhatIsLeftOfAllWorkOrManyTimesWhatWasForeseen) {
+  EXPECT_EQ(cost_limit(1e6, 1e5).cost, 1e6);
+  EXPECT_TRUE(cost_limit(1e6, 1e5).of_all_work);
+  EXPECT_EQ(cost_limit(1e6, 10.0).cost, 2000.0);
+  EXPECT_FALSE(cost_limit(1e6, 10.0).of_all_work);
+}
+
+TEST(Advice, StopsARunThatTakesMoreThanAllWork) {
+  // Nothing is foreseen of the first run: 3000 steps of four segments, several iterations each.
+  const plastica::Setup setup =
+      tip_cantilever(0.02, "['0 N', '-400 N', '0 N']", "yield_model = 'fibre'", "steps = 3000");
+  AdviceOptions options = asked(0.05);
+  options.max_work = 1e4;
+  const Advice advice = advise(setup, options);
+  EXPECT_EQ(advice.end, AdviceEnd::TooMuchWork);
+  EXPECT_EQ(advice.runs, 1);
+  EXPECT_GT(advice.total_work, 1000);
+  EXPECT_LT(advice.total_work, 1.2e4);
 }
 
 TEST(Advice, EndsInOrderWhereverItIsStopped) {
@@ -222,8 +260,7 @@ TEST(Advice, RefusesWhatItCannotLookAt) {
             "--of = top: is no probe of the scene");
   setup.scene.probes[0].component = Component::X;
   EXPECT_EQ(message_of([&] { advise(setup, asked(0.01)); }),
-            "probe: stays within rounding, whatever is probed: advice needs a probe of something "
-            "that moves");
+            "probe = tip: stays within rounding: advice needs a probe of something that moves");
   setup.scene.probes[0].quantity = ProbeQuantity::LoadFactor;
   EXPECT_EQ(message_of([&] { advise(setup, asked(0.01)); }),
             "probe: is missing: advice needs one to look at");

@@ -49,7 +49,7 @@ TEST(GradedAdvice, IsWithinWhatWasAskedOfTheClosedForm) {
 TEST(GradedAdvice, HoldsAgainstAnEvenBeamThatIsFarFiner) {
   const plastica::Setup setup =
       tip_cantilever(0.02, "['0 N', '-600 N', '0 N']", "yield_model = 'fibre'", "steps = 20");
-  const Advice advice = advise(setup, asked(0.005));
+  const Advice advice = advise(setup, asked(0.003));
   ASSERT_EQ(advice.end, AdviceEnd::Found) << advice.reason;
   ASSERT_FALSE(advice.fractions.empty());
   plastica::Setup fine = advised_setup(setup, advice);

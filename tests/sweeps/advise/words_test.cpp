@@ -60,6 +60,21 @@ TEST(AdvisedTranslation, IsElasticInABarThatIsPulled) {
   EXPECT_LE(std::abs(end_of(setup, advice) / exact - 1.0), advice.promised + 1e-10);
 }
 
+TEST(AdvisedTranslation, IsElasticInABeamThatBothEndsHoldAlongItsAxis) {
+  plastica::Setup setup = tip_cantilever(0.02, "['0 N', '-1 N', '0 N']");
+  setup.scene.supports.push_back({.at = Place::end(), .kind = SupportKind::Clamp});
+  setup.scene.loads[0].at = {0.5, {}};
+  setup.scene.probes[0].at = {0.5, {}};
+  ASSERT_EQ(simulate(setup.scene, setup.solver).status, Status::HeldTwice);
+  const Advice advice = advise(setup, asked(0.01));
+  ASSERT_EQ(advice.end, AdviceEnd::Found) << advice.reason;
+  EXPECT_EQ(told_of(advice, "solver.translation").chosen, "elastic");
+  // Between clamps P L^3/(192 E I), and shear adds P L/(4 k G A): 192/(4 · 3) times the ratio that
+  // it adds to a cantilever's.
+  const double exact = -bending_deflection(setup, 1.0) / 64.0 * (1.0 + 16.0 * shear_ratio(setup));
+  EXPECT_LE(std::abs(end_of(setup, advice) / exact - 1.0), advice.promised);
+}
+
 TEST(AdvisedLevel, IsTheLeastSincePlaneScenesAreTheSameInSpace) {
   plastica::Setup setup = tip_cantilever(0.02, "['0 N', '-1 N', '0 N']");
   setup.solver.level = Level::Spatial;  // as a file may say without need
