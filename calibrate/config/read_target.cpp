@@ -18,6 +18,9 @@ namespace {
 using io::TomlTable;
 using io::TomlValue;
 
+/// Of a proof stress: standards have 0.01 % to 1 %.
+constexpr double kLargestOffset = 0.05;
+
 /// The key `unit` of a column's table, checked.
 std::optional<std::string> read_unit(const TomlTable& table, Dimension dimension) {
   const auto unit = table.find("unit");
@@ -241,8 +244,8 @@ void read_characteristics(const TomlTable& table, TargetOptions& options) {
   }
   if (const auto value = table.find("offset")) {
     options.offset = value->quantity(Dimension::Strain);
-    if (options.offset <= 0.0 || options.offset >= 1.0) {
-      throw value->error("must be above 0 % and below 100 %");
+    if (options.offset <= 0.0 || options.offset > kLargestOffset) {
+      throw value->error("must be above 0 % and at most 5 %: 0.2 % or 0.002, not 0.2");
     }
   }
   read_fraction(table, "yield_drop", 0.0, 1.0, options.yield_drop);
@@ -299,6 +302,8 @@ void read_target(const TomlTable& table, const std::string& folder, TargetBlock&
     source.loading = options.loading;
   }
   read_columns(table, source);
+  const auto& strain = source.strain ? source.strain : source.elongation;
+  options.is_compressed = strain && strain->factor < 0.0;
   if (const auto value = table.find("table")) source.table = read_table(*value, folder);
   if (const auto value = table.find("group")) source.group = value->strings();
   if (const auto value = table.find("split")) source.split = read_columns_of(*value);

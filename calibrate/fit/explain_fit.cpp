@@ -181,6 +181,19 @@ void warn_of_held_break(const Target& target, const ParameterSet& set, double fa
                   p.name(), 100.0 * p.value, 100.0 * own));
 }
 
+/// The limit of one reversal may have been survived in one before; a limit that is held may be
+/// below what an intact specimen bore.
+void warn_of_early_break(const Target& target, const BreakEvent& event, FitResult& result) {
+  const Curve& curve = target.corrected;
+  if (event.sample >= curve.size()) return;
+  const bool broke = target.characteristics.observed_break.has_value();
+  result.warnings.push_back(fmt::format(
+      "with this break limit the model breaks at {:.4g} % strain, at sample {} of {}, and the "
+      "specimen {}: it bore more than the limit",
+      100.0 * event.strain, event.sample + 1, curve.size(),
+      broke ? "went on" : "did not break at all"));
+}
+
 /// The fitted beam on the specimen's strain path, with its break; and the strain where it breaks.
 void add_fitted_curve(const Target& target, const FitOptions& options, FitResult& result) {
   Setup setup = options.setup;
@@ -219,6 +232,7 @@ void add_fitted_curve(const Target& target, const FitOptions& options, FitResult
                               response.probes[0].begin() + static_cast<std::ptrdiff_t>(shown));
   if (!response.event) return;
   result.break_strain_total = response.event->strain;
+  warn_of_early_break(target, *response.event, result);
   // A line to the first broken sample would fall before the break.
   if (observed && response.event->sample + 1 == shown) {
     const auto add = [](double value, std::vector<double>& values) {
@@ -241,6 +255,7 @@ void explain_fit(const Target& target, const FitOptions& options, const Paramete
   Misfit::Details details = misfit.details(active);
   drop_unidentifiable_yield(misfit, set, active, options, details);
   result.cost = details.stress_cost + details.break_cost;
+  details.by_shift = shift_slopes(target, options, set, active);
   const Uncertainty u = uncertainty(details, active, set, target, options, misfit.break_factor());
   describe_misfit(details, target, options, result);
   add_parameters(set, active, u, options.confidence, result);

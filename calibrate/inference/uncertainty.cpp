@@ -24,6 +24,7 @@ struct StressErrors {
   MatrixXd covariance, of_prior;     ///< of those, from residuals and from the prior, SI
   /// A^-1, J^T W^2 J and P of those, over the sizes of both.
   MatrixXd inverse, weighted, prior;
+  VectorXd of_shift;         ///< g, SI; empty where the strain was not shifted
   std::vector<double> size;  ///< of the active parameters, SI (n)
   double variance = 0.0;     ///< of the noise [Pa^2]
   double degrees_of_freedom = 1.0;
@@ -108,6 +109,22 @@ Normal keep_identified(const Misfit::Details& d, const std::vector<double>& size
   return normal;
 }
 
+/// By how much an error of the strain's shift moves the parameters. @param error  [1]
+VectorXd shift_effect(const Misfit::Details& d, double error, const StressErrors& of_stress) {
+  const auto m = static_cast<Eigen::Index>(of_stress.columns.size());
+  const std::size_t samples = d.residual.size();
+  VectorXd pull(m);
+  VectorXd sizes(m);
+  for (Eigen::Index k = 0; k < m; ++k) {
+    const std::size_t column = of_stress.columns[static_cast<std::size_t>(k)];
+    sizes(k) = of_stress.size[column];
+    pull(k) = sizes(k) * weighted_product(d.weight,
+                                          std::span(d.jacobian).subspan(column * samples, samples),
+                                          std::span(d.by_shift));
+  }
+  return -error * (sizes.asDiagonal() * (of_stress.inverse * pull));
+}
+
 StressErrors stress_errors(const Misfit::Details& d, std::span<const double> active,
                            const ParameterSet& parameters, const Target& target,
                            const FitOptions& options) {
@@ -141,6 +158,7 @@ StressErrors stress_errors(const Misfit::Details& d, std::span<const double> act
   of_stress.inverse = normal.a.ldlt().solve(MatrixXd::Identity(m, m));
   of_stress.weighted = normal.b;
   of_stress.prior = of_stress.inverse * normal.prior * of_stress.inverse;
+  if (!d.by_shift.empty()) of_stress.of_shift = shift_effect(d, target.shift_error, of_stress);
   VectorXd sizes(m);
   for (Eigen::Index i = 0; i < m; ++i) {
     sizes(i) = size[of_stress.columns[static_cast<std::size_t>(i)]];
@@ -152,6 +170,22 @@ StressErrors stress_errors(const Misfit::Details& d, std::span<const double> act
 }
 
 }  // namespace
+
+std::vector<double> shift_slopes(const Target& target, const FitOptions& options,
+                                 const ParameterSet& parameters, std::span<const double> active) {
+  if (!(target.shift_error > 0.0)) return {};
+  const auto residuals = [&](double shift) {
+    Target moved = target;
+    for (double& strain : moved.corrected.strain) strain -= shift;
+    return Misfit(moved, options, parameters).details(active).residual;
+  };
+  std::vector<double> slopes = residuals(target.shift_error);
+  const std::vector<double> before = residuals(-target.shift_error);
+  for (std::size_t i = 0; i < slopes.size(); ++i) {
+    slopes[i] = (slopes[i] - before[i]) / (2.0 * target.shift_error);
+  }
+  return slopes;
+}
 
 Uncertainty uncertainty(const Misfit::Details& details, std::span<const double> active,
                         const ParameterSet& parameters, const Target& target,
@@ -183,7 +217,9 @@ Uncertainty uncertainty(const Misfit::Details& details, std::span<const double> 
   }
   const MatrixXd of_residuals = map * of_stress.covariance * map.transpose();
   const MatrixXd of_prior = map * of_stress.of_prior * map.transpose();
-  const MatrixXd covariance = of_residuals + of_prior;
+  VectorXd of_shift = VectorXd::Zero(static_cast<Eigen::Index>(n));
+  if (of_stress.of_shift.size() > 0) of_shift = map * of_stress.of_shift;
+  const MatrixXd covariance = of_residuals + of_prior + of_shift * of_shift.transpose();
   u.standard_error.assign(n, kNan);
   u.noise_error.assign(n, kNan);
   u.residual_error.assign(n, kNan);
@@ -194,7 +230,8 @@ Uncertainty uncertainty(const Misfit::Details& details, std::span<const double> 
     const auto row = static_cast<Eigen::Index>(i);
     const double half = std::fabs(sampling(row));
     u.residual_error[i] = std::sqrt(std::max(0.0, of_residuals(row, row)));
-    u.noise_error[i] = u.residual_error[i] + std::sqrt(std::max(0.0, of_prior(row, row)));
+    const double of_curve = u.residual_error[i] + std::sqrt(std::max(0.0, of_prior(row, row)));
+    u.noise_error[i] = std::hypot(of_curve, of_shift(row));
     u.sampling[i] = half;
     u.standard_error[i] = std::hypot(u.noise_error[i], half / std::sqrt(3.0));
   }

@@ -27,6 +27,8 @@ namespace plastica::calibrate {
 /// for B_p. It stems from samples of the same curve, so that it may err as these do: an error from
 /// both is the sum of the two errors, not the root of the sum of squares, and no less than that of
 /// errors that are alike.
+/// Where the elastic line has decided by how much the strain is shifted, that has an error d of its
+/// own: it moves the parameters by g = -A^-1 J^T W (dr/dshift) d, and g g^T is added to C.
 /// A break strain adds its sampling interval: its variance is that of the model's permanent strain
 /// at the break (through C) plus h^2/3 of a break that lies anywhere within +-h.
 ///
@@ -38,8 +40,8 @@ namespace plastica::calibrate {
 struct Uncertainty {
   std::vector<bool> identified;        ///< (n)
   std::vector<double> standard_error;  ///< SI (n); NaN if not identified
-  /// The part of the standard error that is the residuals' and the prior's, SI (n); NaN if not
-  /// identified.
+  /// The part of the standard error that is the residuals', the prior's and the shift's, SI (n);
+  /// NaN if not identified.
   std::vector<double> noise_error;
   std::vector<double> residual_error;  ///< the residuals' alone, SI (n); NaN if not identified
   std::vector<double> sampling;     ///< half a break's sampling interval, SI (n); 0 of all others
@@ -47,6 +49,12 @@ struct Uncertainty {
   double noise = 0.0;               ///< s [Pa]
   double degrees_of_freedom = 1.0;  ///< of s; infinite if it is given
 };
+
+/// How the residuals of a fit change with the shift of the target's strain [Pa] (n_samples), by
+/// differences over its standard error; empty where it has none.
+/// @param active  solution, SI (n)
+std::vector<double> shift_slopes(const Target& target, const FitOptions& options,
+                                 const ParameterSet& parameters, std::span<const double> active);
 
 /// @param active  solution, SI (n)
 Uncertainty uncertainty(const Misfit::Details& details, std::span<const double> active,

@@ -107,6 +107,9 @@ class Misfit {
     std::vector<double> weight;    ///< w_i, unscaled (n_samples)
     /// d model stress / d active, of each parameter all samples in a row (n_active x n_samples).
     std::vector<double> jacobian;
+    /// d residual / d shift of the strain [Pa] (n_samples); empty where the target was not shifted.
+    /// Filled by `shift_slopes`.
+    std::vector<double> by_shift;
     double permanent = 0.0;                  ///< p above [1]
     std::vector<double> permanent_gradient;  ///< dp / d active (n_active)
     std::optional<ModulusPrior> prior;       ///< of E

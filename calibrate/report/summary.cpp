@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "calibrate/result/usable.hpp"
+#include "calibrate/result/words.hpp"
 
 namespace plastica::calibrate {
 namespace {
@@ -96,10 +97,30 @@ double half_of(const CharacteristicEntry& entry, const Characteristics& all) {
   return is_break && all.observed_break ? all.observed_break->half_interval() : 0.0;
 }
 
+/// The group of each record. Where records differ in test or measure, these part them too: the
+/// modulus of a torsion test is no Young's modulus, and true stress is another one.
+std::vector<Group> groups_of(std::span<const FitRecord> records) {
+  bool tests = false;
+  bool measures = false;
+  for (const FitRecord& record : records) {
+    tests = tests || record.target.test != records.front().target.test;
+    measures = measures || record.target.measure != records.front().target.measure;
+  }
+  std::vector<Group> groups;
+  groups.reserve(records.size());
+  for (const FitRecord& record : records) {
+    Group group = record.target.group;
+    if (tests) group.emplace_back("test", word_of(record.target.test));
+    if (measures) group.emplace_back("measure", word_of(record.target.measure));
+    groups.push_back(std::move(group));
+  }
+  return groups;
+}
+
 GroupSummary summarize(std::span<const FitRecord> records, const std::vector<std::size_t>& members,
-                       const SpecimenDraws& draws) {
+                       Group group, const SpecimenDraws& draws) {
   GroupSummary summary;
-  summary.group = records[members.front()].target.group;
+  summary.group = std::move(group);
   Collector characteristics;
   Collector parameters;
   for (const CharacteristicEntry& entry : kEntries) {
@@ -181,7 +202,8 @@ std::string group_label(const Group& group) {
 
 std::vector<std::vector<std::size_t>> group_indices(std::span<const FitRecord> records) {
   std::map<Group, std::vector<std::size_t>, GroupBefore> groups;
-  for (std::size_t i = 0; i < records.size(); ++i) groups[records[i].target.group].push_back(i);
+  const std::vector<Group> of = groups_of(records);
+  for (std::size_t i = 0; i < records.size(); ++i) groups[of[i]].push_back(i);
   std::vector<std::vector<std::size_t>> all;
   all.reserve(groups.size());
   for (auto& [group, members] : groups) all.push_back(std::move(members));
@@ -191,8 +213,9 @@ std::vector<std::vector<std::size_t>> group_indices(std::span<const FitRecord> r
 std::vector<GroupSummary> summarize_groups(std::span<const FitRecord> records,
                                            const SpecimenDraws& draws) {
   std::vector<GroupSummary> all;
+  const std::vector<Group> of = groups_of(records);
   for (const std::vector<std::size_t>& members : group_indices(records)) {
-    all.push_back(summarize(records, members, draws));
+    all.push_back(summarize(records, members, of[members.front()], draws));
   }
   return all;
 }

@@ -75,7 +75,8 @@ Counts count_statuses(std::span<const FitRecord> records);
 /// "temperature 20, lot A"; "all specimens" for a group without keys.
 std::string group_label(const std::vector<std::pair<std::string, std::string>>& group);
 
-/// Indices of the records of each group; groups in order of their values, numbers by size.
+/// Indices of the records of each group; groups in order of their values, numbers by size. Records
+/// of several tests or measures are in groups of these.
 std::vector<std::vector<std::size_t>> group_indices(std::span<const FitRecord> records);
 
 /// The summary of each group, in the order of `group_indices`.

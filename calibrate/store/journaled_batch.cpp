@@ -70,6 +70,10 @@ std::string JournaledBatch::run_id() const {
     io::Digest raw;
     raw.reals(target.raw.strain).reals(target.raw.stress);
     ids.push_back(target.name + ' ' + io::hexadecimal(raw.value()));
+    // Nor do groups, by which the report takes means.
+    for (const auto& [key, value] : target.group) {
+      ids.push_back(target.name + ' ' + key + '=' + value);
+    }
   }
   // What is drawn for a group's mean is no part of a fit.
   return run_id_of(std::move(ids), static_cast<std::uint64_t>(options_.intervals.specimens));

@@ -64,19 +64,39 @@ std::optional<YieldPoint> find_yield_point(std::span<const double> stress, doubl
   const double largest = *std::max_element(stress.begin(), stress.end());
   YieldPoint point{stress[0], stress[0]};
   bool dropped = false;
+  const auto least_drop = [&] { return std::max(yield_drop * point.upper, 8.0 * noise); };
   for (std::size_t i = 0; i < stress.size(); ++i) {
     const double value = stress[i];
     if (value > point.upper) {
       if (dropped) return point;
-      point = {value, value, i};
+      point = {value, value, i, i};
     }
-    point.lower = std::min(point.lower, value);
+    if (value < point.lower) {
+      point.lower = value;
+      point.lower_at = i;
+    }
     // A stumble at the foot is no yield point.
-    dropped =
-        dropped || (point.upper > 0.3 * largest &&
-                    point.upper - point.lower > std::max(yield_drop * point.upper, 8.0 * noise));
+    dropped = dropped || (point.upper > 0.3 * largest && point.upper - point.lower > least_drop());
   }
-  return std::nullopt;
+  // To the largest climb after it, where the end falls below all.
+  double lower = point.upper;
+  std::size_t lower_at = point.at;
+  double climb = 0.0;
+  for (std::size_t i = point.at; i < stress.size(); ++i) {
+    if (stress[i] < lower) {
+      lower = stress[i];
+      lower_at = i;
+    }
+    if (stress[i] - lower <= climb) continue;
+    climb = stress[i] - lower;
+    point.lower = lower;
+    point.lower_at = lower_at;
+    point.later_peak = i;
+  }
+  if (!dropped || climb <= least_drop() || point.upper - point.lower <= least_drop()) {
+    return std::nullopt;
+  }
+  return point;
 }
 
 }  // namespace plastica::calibrate

@@ -30,9 +30,15 @@ struct YieldPoint {
   double upper = 0.0;
   double lower = 0.0;  ///< least stress until it climbs above the upper one; no transient excluded
   std::size_t at = 0;  ///< sample of the upper one
+  std::size_t lower_at = 0;  ///< of the lower one
+  /// Where the upper one is the largest stress of all, the sample of the largest after the climb
+  /// from the lower one: Rm is there (ISO 6892-1:2019, 3.10.1: after the yield point).
+  std::optional<std::size_t> later_peak{};
 };
 
-/// The yield point by the rule of TargetOptions::yield_drop. Source: ISO 6892-1:2019, 3.10.2.
+/// The yield point by the rule of TargetOptions::yield_drop. Source: ISO 6892-1:2019, 3.10.2. One
+/// that the stress never exceeds again is one if it climbs as much as it fell at the least: else
+/// the curve falls from Rm to its end.
 std::optional<YieldPoint> find_yield_point(std::span<const double> stress, double noise,
                                            double yield_drop);
 

@@ -35,11 +35,13 @@ std::optional<BreakFound> cyclic_break(const Curve& curve, double zero_fraction)
   const std::size_t n = curve.size();
   double largest = 0.0;
   for (const double stress : curve.stress) largest = std::max(largest, std::abs(stress));
-  if (n >= 2 && std::abs(curve.stress[n - 1]) <= zero_fraction * largest &&
-      std::abs(curve.stress[n - 2]) > 0.5 * largest) {
-    return broken_after(curve, n - 2, Loading::Cyclic, "fall-to-zero");
+  // The record may go on after the break.
+  std::size_t intact = n;
+  while (intact > 0 && std::abs(curve.stress[intact - 1]) <= zero_fraction * largest) --intact;
+  if (intact == n || intact == 0 || !(std::abs(curve.stress[intact - 1]) > 0.5 * largest)) {
+    return std::nullopt;
   }
-  return std::nullopt;
+  return broken_after(curve, intact - 1, Loading::Cyclic, "fall-to-zero");
 }
 
 /// Index of Rm for the end of the data: of the largest stress, or, if that is an upper yield point
@@ -286,6 +288,7 @@ double shift_strain(Target& target, const ElasticLine& line, const TargetOptions
   const Mode mode = is_preload ? options.preload.mode : options.toe.mode;
   if (!why_not && mode == Mode::Automatic) {
     total += zero;
+    if (!given && !slack) target.shift_error = line.zero_strain_stderr;
     candidate.applied = true;
     candidate.amount = zero;
     candidate.text = is_preload ? "the curve starts on an elastic line beside the origin"
@@ -340,23 +343,28 @@ bool convert_to_true(Target& target, const TargetOptions& options) {
       broken.reset();
     }
   }
+  // Both by the strain as it was, which shortens a specimen in compression.
+  const double sign = options.is_compressed ? -1.0 : 1.0;
+  const auto true_strain = [&](double strain) { return sign * std::log1p(sign * strain); };
   for (std::size_t i = 0; i < curve.size(); ++i) {
-    if (!(curve.strain[i] > -1.0)) {
+    if (!(sign * curve.strain[i] > -1.0)) {
       target.status = TargetStatus::Rejected;
       target.reason = "an engineering strain of -1 or less has no true strain";
       return false;
     }
-    curve.stress[i] *= 1.0 + curve.strain[i];
-    curve.strain[i] = std::log1p(curve.strain[i]);
+    curve.stress[i] *= 1.0 + sign * curve.strain[i];
+    curve.strain[i] = true_strain(curve.strain[i]);
   }
   if (broken) {
-    broken->last_intact_stress *= 1.0 + broken->last_intact_strain;
-    broken->last_intact_strain = std::log1p(broken->last_intact_strain);
-    broken->first_broken_strain = std::log1p(broken->first_broken_strain);
+    broken->last_intact_stress *= 1.0 + sign * broken->last_intact_strain;
+    broken->last_intact_strain = true_strain(broken->last_intact_strain);
+    broken->first_broken_strain = true_strain(broken->first_broken_strain);
   }
   target.measure = Measure::True;
-  target.corrections.push_back({"true-measure", true, static_cast<double>(curve.size()), "samples",
-                                options.force_true ? "forced beyond Rm" : "up to Rm"});
+  std::string text = options.force_true ? "forced beyond Rm" : "up to Rm";
+  if (options.is_compressed) text += "; of a specimen in compression";
+  target.corrections.push_back(
+      {"true-measure", true, static_cast<double>(curve.size()), "samples", std::move(text)});
   return true;
 }
 

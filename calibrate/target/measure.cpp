@@ -88,6 +88,14 @@ void drop_impossible(Target& target, const ElasticLine& line) {
   }
 }
 
+/// Where the upper yield strength is the largest stress, Rm is that of work hardening.
+void take_later_peak(const YieldPoint& point, const RawFacts& facts, const Curve& curve,
+                     Characteristics& c) {
+  if (!point.later_peak || !facts.largest_has_strain) return;
+  c.rm = curve.stress[*point.later_peak];
+  c.strain_at_rm = curve.strain[*point.later_peak];
+}
+
 }  // namespace
 
 bool elastic_to_the_end(const Curve& curve, double modulus, double noise, double yield) {
@@ -132,16 +140,26 @@ void measure_characteristics(Target& target, const ElasticLine& line, const RawF
     // Where flow begins: a drop later on is that of a slip, or of a pause.
     constexpr double kLatest = 0.005;
     const double plastic = curve.strain[point->at] - point->upper / line.modulus;
+    // In a pause the strain stands still while the stress relaxes; at a yield point it runs.
+    const double ran = curve.strain[point->lower_at] - curve.strain[point->at];
+    const bool pauses = ran < (point->upper - point->lower) / line.modulus;
     constexpr double kBelow = 0.995;  // of the proof stress: flow has not begun
     if (c.rp02 && point->upper < kBelow * *c.rp02) {
       target.warnings.push_back(fmt::format(
           "the stress falls at {:.4g} MPa, below the proof stress: a pause or a slip, and no upper "
           "yield strength",
           point->upper / 1e6));
+    } else if (plastic <= kLatest && pauses) {
+      target.warnings.push_back(
+          fmt::format("the stress falls at {:.3g} % strain while the strain stands still: a pause, "
+                      "and no upper "
+                      "yield strength",
+                      100.0 * curve.strain[point->at]));
     } else if (plastic <= kLatest) {
       c.reh = point->upper;
       c.rel = point->lower;
-    } else {
+      take_later_peak(*point, facts, curve, c);
+    } else if (!point->later_peak) {
       target.warnings.push_back(
           fmt::format("the stress drops at {:.3g} % strain: too late for an upper yield strength",
                       100.0 * curve.strain[point->at]));

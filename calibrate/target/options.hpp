@@ -83,7 +83,7 @@ struct TargetOptions {
   /// In the first three the load must stay down: no later sample is above (1 - drop_fraction) of
   /// the load before the drop (or twice `zero_fraction` of Rm). Unloading is no break: see
   /// `drop_unloading`.
-  /// Cyclic: only a last row within `zero_fraction` after more than half of the largest |stress|.
+  /// Cyclic: only last rows within `zero_fraction` after more than half of the largest |stress|.
   CorrectionChoice trim;
   double drop_fraction = 0.2;
   double zero_fraction = 0.05;
@@ -91,6 +91,8 @@ struct TargetOptions {
   /// Convert engineering to true: strain ln(1 + e), stress s (1 + e). Tension only. Samples
   /// beyond the strain at Rm are refused (cut, with the break) as the specimen necks there.
   bool convert_to_true = false;
+  /// It was compressed, and the sign of its strain turned: -ln(1 - e), s (1 - e) are true.
+  bool is_compressed = false;
   bool force_true = false;  ///< convert beyond Rm as well
 
   // Characteristics

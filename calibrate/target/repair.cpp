@@ -118,8 +118,9 @@ RawFacts drop_missing(Target& target) {
 }
 
 std::string too_many_dropped(const Target& target) {
-  constexpr std::array<std::string_view, 6> kDrops{
-      "nan-rows", "outliers", "spikes", "foot-reversals", "unloading-loops", "unloading"};
+  constexpr std::array<std::string_view, 7> kDrops{
+      "nan-rows",        "outliers",  "spikes",          "foot-reversals",
+      "unloading-loops", "unloading", "strain-reversals"};
   constexpr double kMany = 0.2;
   if (target.loading == Loading::Cyclic) return {};
   std::size_t dropped = 0;

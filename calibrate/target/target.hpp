@@ -93,6 +93,8 @@ struct Target {
   std::vector<Correction> corrections;
   std::vector<std::string> warnings;
   Characteristics characteristics;
+  /// Standard error of the shift of the strain, where the elastic line decided it [1]; not stored.
+  double shift_error = 0.0;
 };
 
 }  // namespace plastica::calibrate

@@ -219,7 +219,8 @@ TEST_F(FitFileErrors, CharacteristicsAreChecked) {
             "f.toml:5: target[1].characteristics.window = [0.1, 0.5]: is of no use: the modulus "
             "is given");
   EXPECT_EQ(with("characteristics = { offset = '0 %' }"),
-            "f.toml:5: target[1].characteristics.offset = 0 %: must be above 0 % and below 100 %");
+            "f.toml:5: target[1].characteristics.offset = 0 %: must be above 0 % and at most 5 %: "
+            "0.2 % or 0.002, not 0.2");
 }
 
 TEST_F(FitFileErrors, AKeyThatNobodyKnowsIsRefused) {

@@ -60,6 +60,54 @@ TEST(HeldBreak, FixedAddsNothingToTheGradientOfTheOthers) {
   expect_stress_untouched(fit_target(broken_bar(), options_with(held)));
 }
 
+bool warns_of(const FitResult& fit, const std::string& text) {
+  return std::ranges::any_of(fit.warnings,
+                             [&](const auto& one) { return one.find(text) != std::string::npos; });
+}
+
+// A bar that bore 10 % and one that broke there in its second stroke only, after 12 % in the first.
+TEST(HeldBreak, BelowWhatTheSpecimenBoreIsSaid) {
+  Parameter held = break_strain();
+  held.role = ParameterRole::Fixed;
+  held.value = 0.03;
+  Target intact = broken_bar();
+  intact.characteristics.observed_break.reset();
+  intact.characteristics.break_strain.reset();
+  const FitResult fit = fit_target(intact, options_with(held));
+  EXPECT_TRUE(warns_of(fit, "and the specimen did not break at all: it bore more than the limit"));
+  held.value = 0.2;
+  EXPECT_FALSE(warns_of(fit_target(intact, options_with(held)), "bore more than the limit"));
+}
+
+TEST(HeldBreak, ThatWasSurvivedBeforeIsSaid) {
+  Curve curve;
+  const auto go = [&](double to) {
+    const double from = curve.strain.empty() ? 0.0 : curve.strain.back();
+    for (int i = curve.strain.empty() ? 0 : 1; i <= 400; ++i) {
+      curve.strain.push_back(from + (to - from) * i / 400.0);
+    }
+  };
+  go(0.12);
+  go(-0.02);
+  go(0.04);
+  // Ideal plasticity by hand.
+  double plastic = 0.0;
+  for (std::size_t i = 0; i < curve.strain.size(); ++i) {
+    const double trial = kE * (curve.strain[i] - plastic);
+    const double stress = std::clamp(trial, -kYield, kYield);
+    plastic = curve.strain[i] - stress / kE;
+    curve.stress.push_back(stress + (i % 2 == 0 ? 1e6 : -1e6));
+  }
+  curve.strain.push_back(0.0401);
+  curve.stress.push_back(0.0);
+  TargetOptions how;
+  how.loading = Loading::Cyclic;
+  const FitResult fit =
+      fit_target(make_target("bar", std::move(curve), how), options_with(break_strain()));
+  ASSERT_EQ(fit.status, FitStatus::Fitted);
+  EXPECT_TRUE(warns_of(fit, "and the specimen went on: it bore more than the limit"));
+}
+
 TEST(HeldBreak, AtABoundAddsNothingToTheGradientOfTheOthers) {
   Parameter bounded = break_strain();
   bounded.lower = 0.001;

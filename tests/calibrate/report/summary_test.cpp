@@ -53,6 +53,23 @@ TEST(Statistics, HaveTheSameBitsInEveryOrder) {
   EXPECT_EQ(before.standard_deviation, after.standard_deviation);
 }
 
+// The modulus of a torsion test is G, and true stress is another one.
+TEST(Groups, PartTestsAndMeasures) {
+  std::vector<FitRecord> records = {fitted_record("a", 280e6, "20"),
+                                    fitted_record("b", 280e6, "20"),
+                                    fitted_record("c", 280e6, "20")};
+  records[1].target.test = calibrate::Test::Torsion;
+  std::vector<GroupSummary> groups = summarize_groups(records);
+  ASSERT_EQ(groups.size(), 2U);
+  EXPECT_EQ(group_label(groups[0].group), "temperature 20, test tension");
+  EXPECT_EQ(group_label(groups[1].group), "temperature 20, test torsion");
+  records[1].target.test = calibrate::Test::Tension;
+  records[2].target.measure = Measure::True;
+  groups = summarize_groups(records);
+  ASSERT_EQ(groups.size(), 2U);
+  EXPECT_EQ(group_label(groups[1].group), "temperature 20, measure true");
+}
+
 TEST(Groups, AreInTheOrderOfTheirNumbers) {
   const std::vector<FitRecord> records = {
       fitted_record("a", 280e6, "150"), fitted_record("b", 280e6, "20"),

@@ -58,6 +58,18 @@ TEST_F(JournaledBatchTest, StartsAfreshWhereThereIsNothingToResume) {
   EXPECT_TRUE(same_bits(batch.run(), reference_));
 }
 
+// The means of a report are by group: a file whose groups have changed is not this run's.
+TEST_F(JournaledBatchTest, IsAnotherRunWithOtherGroups) {
+  const auto id_of = [&](const char* group) {
+    std::vector<Target> targets = targets_;
+    if (group != nullptr) targets[0].group = {{"lot", group}};
+    return JournaledBatch(targets, options_, {.journal = {journal_}}).run_id();
+  };
+  EXPECT_EQ(id_of("A"), id_of("A"));
+  EXPECT_NE(id_of("A"), id_of("B"));
+  EXPECT_NE(id_of("A"), id_of(nullptr));
+}
+
 TEST_F(JournaledBatchTest, ResumesWithTheSameBitsWhereverTheJournalWasCut) {
   leave_journal();
   const std::string whole = io::content_of(journal_);

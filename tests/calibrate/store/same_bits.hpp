@@ -34,8 +34,10 @@ inline auto members(const Characteristics& v) {
   const auto& [a, b, c, d, e, f, g, h, i, j, k, l, m, n, o] = v;
   return std::tie(a, b, c, d, e, f, g, h, i, j, k, l, m, n, o);
 }
+/// All but the last, which files do not have.
 inline auto members(const Target& v) {
-  const auto& [a, b, c, d, e, f, g, h, i, j, k, l, m, n, o] = v;
+  const auto& [a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, not_stored] = v;
+  static_cast<void>(not_stored);
   return std::tie(a, b, c, d, e, f, g, h, i, j, k, l, m, n, o);
 }
 inline auto members(const Judgement& v) {

@@ -110,9 +110,38 @@ TEST(Characteristics, AYieldPointNeedsADropAboveTheThresholdAndARecovery) {
   EXPECT_FALSE(make_target("falls on", with_yield_point(0.02, false)).characteristics.reh);
 }
 
+// Steel whose upper yield strength of 300 MPa it never reaches again: Rm is 290 MPa, of hardening.
+TEST(Characteristics, RmComesAfterAYieldPointThatIsTheLargestStress) {
+  Curve curve = with_yield_point(0.1, false);
+  for (std::size_t i = 60; i < curve.size(); ++i) {
+    curve.stress[i] += 20e6 * static_cast<double>(i - 60) / static_cast<double>(curve.size() - 61);
+  }
+  const Characteristics c = make_target("hump", curve).characteristics;
+  EXPECT_EQ(c.reh.value(), 300e6);
+  EXPECT_NEAR(c.rel.value(), 270e6, 1.0);
+  EXPECT_NEAR(c.rm.value(), 290e6, 1.0);
+  EXPECT_EQ(c.strain_at_rm.value(), curve.strain.back());
+}
+
+TEST(Characteristics, AStressThatRelaxesInAPauseIsNoYieldPoint) {
+  Curve curve = smooth_curve(2000);
+  const std::size_t at = 150;
+  const double strain = curve.strain[at];
+  const double stress = curve.stress[at];
+  for (std::size_t i = 1; i <= 20; ++i) {
+    const auto place = static_cast<std::ptrdiff_t>(at + i);
+    curve.strain.insert(curve.strain.begin() + place, strain + 1e-9 * static_cast<double>(i));
+    curve.stress.insert(curve.stress.begin() + place,
+                        stress * (1.0 - 0.002 * static_cast<double>(i)));
+  }
+  const Target target = make_target("pause", curve);
+  EXPECT_FALSE(target.characteristics.reh);
+}
+
 TEST(Characteristics, ADropWithinTheNoiseIsNoYieldPoint) {
   const std::vector<double> stress{0.0, 100.0, 200.0, 300.0, 294.0, 295.0, 350.0};
   EXPECT_TRUE(find_yield_point(stress, 0.5, 0.003).has_value());
+  EXPECT_FALSE(find_yield_point(stress, 0.5, 0.003)->later_peak.has_value());
   EXPECT_FALSE(find_yield_point(stress, 1.0, 0.003).has_value());
 }
 

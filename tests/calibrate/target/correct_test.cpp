@@ -269,6 +269,27 @@ TEST(Correction, ConvertsToTrueUpToRmAndRefusesTheNeck) {
   EXPECT_EQ(make_target("forced", curve, options).corrected.size(), 502U);
 }
 
+// A bar that is pressed to 10 % less length thickens: 0.9 of the engineering stress is true.
+TEST(Correction, ConvertsCompressionByTheStrainAsItWas) {
+  TargetOptions options;
+  options.convert_to_true = options.is_compressed = true;
+  const Curve curve = ending_with({}, 0.005);
+  const Target target = make_target("pressed", curve, options);
+  ASSERT_EQ(target.corrected.size(), 500U);
+  EXPECT_NEAR(target.corrected.strain.back(), -std::log(0.9), 1e-12);
+  EXPECT_NEAR(target.corrected.stress.back(), curve.stress[499] * 0.9, 1.0);
+}
+
+TEST(Correction, SeesTheBreakOfACyclicCurveThatIsRecordedOnAfterIt) {
+  TargetOptions options;
+  options.loading = Loading::Cyclic;
+  for (const Curve& curve : {ending_with({0.0, 0.0}), ending_with({0.0, 0.01, -0.01, 0.0})}) {
+    const Target target = make_target("zeros", curve, options);
+    EXPECT_EQ(target.corrected.size(), 500U);
+    EXPECT_TRUE(target.characteristics.observed_break.has_value());
+  }
+}
+
 TEST(Correction, RefusesToConvertATorsionCurve) {
   TargetOptions options;
   options.convert_to_true = true;
