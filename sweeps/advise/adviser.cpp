@@ -206,12 +206,13 @@ bool Adviser::verify(Candidate& candidate) {
   if (!run_finest(candidate, factors, !settled.are_so)) return false;
   Deviation off = runs_.off(candidate.trial, *finest_);
   if (off.reason.empty() && outcomes_vary(*finest_)) {
-    settled = {};
     // Near a break, a limit or another path it may be on the same wrong side, too.
     for (std::size_t k = 0; k < factors.size(); ++k) factors[k] = usual[k] * kRefined;
     if (!run_finest(candidate, factors, true)) return false;
     const Deviation further = runs_.off(candidate.trial, *finest_);
-    if (further.largest > off.largest) off = further;
+    // Without the richest words the first one lacks what the words leave out.
+    if (settled.are_so || further.largest > off.largest) off = further;
+    settled = {};
   }
   candidate.worst = off.quantity;
   candidate.reason = off.reason;
