@@ -280,8 +280,10 @@ bool Adviser::go_on_if_finer_moves(Candidate& candidate) {
   if (!runs_.run_all({finer})) return false;
   const Deviation off = runs_.off(candidate.trial, finer);
   if (off.quantities == 0 && off.reason.empty()) {
-    throw InputError({}, "probe", names_of(runs_.probes().watched),
-                     "stays within rounding: advice needs a probe of something that moves");
+    throw InputError({}, "probe", "",
+                     "stays within rounding, whatever is probed (" +
+                         names_of(runs_.probes().watched) +
+                         "): advice needs a probe of something that moves");
   }
   for (std::size_t k = 0; k < runs_.axes().size(); ++k) models_.forget(k);
   candidate = {.trial = words_.with_own_methods(finer)};
