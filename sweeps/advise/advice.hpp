@@ -82,11 +82,11 @@ struct Advice {
   Words words;                        ///< advised; else the last ones (n_word_axes)
   std::vector<WordLine> word_budget;  ///< (n_word_axes); empty: words were not decided
   double promised = 0.0;  ///< the error is at most this, of the worst quantity, models included [1]
-  /// Difference from a run that is finer in every axis; with the richest of every word that
-  /// matters, or with the advised ones, if what they leave out has settled [1].
+  /// Difference from a run that is finer in every axis, and richest in every word that matters; at
+  /// most, where that run had the advised words [1].
   double verified = 0.0;
-  bool words_settled = false;  ///< whether that run has the advised words, see `measure_settled`
-  double of_words = 0.0;       ///< what that run's words leave out, at most; of the richest 0 [1]
+  bool words_settled = false;  ///< whether it had the advised words, see `measure_settled`
+  double of_words = 0.0;       ///< what is in `verified` for these words then [1]
   std::string worst;           ///< quantity whose error is the largest
   std::string reason;          ///< why no error can be said, where it cannot
   std::int64_t work = 0;       ///< of the setting, segment-iterations

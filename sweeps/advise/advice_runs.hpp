@@ -52,7 +52,8 @@ class AdviceRuns {
   /// Whether a number does anything with these words: fibres do nothing where joints have caps.
   bool acts(std::size_t axis, const Words& words) const;
   /// The trial as a run takes it: steps that divide the samples, and numbers that do nothing as the
-  /// file has them (fibres at least 40), so that what is one run is one trial.
+  /// file has them (fibres 40; 16 to 40 where more than 1 % is allowed), so that what is one run is
+  /// one trial.
   Trial taken(Trial trial) const;
   /// The trial with segments that end at the probes of joints: by a quarter more, where so many
   /// even ones do, else even between these places.

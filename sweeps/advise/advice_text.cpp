@@ -115,12 +115,6 @@ std::string words_text(const Advice& advice) {
   return text;
 }
 
-/// What the words of the run that verifies leave out, where they are not the richest.
-std::string words_left_text(const Advice& advice) {
-  if (!advice.words_settled) return {};
-  return fmt::format(", and its words leave out at most {}", error_percent(advice.of_words));
-}
-
 }  // namespace
 
 std::string error_percent(double fraction) {
@@ -154,10 +148,10 @@ std::string advice_text(const Advice& advice, const AdviceOptions& options,
   if (!advice.reason.empty()) text += fmt::format("  not converged: {}\n", advice.reason);
   if (!advice.worst.empty()) text += fmt::format("  the largest is of {}\n", advice.worst);
   if (advice.end == AdviceEnd::Found) {
-    text +=
-        fmt::format("  together at most {}; a run that is finer in each{} is {} off{}\n",
-                    error_percent(advice.promised), advice.words_settled ? "" : ", and richest,",
-                    error_percent(advice.verified), words_left_text(advice));
+    text += fmt::format(
+        "  together at most {}; a run that is finer in each, and richest, is {}{} off\n",
+        error_percent(advice.promised), advice.words_settled ? "at most " : "",
+        error_percent(advice.verified));
   }
   if (advice.end == AdviceEnd::Found || advice.end == AdviceEnd::TooDear) {
     text += fmt::format("  cost {} (median of such runs' time for that work)\n",

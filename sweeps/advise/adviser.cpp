@@ -206,12 +206,13 @@ bool Adviser::verify(Candidate& candidate) {
   if (!run_finest(candidate, factors, !settled.are_so)) return false;
   Deviation off = runs_.off(candidate.trial, *finest_);
   if (off.reason.empty() && outcomes_vary(*finest_)) {
-    settled = {};
     // Near a break, a limit or another path it may be on the same wrong side, too.
     for (std::size_t k = 0; k < factors.size(); ++k) factors[k] = usual[k] * kRefined;
     if (!run_finest(candidate, factors, true)) return false;
     const Deviation further = runs_.off(candidate.trial, *finest_);
-    if (further.largest > off.largest) off = further;
+    // Without the richest words the first one lacks what the words leave out.
+    if (settled.are_so || further.largest > off.largest) off = further;
+    settled = {};
   }
   candidate.worst = off.quantity;
   candidate.reason = off.reason;
@@ -279,8 +280,10 @@ bool Adviser::go_on_if_finer_moves(Candidate& candidate) {
   if (!runs_.run_all({finer})) return false;
   const Deviation off = runs_.off(candidate.trial, finer);
   if (off.quantities == 0 && off.reason.empty()) {
-    throw InputError({}, "probe", names_of(runs_.probes().watched),
-                     "stays within rounding: advice needs a probe of something that moves");
+    throw InputError({}, "probe", "",
+                     "stays within rounding, whatever is probed (" +
+                         names_of(runs_.probes().watched) +
+                         "): advice needs a probe of something that moves");
   }
   for (std::size_t k = 0; k < runs_.axes().size(); ++k) models_.forget(k);
   candidate = {.trial = words_.with_own_methods(finer)};

@@ -120,7 +120,7 @@ Advice Filler::advice() {
   }
   advice.setting = shown(candidate_.trial.setting);
   advice.promised = candidate_.promised;
-  advice.verified = candidate_.verified;
+  advice.verified = candidate_.verified + candidate_.of_words;
   advice.words_settled = candidate_.words_settled;
   advice.of_words = candidate_.of_words;
   advice.worst = candidate_.worst;

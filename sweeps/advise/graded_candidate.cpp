@@ -31,6 +31,7 @@ class Grading {
 
   std::optional<Candidate> best() {
     const double own = even_.trial.setting[0];
+    if (!(kFewest < kWorthGrading * own)) return std::nullopt;
     const Trial same = graded(own);
     if (same.fractions.empty() || !can_run({same})) return std::nullopt;
     const double off = runs_.off(same, *even_.finest).largest;

@@ -260,7 +260,8 @@ TEST(Advice, RefusesWhatItCannotLookAt) {
             "--of = top: is no probe of the scene");
   setup.scene.probes[0].component = Component::X;
   EXPECT_EQ(message_of([&] { advise(setup, asked(0.01)); }),
-            "probe = tip: stays within rounding: advice needs a probe of something that moves");
+            "probe: stays within rounding, whatever is probed (tip): advice needs a probe of "
+            "something that moves");
   setup.scene.probes[0].quantity = ProbeQuantity::LoadFactor;
   EXPECT_EQ(message_of([&] { advise(setup, asked(0.01)); }),
             "probe: is missing: advice needs one to look at");

@@ -76,5 +76,12 @@ TEST(GradedAdvice, IsFourTimesFinerInEachSegmentWhereItIsChecked) {
   EXPECT_DOUBLE_EQ(finer.scene.beam.segment_fractions[5], 0.25 * advice.fractions[1]);
 }
 
+TEST(GradedAdvice, IsNotTriedWhereFewerThanFourSegmentsWouldHaveToDo) {
+  const Advice advice = advise(tip_cantilever(0.02, "['0 N', '-1 N', '0 N']"), asked(0.05));
+  ASSERT_EQ(advice.end, AdviceEnd::Found);
+  ASSERT_LE(advice.setting[0], 5.0);
+  for (const TriedSetting& one : advice.tried) EXPECT_TRUE(one.fractions.empty());
+}
+
 }  // namespace
 }  // namespace plastica::sweeps

@@ -2,12 +2,14 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 
 #include "plastica/model/section.hpp"
 #include "plastica/theory/beam_vibration.hpp"
 #include "plastica/theory/cantilever.hpp"
+#include "sweeps/advise/advice_runs.hpp"
 #include "tests/sweeps/advise/advised_scenes.hpp"
 #include "tests/sweeps/robot_arm.hpp"
 
@@ -119,6 +121,20 @@ Setup loaded_to(double ratio, const std::string& rules) {
   const double force = ratio * first_yield(unit);
   return tip_cantilever(0.02, "['0 N', '" + std::to_string(-force) + " N', '0 N']", rules,
                         "steps = 8");
+}
+
+TEST(AdvisedYieldModel, IsComparedWithFewerFibresWhereMoreIsAllowed) {
+  const plastica::Setup setup = loaded_to(0.9, "yield_model = 'per_axis'");
+  for (const auto& [within, fibres] : {std::pair(0.002, 40.0), std::pair(0.01, 40.0),
+                                       std::pair(0.05, 18.0), std::pair(0.5, 16.0)}) {
+    const AdviceOptions options = asked(within);
+    const AdviceRuns runs(setup, options);
+    const auto& axes = runs.axes();
+    const auto of_fibres = std::ranges::find_if(
+        axes, [](const FinenessAxis& axis) { return axis.field->path == "solver.fibres"; });
+    ASSERT_NE(of_fibres, axes.end());
+    EXPECT_EQ(runs.own().setting[static_cast<std::size_t>(of_fibres - axes.begin())], fibres);
+  }
 }
 
 TEST(AdvisedYieldModel, IsElasticBelowFirstYield) {

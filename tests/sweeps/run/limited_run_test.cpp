@@ -59,6 +59,13 @@ TEST(LimitedRun, IsStoppedAfterSoManyIterations) {
   }
 }
 
+TEST(LimitedRun, IsStoppedAfterSoLong) {
+  const LimitedRun run = run_limited(at_rest(), {.seconds = 1e-12}, nullptr);
+  EXPECT_TRUE(run.stopped);
+  EXPECT_EQ(run.row.response.counters.steps, 1);
+  EXPECT_EQ(run.row.reason, "takes more than 1e-12 s");
+}
+
 TEST(LimitedRun, WithinItsLimitIsTheRunItself) {
   for (const plastica::Setup& setup : {at_rest(), in_motion()}) {
     const Response free = simulate(setup.scene, setup.solver);

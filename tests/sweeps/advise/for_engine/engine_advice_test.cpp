@@ -53,7 +53,9 @@ TEST(EngineAdvice, IsTheCheapestOfThoseThatItTried) {
   EXPECT_EQ(advice.work, advice.setting.segments * advice.setting.steps * 50);
   ASSERT_TRUE(advice.next_cheaper.has_value());
   EXPECT_LT(advice.next_cheaper->work, advice.work);
-  EXPECT_GT(advice.next_cheaper->error, options.within - advice.reference_error);
+  // It is off by more, or by more with twice the segments or steps, of which the reason tells.
+  EXPECT_TRUE(advice.next_cheaper->error > options.within - advice.reference_error ||
+              !advice.next_cheaper->reason.empty());
   // Fewer of either alone do not do.
   EXPECT_GT(advice.error, 0.7 * options.within);
 }
