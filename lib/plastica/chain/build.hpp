@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
 #include "plastica/chain/chain.hpp"
@@ -10,11 +11,20 @@
 
 namespace plastica::chain {
 
+/// A moment that acts where a support holds the rotation: it goes into the support, past the beam.
+template <class L>
+struct HeldMoment {
+  std::size_t support = 0;
+  std::size_t history = 0;
+  typename L::Spin moment;  ///< world axes, times the history [N m]
+};
+
 /// A chain and what its joints are.
 template <class L>
 struct Build {
   Chain<L> chain;
   std::vector<JointPlan> joints;  ///< (joints)
+  std::vector<HeldMoment<L>> held_moments;
 };
 
 struct BuildOptions {

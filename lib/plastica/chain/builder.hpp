@@ -255,7 +255,8 @@ class Builder {
   /// both sides over its lengths in both, then turns as the beam does, and the chain keeps its
   /// order 2. With M before and M - M_0 behind a joint of compliances a and b it turns by
   /// a M + b (M - M_0), so it passes on M - M_0 b/(a + b).
-  void add_single_load(const Load& load, std::size_t history, double fraction) {
+  void add_single_load(Load load, std::size_t history, double fraction) {
+    hold_moment(load, history, fraction);
     const SegmentPoint point = segment_point(layout_, fraction);
     const std::size_t beyond = point.segment + 1;
     const bool at_joint =
@@ -293,6 +294,28 @@ class Builder {
     }
     add_point_load(inner, history, point, 1.0);
     add_point_load(outer, history, {beyond, {}}, 1.0);
+  }
+
+  /// Takes from a load the moment that goes straight into a support: about axes that it holds by
+  /// half joints, which lie between the support and the segments.
+  void hold_moment(Load& load, std::size_t history, double fraction) {
+    if (load.moment == std::array<double, 3>{} || layout_.end_rule != EndRule::HalfJoint) return;
+    for (std::size_t s = 0; s < scene_.supports.size(); ++s) {
+      const Support& support = scene_.supports[s];
+      const bool here =
+          !support.to && std::abs(fraction_of(support.at, layout_.ends) - fraction) < kSamePlace;
+      if (!here || traits_of(support).releases) continue;
+      const HeldFreedoms holds = support.held();
+      const std::size_t node =
+          fraction < kSamePlace ? 0 : segment_point(layout_, fraction).segment + 1;
+      const auto& frame = layout_.joint_frame[node];
+      Vec<double, 3> held = transpose(frame) * vector(load.moment);
+      for (std::size_t k = 0; k < 3; ++k) held[k] = holds[3 + k] ? held[k] : 0.0;
+      if (dot(held, held) == 0.0) continue;
+      held = frame * held;
+      build_.held_moments.push_back({s, history, view_.spin(held)});
+      for (std::size_t k = 0; k < 3; ++k) load.moment[k] -= held[k];
+    }
   }
 
   void add_point_load(const Load& load, std::size_t history, const SegmentPoint& point,

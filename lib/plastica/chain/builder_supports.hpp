@@ -95,14 +95,28 @@ void Builder<L>::add_springs(const Support& support, std::size_t index, std::siz
     return;
   }
   const auto motion = view_.spin(vector(support.rotation));
-  const auto add = [&](std::size_t segment, bool outer) {
-    add_ground_joint(index, history, segment, outer, {}, motion);
+  if (!joins) {
+    add_ground_joint(index, history, point.segment, true, {}, motion);
     build_.joints.back().spring = rotational;
-    for (double& k : build_.joints.back().spring) k *= joins ? 0.5 : 1.0;
-  };
-  add(point.segment, true);
-  // As a moment does: half on each segment, for the joint between turns with both.
-  if (joins) add(beyond, false);
+    return;
+  }
+  // It acts on the node between two half joints, which is condensed out (joint_numbers.hpp).
+  std::array<bool, 3> acts{};
+  for (std::size_t k = 0; k < kR; ++k) acts[k] = rotational[k] > 0.0;
+  JointPlan& between = build_.joints[beyond];
+  for (std::size_t k = 0; k < kR; ++k) between.node_spring[k] += rotational[k];
+  const JointPlan whole = between;
+  for (const bool outer : {true, false}) {
+    add_ground_joint(index, history, outer ? point.segment : beyond, outer, acts, motion);
+    JointPlan& half = build_.joints.back();
+    half.half_of_node = true;
+    half.node_spring = rotational;
+    half.before = whole.before;
+    half.length = whole.length;
+    half.region_a = whole.region_a;
+    half.region_b = whole.region_b;
+    half.is_before = outer;
+  }
 }
 
 }  // namespace plastica::chain

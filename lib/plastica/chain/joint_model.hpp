@@ -137,7 +137,11 @@ JointSet<L> joint_set(const Scene& scene, const Layout& layout, const Build<L>& 
       joint.length[k] = static_cast<double>(set.numbers[number].length[k]);
     }
     for (std::size_t k = 0; k < L::kRotations; ++k) {
-      joint.resists[view.section_axes().rotation(k)] = build.joints[number].active[k];
+      const std::size_t axis = view.section_axes().rotation(k);
+      const JointPlan& plan = build.joints[number];
+      joint.resists[axis] = plan.active[k];
+      // The numbers of a joint beside a spring have more compliance than its length.
+      if (plan.node_spring[k] > 0.0) joint.length[axis] = plan.length[axis];
     }
     // With what it takes over of an end; between unlike regions, of its owner alone.
     if (node == 1) joint.begin -= layout.bare_half[0][joint.first];

@@ -33,6 +33,26 @@ bool owns_joint(std::size_t region, std::size_t other, const std::vector<RegionN
   return region <= other;
 }
 
+/// The compliance of a joint beside a node that a rotational spring k holds, once the node is
+/// condensed out: two half joints of compliances a and b and the spring meet in it (a star), and
+/// between their other ends are three joints (a delta),
+///   both segments: a + b + k a b,   segment and ground: a + 1/k + a/(b k), or with a and b
+///   swapped.
+/// For k = 0 the first is the joint as it was, for k at infinity the others are half joints to the
+/// ground. Exact while nothing yields; the caps are those of the halves.
+/// @param halves  a and b [rad/(N m)]
+template <class S>
+S node_compliance(const JointPlan& plan, const S& spring, const std::array<S, 2>& halves) {
+  const auto& [a, b] = halves;
+  if (!plan.half_of_node) return a + b + spring * a * b;
+  // About an axis without a spring the half joint does nothing.
+  const S own = plan.is_before ? a : b;
+  const S other = plan.is_before ? b : a;
+  const S one = constant<S>(1);
+  const S acts = select(spring > constant<S>(0), spring, one);
+  return own + (one + own / other) / acts;
+}
+
 /// The numbers of a level's joints.
 ///
 /// Where two regions meet, one of them owns the joint (`owns_joint`): the joint has its law, lever
@@ -65,6 +85,8 @@ std::vector<SectionJoint<L>> joint_numbers(
       return constant<S>(plan.before[k]) * own / of_a +
              constant<S>(plan.length[k] - plan.before[k]) * own / of_b;
     };
+    // A half joint has the law of its own region.
+    if (plan.half_of_node) joint.law = plan.is_before ? a : b;
     joint.stiffness = numbers[joint.law].stiffness;
     joint.axial_yield = numbers[joint.law].yield[law::kAxial];
     for (std::size_t k = 0; k < law::kSectionAxes; ++k) {
@@ -73,6 +95,14 @@ std::vector<SectionJoint<L>> joint_numbers(
                                           numbers[b].stiffness[k]);
     }
     for (std::size_t k = 0; k < L::kRotations; ++k) {
+      const std::size_t axis = view.section_axes().rotation(k);
+      const auto halves = std::array{
+          constant<S>(plan.before[axis]) / numbers[a].stiffness[axis],
+          constant<S>(plan.length[axis] - plan.before[axis]) / numbers[b].stiffness[axis]};
+      if (plan.half_of_node || plan.node_spring[k] > 0.0) {
+        joint.length[axis] =
+            joint.stiffness[axis] * node_compliance(plan, constant<S>(plan.node_spring[k]), halves);
+      }
       joint.active[k] = constant<S>(plan.active[k] ? 1.0 : 0.0);
       joint.spring[k] = constant<S>(plan.spring[k]);
     }

@@ -16,9 +16,14 @@ struct JointPlan {
   std::array<double, 4> before{};  ///< what of it lies in region a, if that is not b [m]
   std::array<bool, 3> active{};    ///< rotations of the level that the section resists
   std::array<double, 3> spring{};  ///< beside it, of a rotational spring [N m/rad]
-  bool stretches = false;          ///< where joints do: whether this one stretches and shears
-  std::size_t node = 0;            ///< where it is
-  std::size_t region_a = 0;        ///< the regions that it joins
+  /// A rotational spring to the ground at the node between the joint's two halves [N m/rad].
+  std::array<double, 3> node_spring{};
+  /// The joint is to the ground, of one half and that spring; lengths and regions are of both.
+  bool half_of_node = false;
+  bool is_before = false;    ///< which half: that in region a
+  bool stretches = false;    ///< where joints do: whether this one stretches and shears
+  std::size_t node = 0;      ///< where it is
+  std::size_t region_a = 0;  ///< the regions that it joins
   std::size_t region_b = 0;
 };
 

@@ -13,6 +13,7 @@
 #include "plastica/model/yield_warnings.hpp"
 #include "plastica/run/axial_warning.hpp"
 #include "plastica/run/scene_warnings.hpp"
+#include "plastica/run/turn_warning.hpp"
 
 namespace plastica::io {
 namespace {
@@ -77,6 +78,9 @@ SceneRecord make_scene_record(const SceneFile& file, const Model& model, Respons
     }
   }
   for (std::string& warning : axial_warnings(file.setup.scene, file.setup.solver, response)) {
+    record.warnings.push_back(std::move(warning));
+  }
+  for (std::string& warning : turn_warnings(file.setup.scene, model.level, response)) {
     record.warnings.push_back(std::move(warning));
   }
   record.outline = beam_outline(model);

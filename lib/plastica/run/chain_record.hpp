@@ -106,10 +106,15 @@ class ChainRecord {
   double factor_at(double time) const { return shown_history().at(time); }
   const History& shown_history() const;
 
-  /// Force and moment of a support on the beam.
+  /// Force and moment of a support on the beam, and on what acts on the support itself.
   std::array<double, 6> reaction(const Work& w, std::size_t support) const;
 
  private:
+  /// Of these, that of the beam alone.
+  std::array<double, 6> support_force(const Work& w, std::size_t support) const;
+  typename L::Point spring_force(const chain::Spring<L>& spring, const Work& w) const;
+  /// That the joint at a node transmits, in its axes.
+  Space force_at(const Work& w, std::size_t node) const;
   static bool is_kept(std::size_t sample, const ChainHistory& history) {
     return std::binary_search(history.frame_sample.begin(), history.frame_sample.end(), sample);
   }
@@ -289,11 +294,7 @@ void ChainRecord<L, kElastic>::set_shape(const Work& w, const Joints& joints,
     put(shape_.moment, 3 * i, moment(joints, w, i));
     put(shape_.angle, 3 * i, joint_spin(w.angles[joint]));
     for (std::size_t k = 0; k < 3; ++k) shape_.plastic_angle[3 * i + k] = strains.permanent[i][k];
-    if (i < n) {
-      const typename L::Point force =
-          L::rotate_back(w.placement.near[i], w.transmitted.outer[i].force);
-      put(shape_.force, 3 * i, in_space(force));
-    }
+    put(shape_.force, 3 * i, force_at(w, i));
     shape_.plastic_strain[i] = strains.strain[i];
     const chain::JointModel& numbers = (*joints_)[i];
     shape_.stress[i] = numbers.bending_together(numbers.stress(0, shape_.moment[3 * i]),

@@ -34,7 +34,7 @@ void ChainRecord<L, kElastic>::add_work(const Work& w, const Joints& joints) {
   const auto& supports = model_->scene.supports;
   for (std::size_t s = 0; s < supports.size(); ++s) {
     if (!supports[s].moves()) continue;
-    const std::array<double, 6> force = reaction(w, s);
+    const std::array<double, 6> force = support_force(w, s);
     if (begun_) {
       const double moved = supports[s].history.at(w.time) - supports[s].history.at(time_);
       for (std::size_t k = 0; k < 3; ++k) {
@@ -127,7 +127,61 @@ void ChainRecord<L, kElastic>::set_motion(const std::vector<solve::SegmentMotion
 }
 
 template <class L, bool kElastic>
+typename L::Point ChainRecord<L, kElastic>::spring_force(const chain::Spring<L>& spring,
+                                                         const Work& w) const {
+  const S factor = constant<S>(build_->chain.histories[spring.history].at(w.time));
+  const typename L::Point off =
+      w.placement.point(spring.segment, spring.arm) - spring.rest - factor * spring.motion;
+  typename L::Point push;
+  for (std::size_t k = 0; k < L::kTranslations; ++k) push[k] = -(spring.stiffness[k] * off[k]);
+  return push;
+}
+
+template <class L, bool kElastic>
+typename ChainRecord<L, kElastic>::Space ChainRecord<L, kElastic>::force_at(
+    const Work& w, std::size_t node) const {
+  const auto& chain = build_->chain;
+  const auto& supports = model_->scene.supports;
+  const auto is_at = [&](std::size_t support, double fraction) {
+    return std::fabs(fraction_of(supports[support].at, model_->layout.ends) - fraction) < 1e-9;
+  };
+  if (node < chain.size()) {
+    typename L::Point force = w.transmitted.outer[node].force;
+    // What springs at the start pass to the ground is no force of the beam beyond.
+    for (const auto& spring : chain.springs) {
+      if (node == 0 && !supports[spring.support].to && is_at(spring.support, 0.0)) {
+        force -= spring_force(spring, w);
+      }
+    }
+    return in_space(L::rotate_back(w.placement.near[node], force));
+  }
+  // To the ground at the end: all that is beyond is what the supports there push.
+  Space sum{};
+  for (std::size_t s = 0; s < supports.size(); ++s) {
+    if (supports[s].to || !is_at(s, 1.0)) continue;
+    const auto force = support_force(w, s);
+    for (std::size_t k = 0; k < 3; ++k) sum[k] += force[k];
+  }
+  const std::size_t last = chain.size() - 1;
+  const auto frame = L::compose(w.placement.frame[last], chain.segments[last].outer);
+  return in_space(L::rotate_back(frame, view_.point(sum)));
+}
+
+template <class L, bool kElastic>
 std::array<double, 6> ChainRecord<L, kElastic>::reaction(const Work& w, std::size_t support) const {
+  std::array<double, 6> all = support_force(w, support);
+  for (const auto& held : build_->held_moments) {
+    if (held.support != support) continue;
+    const S factor = constant<S>(build_->chain.histories[held.history].at(w.time));
+    const Space moment = joint_spin(factor * held.moment);
+    for (std::size_t k = 0; k < 3; ++k) all[3 + k] -= moment[k];
+  }
+  return all;
+}
+
+template <class L, bool kElastic>
+std::array<double, 6> ChainRecord<L, kElastic>::support_force(const Work& w,
+                                                              std::size_t support) const {
   const auto& chain = build_->chain;
   Space force{};
   Space moment{};
@@ -138,13 +192,7 @@ std::array<double, 6> ChainRecord<L, kElastic>::reaction(const Work& w, std::siz
     moment += joint_spin(w.q.multiplier[k] * constraint.axis);
   }
   for (const auto& spring : chain.springs) {
-    if (spring.support != support) continue;
-    const S factor = constant<S>(chain.histories[spring.history].at(w.time));
-    const typename L::Point off =
-        w.placement.point(spring.segment, spring.arm) - spring.rest - factor * spring.motion;
-    typename L::Point push;
-    for (std::size_t k = 0; k < L::kTranslations; ++k) push[k] = -(spring.stiffness[k] * off[k]);
-    force += in_space(push);
+    if (spring.support == support) force += in_space(spring_force(spring, w));
   }
   const auto spin_force = [&](std::size_t joint) {
     typename L::Spin m;

@@ -10,20 +10,20 @@
 namespace plastica::calibrate {
 namespace {
 
-constexpr double kE = 200e9;
-constexpr double kYield = 300e6;
+constexpr double kModulus = 200e9;
+constexpr double kYieldStress = 300e6;
 
 /// Ideal plastic, with normal noise of the stress; zeroed at 25 MPa.
 Curve preloaded(unsigned seed) {
   std::mt19937 random(seed);
   std::normal_distribution<double> noise(0.0, 1.5e6);
   Curve curve;
-  const double begin = 25e6 / kE;
-  const double knee = kYield / kE;
+  const double begin = 25e6 / kModulus;
+  const double knee = kYieldStress / kModulus;
   for (int i = 0; i < 55; ++i) curve.strain.push_back(begin + (knee - begin) * i / 55.0);
   for (int i = 0; i < 140; ++i) curve.strain.push_back(knee + (0.03 - knee) * i / 139.0);
   for (double& strain : curve.strain) {
-    curve.stress.push_back(std::min(kE * strain, kYield) + noise(random));
+    curve.stress.push_back(std::min(kModulus * strain, kYieldStress) + noise(random));
     strain -= begin;
   }
   return curve;
@@ -45,7 +45,7 @@ TEST(ShiftError, IsInTheIntervalsOfAPreloadedCurve) {
     const FitResult fit = fit_target(target, options);
     const FittedParameter& e = fit.parameter("youngs_modulus");
     ASSERT_TRUE(e.has_error());
-    holds += e.interval_low <= kE && kE <= e.interval_high ? 1 : 0;
+    holds += e.interval_low <= kModulus && kModulus <= e.interval_high ? 1 : 0;
   }
   EXPECT_EQ(shifted, 100);
   EXPECT_GE(holds, 90);
@@ -55,7 +55,7 @@ TEST(ShiftError, IsNoneWhereNothingWasShifted) {
   TargetOptions options;
   options.preload.mode = CorrectionChoice::Mode::Off;
   EXPECT_EQ(make_target("as it is", preloaded(1), options).shift_error, 0.0);
-  options.preload = {CorrectionChoice::Mode::Set, -25e6 / kE};
+  options.preload = {CorrectionChoice::Mode::Set, -25e6 / kModulus};
   EXPECT_EQ(make_target("set", preloaded(1), options).shift_error, 0.0);
 }
 
