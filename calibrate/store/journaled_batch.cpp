@@ -72,7 +72,8 @@ std::string JournaledBatch::run_id() const {
     ids.push_back(target.name + ' ' + io::hexadecimal(raw.value()));
     // Nor do groups, by which the report takes means.
     for (const auto& [key, value] : target.group) {
-      ids.push_back(target.name + ' ' + key + '=' + value);
+      std::string id = target.name;
+      ids.push_back(id.append(1, ' ').append(key).append(1, '=').append(value));
     }
   }
   // What is drawn for a group's mean is no part of a fit.

@@ -117,6 +117,7 @@ bool AdviceRuns::run_all(std::vector<Trial> trials) {
     return false;
   }
   std::vector<CostLimit> limits;
+  limits.reserve(trials.size());
   for (const Trial& trial : trials) limits.push_back(limit_of(trial, trials));
   std::vector<LimitedRun> made(trials.size());
   std::mutex telling;
