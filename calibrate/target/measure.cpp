@@ -152,8 +152,7 @@ void measure_characteristics(Target& target, const ElasticLine& line, const RawF
     } else if (plastic <= kLatest && pauses) {
       target.warnings.push_back(
           fmt::format("the stress falls at {:.3g} % strain while the strain stands still: a pause, "
-                      "and no upper "
-                      "yield strength",
+                      "and no upper yield strength",
                       100.0 * curve.strain[point->at]));
     } else if (plastic <= kLatest) {
       c.reh = point->upper;

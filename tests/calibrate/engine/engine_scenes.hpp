@@ -33,6 +33,16 @@ inline Scene rich_scene() {
   return scene;
 }
 
+/// A strip of a soft material, which gravity bends far.
+inline Scene soft_strip(int segments) {
+  Scene scene = cantilever_scene(segments);
+  scene.material.youngs_modulus = 5e7;
+  scene.material.density = 1200.0;
+  scene.gravity = {0.0, -9.81, 0.0};
+  scene.gravity_history = History::constant();
+  return scene;
+}
+
 /// The numbers of a scene.
 inline calibrate::EngineBeam beam_of(const Scene& scene, const SolverOptions& options = {}) {
   return calibrate::engine_beam(scene, options);

@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <string>
 #include <vector>
 
 #include "calibrate/target/make.hpp"
@@ -136,6 +138,9 @@ TEST(Characteristics, AStressThatRelaxesInAPauseIsNoYieldPoint) {
   }
   const Target target = make_target("pause", curve);
   EXPECT_FALSE(target.characteristics.reh);
+  EXPECT_TRUE(std::ranges::any_of(target.warnings, [](const std::string& warning) {
+    return warning.find("while the strain stands still: a pause") != std::string::npos;
+  }));
 }
 
 TEST(Characteristics, ADropWithinTheNoiseIsNoYieldPoint) {

@@ -96,16 +96,6 @@ double rule_error(const Scene& scene, const SolverOptions& solver, int count) {
   return error / largest;
 }
 
-/// A strip of a soft material, which gravity bends far.
-Scene soft_strip(int segments) {
-  Scene scene = cantilever_scene(segments);
-  scene.material.youngs_modulus = 5e7;
-  scene.material.density = 1200.0;
-  scene.gravity = {0.0, -9.81, 0.0};
-  scene.gravity_history = History::constant();
-  return scene;
-}
-
 TEST(BulletRule, IsBulletsOfAStripThatFallsFar) {
   EXPECT_LT(rule_error(soft_strip(12), {.time_step = 2e-5}, 3000), kRounding);
 }

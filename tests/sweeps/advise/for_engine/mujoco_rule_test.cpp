@@ -10,6 +10,7 @@
 #include "calibrate/engine/engine_world.hpp"
 #include "sweeps/advise/for_engine/engine_loads.hpp"
 #include "sweeps/advise/for_engine/hinge_chain.hpp"
+#include "tests/calibrate/engine/engine_scenes.hpp"
 #include "tests/sweeps/advise/for_engine/mujoco_scene.hpp"
 
 /// MuJoCo itself says whether our rule of it is its own.
@@ -56,16 +57,6 @@ double rule_error(const RuleCase& one) {
   ::testing::Test::RecordProperty("tip_m", std::to_string(length_of(theirs)));
   EXPECT_GT(largest, 1e-3);
   return std::max(tip, error / largest);
-}
-
-/// A strip of a soft material, which gravity bends far.
-Scene soft_strip(int segments) {
-  Scene scene = cantilever_scene(segments);
-  scene.material.youngs_modulus = 5e7;
-  scene.material.density = 1200.0;
-  scene.gravity = {0.0, -9.81, 0.0};
-  scene.gravity_history = History::constant();
-  return scene;
 }
 
 constexpr double kRounding = 1e-11;
