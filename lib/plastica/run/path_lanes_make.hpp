@@ -113,6 +113,7 @@ void PathLanes<L>::begin_seeking(int lane) {
   chain::visit_unknowns(writer, work.q);
   writer.number(work.moment_scale);
   writer.number(work.force_scale);
+  writer.number(0.0);  // no step is taken yet
   for (const History& history : one.runner->body().build.chain.histories) {
     writer.number(history.at(work.time));
   }

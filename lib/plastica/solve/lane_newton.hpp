@@ -25,7 +25,7 @@ class LaneNewton {
   virtual void take_shape(const std::size_t* shape) = 0;
   /// @param numbers  of a chain and its joints
   virtual void take_chain(int lane, const double* numbers) = 0;
-  /// @param start  unknowns, scales of imbalance, factors of the histories, states of the laws
+  /// @param start  unknowns, scales of imbalance, 0, factors of the histories, states of the laws
   virtual void take_start(int lane, const double* start) = 0;
 
   /// Places the chains, asks their laws and factors them.

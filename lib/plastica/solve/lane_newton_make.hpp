@@ -69,6 +69,7 @@ class LaneNewtonOf final : public LaneNewton {
     chain::visit_unknowns(writer, work_.q);
     writer.number(work_.moment_scale);
     writer.number(work_.force_scale);
+    writer.number(work_.stepped);
     for (auto& history : chain_.histories) writer.number(history.now);
     joints_.visit_states(writer, VisitState{});
   }

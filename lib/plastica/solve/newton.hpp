@@ -34,6 +34,7 @@ NewtonOutcome<typename L::Scalar> equilibrate(const chain::Chain<L>& chain,
   using S = typename L::Scalar;
   NewtonOutcome<S> outcome;
   bool polished = false;
+  w.stepped = constant<S>(0);
   for (int iteration = 0;; ++iteration) {
     const S enough = constant<S>(reachable<S>(options.tolerance, iteration));
     assemble(w);

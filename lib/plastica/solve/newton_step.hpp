@@ -1,29 +1,15 @@
 #pragma once
 
-#include <cmath>
 #include <cstddef>
-#include <limits>
 #include <type_traits>
 
 #include "plastica/chain/axial.hpp"
-#include "plastica/solve/newton_work.hpp"
+#include "plastica/solve/imbalance.hpp"
 
 /// The parts of one iteration of `equilibrate`.
 namespace plastica::solve {
 
 namespace detail {
-
-/// The larger of a size so far and |x|; what is not a number stays.
-template <class S>
-inline S larger_size(const S& so_far, const S& x) {
-  return so_far + max(abs(x) - so_far, constant<S>(0));
-}
-
-/// The same for a scale, from which what is not a number is dropped: it outlives a failed step.
-template <class S>
-inline S larger_scale(const S& so_far, const S& x) {
-  return max(so_far, abs(x));
-}
 
 /// Decides which constraints act, and adds what they do.
 template <class L, bool kElastic>
@@ -49,18 +35,6 @@ void set_constraints(const chain::Chain<L>& chain, NewtonWork<L, kElastic>& w) {
     w.gap[k] = select(w.closed[k], w.gap[k], zero);
   }
   chain::add_constraints(chain, w.placement, w.stage, w.q, w.closed, w.outer_forces);
-}
-
-/// Whether every constraint that acts is closed, and none pulls that may not.
-template <class L, bool kElastic>
-bool constraints_hold(const chain::Chain<L>& chain, const NewtonWork<L, kElastic>& w) {
-  using S = typename L::Scalar;
-  if (w.closed_anew) return false;
-  for (std::size_t k = 0; k < chain.constraints.size(); ++k) {
-    const S size = chain.constraints[k].rotational ? constant<S>(1) : chain.length;
-    if (any(abs(w.gap[k]) > constant<S>(kConstraintTolerance<S>) * size)) return false;
-  }
-  return true;
 }
 
 /// Of a placed chain whose laws see the axial force of rigid joints: that follows from all other
@@ -103,52 +77,6 @@ void assemble(const chain::Chain<L>& chain, chain::JointLaws<L, kElastic>& laws,
               NewtonWork<L, kElastic>& w) {
   assemble(
       chain, laws, [&](std::size_t history) { return chain.histories[history].at(w.time); }, w);
-}
-
-/// The largest imbalance of a joint and the largest gap, relative to their scales.
-template <class L, bool kElastic>
-typename L::Scalar relative_imbalance(const chain::Chain<L>& chain, NewtonWork<L, kElastic>& w) {
-  using S = typename L::Scalar;
-  S moment = constant<S>(0), force = constant<S>(0);
-  if (w.forgets) {
-    w.moment_scale = w.settled_moment;
-    w.force_scale = w.settled_force;
-  }
-  for (std::size_t i = 0; i < chain.size(); ++i) {
-    const auto& balance = w.recursion.balance()[i];
-    for (std::size_t k = 0; k < L::kRotations; ++k) {
-      moment = larger_size(moment, balance[k]);
-      w.moment_scale = larger_scale(w.moment_scale, w.transmitted.outer[i].moment[k]);
-      w.moment_scale = larger_scale(w.moment_scale, w.joints.force[i][k]);
-    }
-    for (std::size_t k = L::kRotations; k < balance.at.size(); ++k) {
-      force = larger_size(force, balance[k]);
-    }
-    for (std::size_t k = 0; k < L::kTranslations; ++k) {
-      w.force_scale = larger_scale(w.force_scale, w.transmitted.outer[i].force[k]);
-    }
-  }
-  if (!w.forgets) w.force_scale = larger_scale(w.force_scale, w.outer_forces.largest_spring);
-  for (std::size_t k = 0; k < L::kTranslations; ++k) {
-    force = larger_size(force, w.recursion.root_balance()[k]);
-  }
-  w.recursion.for_each_fragment([&](std::size_t /*joint*/, const chain::Wrench<L>& balance) {
-    for (std::size_t k = 0; k < L::kTranslations; ++k) force = larger_size(force, balance.force[k]);
-    for (std::size_t k = 0; k < L::kRotations; ++k) moment = larger_size(moment, balance.moment[k]);
-  });
-  S gap = constant<S>(0);
-  for (std::size_t k = 0; k < chain.constraints.size(); ++k) {
-    const S size = chain.constraints[k].rotational ? chain.length : constant<S>(1);
-    gap = larger_size(gap, size * w.gap[k]);
-  }
-  // Moments are forces on levers: a bar under axial force alone is no beam out of balance.
-  const S lever = constant<S>(1e-2) * chain.length;
-  const S tiny = constant<S>(std::numeric_limits<real_t<S>>::min());
-  const S floor_moment = w.force_floor * chain.length;
-  const S moment_scale = max(max(w.moment_scale, lever * w.force_scale), floor_moment);
-  const S force_scale = max(max(w.force_scale, w.moment_scale / chain.length), w.force_floor);
-  const S worst = larger_size(moment / max(moment_scale, tiny), force / max(force_scale, tiny));
-  return larger_size(worst, gap / chain.length);
 }
 
 /// Adds the stiffness of the path condition along its covector; like that of a constraint it does
@@ -393,6 +321,7 @@ void take_step(const chain::Chain<L>& chain, const PathCondition<L>& condition,
   if constexpr (std::is_floating_point_v<S>) {
     if (condition.active) w.time += part * w.small.b(chain.constraints.size());
   }
+  w.stepped = constant<S>(1);
 }
 
 }  // namespace detail

@@ -59,6 +59,8 @@ struct NewtonWork {
   S settled_moment{};
   S settled_force{};
   bool forgets = false;
+  /// 1 once the unknowns come from a step of Newton's method: what is left may be rounding then.
+  S stepped{};
   /// Below this a force is nothing, whatever the others are [N]; see solve/motion_step.hpp.
   S force_floor{};
 
@@ -108,6 +110,7 @@ struct NewtonWork {
     force_floor = constant<S>(0);
     settled_moment = constant<S>(0);
     settled_force = constant<S>(0);
+    stepped = constant<S>(0);
     forgets = false;
   }
 };

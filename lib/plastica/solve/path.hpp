@@ -84,11 +84,7 @@ class PathContinuation {
   const CriticalPoints& critical() const { return critical_; }
 
  private:
-  enum class Trial {
-    Accepted,
-    Failed,
-    Ended,  ///< the path ends here: see `ended`
-  };
+  enum class Trial { Accepted, Failed, Ended };  // the last: the path ends here, see `ended`
 
   /// Relative stiffness below which the supports leave the beam free to move.
   static constexpr double kMechanism = kIsDouble<S> ? 1e-11 : 1e-6;
@@ -335,6 +331,7 @@ class PathContinuation {
   /// The limit from above: the least time at which load control finds nothing, starting from the
   /// last equilibrium.
   void bracket_limit(double highest);
+  bool turns_back();
   Status follow_displacement();
 
   const chain::Chain<L>& chain_;

@@ -181,11 +181,23 @@ typename PathContinuation<L, kElastic>::Trial PathContinuation<L, kElastic>::cro
     highest = std::max(highest, time_);
     const double least = observer_.yields() ? kLimitSlope * first_slope : 0.0;
     if (secant_time_ <= least * size_of(secant_)) {
-      if (observer_.yields() || largest_rotation() <= kLargeRotation) bracket_limit(highest);
+      if (turns_back()) bracket_limit(highest);
       return stopped() ? Trial::Ended : Trial::Failed;
     }
   }
   return Trial::Failed;
+}
+
+/// Whether a load that has stopped to rise may have come to its limit. Without yielding it has lost
+/// its stability there, or what bends the path is rounding.
+template <class L, bool kElastic>
+bool PathContinuation<L, kElastic>::turns_back() {
+  if (observer_.yields()) return true;
+  if (largest_rotation() > kLargeRotation) return false;
+  condition_ = {};
+  at_time_ = true;
+  holds_tangent_ = false;
+  return count_unstable_modes() > 0;
 }
 
 template <class L, bool kElastic>
