@@ -17,6 +17,7 @@
 #include "cli/help_format.hpp"
 #include "cli/tell.hpp"
 #include "plastica/base/check.hpp"
+#include "plastica/base/keep_freed_memory.hpp"
 #include "plastica/base/version.hpp"
 #include "plastica/io/nearest_word.hpp"
 
@@ -124,6 +125,7 @@ int run(int argc, char** argv) {
 
 int main(int argc, char** argv) {
   plastica::cli::open_closed_streams();
+  plastica::keep_freed_memory();
   try {
     return run(argc, argv);
   } catch (const plastica::InputError& error) {

@@ -18,6 +18,7 @@ struct ClosedForm {
   /// @throws InputError without a place if the scene or the quantity is not one it holds for
   std::vector<double> (*values)(const Setup& setup, const Quantity& quantity,
                                 std::span<const double> time);
+  bool at_end = false;  ///< of the state at the end of the run, to which it must have come
 };
 
 /// All closed forms, by name.

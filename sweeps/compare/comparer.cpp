@@ -73,6 +73,37 @@ void Comparer::with_curve(std::size_t i, const std::vector<double>& time,
   out_.reference_curve[i] = std::move(reference);
 }
 
+void Comparer::with_number_of(std::size_t i, const std::vector<double>& time,
+                              const std::vector<double>& curve) {
+  const CaseResult& result = results_[i];
+  if (!result.value) return;
+  Measured measured = take_of(sweep_.quantity.take, time, curve);
+  if (result.level != Level::Coupon) {
+    // Up to the case's last state, no further.
+    const double end = result.last_time;
+    const double room = 1e-9 * std::abs(end);
+    const bool from_start = sweep_.quantity.take != Take::End;
+    if ((from_start && time.front() > room) || time.back() < end - room) {
+      out_.reason[i] = "the reference does not reach over the case's times";
+      return;
+    }
+    const auto beyond = std::upper_bound(time.begin(), time.end(), end + room);
+    const auto count = static_cast<std::size_t>(beyond - time.begin());
+    std::vector<double> until(time.begin(), beyond);
+    std::vector<double> values(curve.begin(), curve.begin() + static_cast<std::ptrdiff_t>(count));
+    if (until.back() < end - room && sweep_.quantity.take != Take::Frequency) {
+      until.push_back(end);
+      values.push_back(at(time, curve, end));
+    }
+    measured = take_of(sweep_.quantity.take, until, values);
+  }
+  if (measured.value) {
+    with_number(i, *measured.value);
+  } else {
+    out_.reason[i] = measured.reason;
+  }
+}
+
 void Comparer::with_case(std::size_t i, std::size_t reference) {
   const CaseResult& of = results_[reference];
   if (of.value) {
@@ -85,6 +116,10 @@ void Comparer::with_case(std::size_t i, std::size_t reference) {
 void Comparer::with_theory(std::size_t i, const ClosedForm& form) {
   const CaseResult& result = results_[i];
   if (!result.value && result.curve.empty()) return;
+  if (form.at_end && result.status != Status::Completed && result.status != Status::Unstable) {
+    out_.reason[i] = "its run ended early, and the closed form is of the end";
+    return;
+  }
   try {
     const auto values = form.values(cases_.setup(i), sweep_.quantity, result.time);
     if (sweep_.quantity.is_curve()) {

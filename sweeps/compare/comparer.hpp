@@ -18,6 +18,9 @@ class Comparer {
   void with_number(std::size_t i, double reference);
   /// @param time, curve  that reach over the case's own times
   void with_curve(std::size_t i, const std::vector<double>& time, const std::vector<double>& curve);
+  /// With what the sweep takes of a curve up to the case's last state.
+  void with_number_of(std::size_t i, const std::vector<double>& time,
+                      const std::vector<double>& curve);
   /// With what another case gave.
   void with_case(std::size_t i, std::size_t reference);
   void with_theory(std::size_t i, const ClosedForm& form);

@@ -13,14 +13,11 @@ namespace {
 /// A stored reference: its whole curve, or what the sweep takes of it.
 void with_file(const Sweep& sweep, std::size_t cases, Comparer& comparer) {
   const Against& against = sweep.against;
-  const Measured measured = sweep.quantity.is_curve()
-                                ? Measured{}
-                                : take_of(sweep.quantity.take, against.time, against.curve);
   for (std::size_t i = 0; i < cases; ++i) {
     if (sweep.quantity.is_curve()) {
       comparer.with_curve(i, against.time, against.curve);
-    } else if (measured.value) {
-      comparer.with_number(i, *measured.value);
+    } else {
+      comparer.with_number_of(i, against.time, against.curve);
     }
   }
 }

@@ -107,22 +107,28 @@ Values lumped_chain(const Setup& setup, const Quantity& quantity,
 /// Elementary cases of a bent beam, small displacements.
 Values beam(const Setup& setup, const Quantity& quantity, std::span<const double> /*time*/) {
   const BentBeam bent = bent_beam_of(setup);
-  require_scene(quantity.kind == QuantityKind::Probe && quantity.take != Take::Curve,
-                "is for one number of a probe");
-  const Probe& probe = setup.scene.probes[quantity.probe];
+  const Scene& scene = setup.scene;
+  const History& history = scene.loads.empty() ? scene.gravity_history : scene.loads[0].history;
+  const bool sizes = quantity.take == Take::Size;
+  require_scene(
+      quantity.kind == QuantityKind::Probe &&
+          (quantity.take == Take::End ||
+           (sizes && largest_factor(history, setup) == std::abs(history.at(end_time(setup))))),
+      "is for a probe at the end of the run, or its size where the load is largest there");
+  const Probe& probe = scene.probes[quantity.probe];
   const double at = distance_of(probe.at, setup);
+  const auto taken = [&](double value) { return Values{sizes ? std::abs(value) : value}; };
   if (probe.quantity == ProbeQuantity::Displacement && probe.component == Component::Y) {
-    return {theory::beam_deflection(bent.beam, at)};
+    return taken(theory::beam_deflection(bent.beam, at));
   }
   if (probe.quantity == ProbeQuantity::Rotation && probe.component == Component::X) {
-    return {-theory::beam_slope(bent.beam, at)};
+    return taken(-theory::beam_slope(bent.beam, at));
   }
   if (probe.quantity == ProbeQuantity::Reaction && probe.component == Component::Y) {
     const theory::BeamReactions reactions = theory::beam_reactions(bent.beam);
-    return {at == 0.0 ? reactions.start_force : reactions.end_force};
+    return taken(at == 0.0 ? reactions.start_force : reactions.end_force);
   }
-  require_scene(probe.quantity == ProbeQuantity::Moment && probe.component == Component::X &&
-                    quantity.take == Take::Size,
+  require_scene(probe.quantity == ProbeQuantity::Moment && probe.component == Component::X && sizes,
                 "is for displacement or reaction along y, rotation about x, or the size of the "
                 "moment about x");
   return {std::abs(theory::beam_moment(bent.beam, at))};
@@ -166,24 +172,24 @@ std::span<const ClosedForm> elastic_forms() {
       ClosedForm{"elastica",
                  "cantilever under a tip force along y: tip displacement y, z, or rotation x; "
                  "displacements of any size",
-                 elastica},
+                 elastica, true},
       ClosedForm{"elastica_moment",
                  "cantilever that a tip moment about x rolls up: tip displacement y, z, or "
                  "rotation x",
-                 elastica_moment},
+                 elastica_moment, true},
       ClosedForm{"lumped_chain",
                  "the chain itself: tip displacement y of a cantilever of N segments under a small "
                  "tip force, tip moment, even load or weight",
-                 lumped_chain},
+                 lumped_chain, true},
       ClosedForm{
           "beam",
           "clamped, pinned and free beams under a point force, a moment, an even load or "
           "weight, small displacements: displacement, rotation, reaction, size of the moment",
-          beam},
+          beam, true},
       ClosedForm{"torsion",
                  "bar that is clamped and twisted at its end: rotation z; elastic, or a solid "
                  "circle beyond first yield",
-                 torsion},
+                 torsion, true},
   };
   return kForms;
 }

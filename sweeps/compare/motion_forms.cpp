@@ -1,6 +1,7 @@
 #include <array>
 #include <numbers>
 
+#include "plastica/run/chain_model.hpp"
 #include "plastica/run/simulate.hpp"
 #include "plastica/theory/beam_vibration.hpp"
 #include "sweeps/compare/form_lists.hpp"
@@ -21,17 +22,19 @@ bool is_clamped_alone(const Setup& setup) {
          is_at_end(scene.supports[0].at, 0.0, setup) && scene.beam.shape == BeamShape::Straight;
 }
 
-theory::VibratingBeam vibrating_beam(const Setup& setup) {
+/// @param about_x  about which axis of the section it bends, else about y
+theory::VibratingBeam vibrating_beam(const Setup& setup, bool about_x = true) {
   require_scene(is_clamped_alone(setup),
                 "is for a straight, even beam with a clamp at its start as its one support");
   const Scene& scene = setup.scene;
   const auto section = section_properties(scene.section, scene.material.poisson_ratio);
+  const double second_moment = about_x ? section.second_moment_x : section.second_moment_y;
   theory::VibratingBeam beam;
   beam.length = scene.beam.length;
-  beam.bending_stiffness = scene.material.youngs_modulus * section.second_moment_x;
+  beam.bending_stiffness = scene.material.youngs_modulus * second_moment;
   beam.mass_per_length = scene.material.density * section.area;
   if (setup.solver.rotary_inertia == RotaryInertia::On) {
-    beam.rotary_inertia = scene.material.density * section.second_moment_x;
+    beam.rotary_inertia = scene.material.density * second_moment;
   }
   return beam;
 }
@@ -40,7 +43,12 @@ Values cantilever_frequency(const Setup& setup, const Quantity& quantity,
                             std::span<const double> /*time*/) {
   require_scene(quantity.kind == QuantityKind::NaturalFrequency,
                 "is for quantity = \"natural_frequency\"");
-  const double omega = theory::rayleigh_cantilever_frequency(quantity.mode, vibrating_beam(setup));
+  // In space the modes of both planes and of twist are counted together.
+  const Model model = prepare(setup.scene, setup.solver);
+  require_scene(model.level == Level::Planar,
+                "is for a beam that bends in a plane, solver.level = \"planar\"");
+  const double omega = theory::rayleigh_cantilever_frequency(
+      quantity.mode, vibrating_beam(setup, model.chain->across == 1));
   return {omega / (2.0 * std::numbers::pi)};
 }
 

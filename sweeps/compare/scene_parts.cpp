@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "plastica/model/beam_axis.hpp"
 #include "plastica/run/chain_model.hpp"
 #include "plastica/run/simulate.hpp"
 
@@ -15,16 +16,26 @@ bool is_at_end(const Place& place, double fraction, const Setup& setup) {
 
 double distance_of(const Place& place, const Setup& setup) {
   const double length = setup.scene.beam.length;
-  return place.segment ? length * *place.segment / setup.scene.beam.segments
-                       : length * place.fraction;
+  if (!place.segment) return length * place.fraction;
+  // Segments may differ in length.
+  return length * fraction_of(place, prepare(setup.scene, setup.solver).chain->layout.ends);
 }
 
 void require_scene(bool holds, std::string_view rule) {
   if (!holds) throw InputError({}, "", "", rule);
 }
 
+namespace {
+
+void require_rest(const Setup& setup) {
+  require_scene(setup.solver.analysis == Analysis::Statics, "is for a beam at rest");
+}
+
+}  // namespace
+
 Cantilever cantilever_of(const Setup& setup) {
   const Scene& scene = setup.scene;
+  require_rest(setup);
   require_scene(!scene.is_coupon() && scene.supports.size() == 1 &&
                     scene.supports[0].kind == SupportKind::Clamp && !scene.supports[0].hold &&
                     !scene.supports[0].moves() && is_at_end(scene.supports[0].at, 0.0, setup),
@@ -79,6 +90,7 @@ theory::BeamEnds ends_of(const Setup& setup) {
 
 BentBeam bent_beam_of(const Setup& setup) {
   const Scene& scene = setup.scene;
+  require_rest(setup);
   require_scene(
       !scene.is_coupon() && scene.beam.shape == BeamShape::Straight && scene.regions.empty(),
       "is for a straight, even beam");

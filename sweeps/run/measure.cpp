@@ -1,5 +1,6 @@
 #include "sweeps/run/measure.hpp"
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <utility>
@@ -57,7 +58,8 @@ CaseResult mode_about_load(const Sweep& sweep, const Setup& setup) {
   solver.buckling = sweep.quantity.mode;
   const Response response = simulate(setup.scene, solver);
   result.status = response.status;
-  result.iterations = response.counters.iterations;
+  // A straight column needs no iteration to stay straight; its modes are work, too.
+  result.iterations = std::max(1, response.counters.iterations);
   if (response.buckling && response.buckling->factor.size() >= mode) {
     result.status = Status::Completed;
     result.value = response.buckling->factor[mode - 1];

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "plastica/base/keep_freed_memory.hpp"
 #include "plastica/run/batch.hpp"
 #include "plastica/run/simulate.hpp"
 #include "tests/support/chain.hpp"
@@ -78,6 +79,7 @@ BENCHMARK(permanent_set)->ArgsProduct({{16, 32, 64}, {12, 20, 40}});
 /// steps, as scenes of their own: laid out, run and handed over one by one or as a batch.
 void bent_batch(benchmark::State& state, Level level, YieldModel model) {
   constexpr std::size_t kCases = 4096;
+  keep_freed_memory();  // as the command does
   const bool together = state.range(0) == 1;
   Scene scene = cantilever(64, {0.0, -400.0, 0.0});
   if (level == Level::Spatial) scene.loads[0].force = {300.0, -400.0, 0.0};
