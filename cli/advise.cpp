@@ -58,10 +58,10 @@ sweeps::Advice advise_with_progress(const Setup& setup, sweeps::AdviceOptions op
 }
 
 /// The scene with lengths of graded segments, as fractions of the beam's.
-std::string with_lengths(const std::string& text, const io::SceneFile& file,
+std::string with_lengths(const std::string& text, const std::string& output,
                          const std::vector<double>& fractions) {
   if (fractions.empty()) return text;
-  const auto refusal = InputError({file.path, 0}, "beam.segment_lengths", "",
+  const auto refusal = InputError({}, "beam.segment_lengths", "",
                                   "cannot be written into the scene's file: do it by hand");
   std::string written;
   try {
@@ -70,13 +70,14 @@ std::string with_lengths(const std::string& text, const io::SceneFile& file,
   } catch (const InputError&) {
     throw refusal;
   }
-  const Setup after = io::parse_scene_file(written, file.path).setup;
+  const Setup after = io::parse_scene_file(written, output).setup;
   const auto same = [](double a, double b) { return std::abs(a - b) < 1e-11; };
   if (!std::ranges::equal(after.scene.beam.segment_fractions, fractions, same)) throw refusal;
   return written;
 }
 
-std::string advised_scene(const io::SceneFile& file, const sweeps::Advice& advice) {
+std::string advised_scene(const io::SceneFile& file, const sweeps::Advice& advice,
+                          const std::string& output) {
   std::vector<std::pair<const Field*, FieldValue>> values;
   for (std::size_t k = 0; k < advice.axes.size(); ++k) {
     values.emplace_back(advice.axes[k].field, advice.setting[k]);
@@ -88,8 +89,8 @@ std::string advised_scene(const io::SceneFile& file, const sweeps::Advice& advic
       if (value != field->get(file.setup)) values.emplace_back(field, value);
     }
   }
-  return with_lengths(sweeps::scene_with_values(file.text, values, wanted, file.path), file,
-                      advice.fractions);
+  return with_lengths(sweeps::scene_with_values(file.text, values, wanted, file.path, output),
+                      output, advice.fractions);
 }
 
 /// Fills in what is asked for: an error or a time.
@@ -155,8 +156,6 @@ int advise(AdviseArguments arguments) {
   if (for_engine) return advise_for_engine(engine_request(arguments));
   const io::SceneFile file = io::read_scene_file(arguments.scene);
   tell_notes(file.notes);
-  // The tables that the scene names must be found from where the advised one is written.
-  if (!arguments.output.empty()) (void)io::parse_scene_file(file.text, arguments.output);
   const sweeps::Advice advice = io::with_place_in(
       file, [&] { return advise_with_progress(file.setup, arguments.options, arguments.quiet); });
   const std::string name = std::filesystem::path(arguments.scene).filename().string();
@@ -165,7 +164,7 @@ int advise(AdviseArguments arguments) {
   write_reports(arguments, advice, name);
   if (advice.end != sweeps::AdviceEnd::Found) return kNotAcceptable;
   if (!arguments.output.empty()) {
-    io::write_text_file(arguments.output, advised_scene(file, advice),
+    io::write_text_file(arguments.output, advised_scene(file, advice, arguments.output),
                         io::overwrite_if(arguments.force));
     tell("wrote {}\n", arguments.output);
   }

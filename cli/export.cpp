@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -27,6 +28,7 @@
 #include "plastica/io/scene_store.hpp"
 #include "plastica/io/text_file.hpp"
 #include "plastica/report/scene_csv.hpp"
+#include "plastica/report/scene_frames.hpp"
 #include "plastica/report/scene_json.hpp"
 #include "sweeps/report/csv.hpp"
 #include "sweeps/report/json.hpp"
@@ -109,6 +111,16 @@ void refuse_what_of_json(const ExportArguments& arguments) {
                 "goes with --to csv");
 }
 
+/// Says which of the kept frames a time stands for, if it is another time.
+void tell_frame(const io::SceneRecord& record, const std::optional<double>& time) {
+  if (!time || report::frames_of(record) == 0) return;
+  const double last = record.response.chain.time.back();
+  const double shown = report::time_of_frame(record, report::frame_at(record, time));
+  if (std::abs(shown - *time) <= 1e-9 * std::abs(last)) return;
+  tell("the joints are those at {}, the frame next to {}; solver.frames keeps more of them\n",
+       report::time_text(shown, last), report::time_text(*time, last));
+}
+
 std::string text_of_scene(const ExportArguments& arguments) {
   const std::string what =
       what_of(arguments, {"probes", "joints", "energies", "events", "fragments", "spectrum"});
@@ -119,7 +131,10 @@ std::string text_of_scene(const ExportArguments& arguments) {
   if (arguments.beam.to == "json") return report::scene_json(record);
   std::ostringstream out;
   if (what == "probes") report::write_probes_csv(out, record);
-  if (what == "joints") report::write_joints_csv(out, record, time);
+  if (what == "joints") {
+    report::write_joints_csv(out, record, time);
+    tell_frame(record, time);
+  }
   if (what == "energies") report::write_energies_csv(out, record);
   if (what == "events") report::write_events_csv(out, record);
   if (what == "fragments") report::write_fragments_csv(out, record);

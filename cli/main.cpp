@@ -74,16 +74,20 @@ std::vector<std::string> names_of_commands(const CLI::App& app) {
   return names;
 }
 
-/// What is wrong with the command line, in a line.
-std::string rule_of(const CLI::App& app, const CLI::ParseError& error, std::string_view first) {
+/// What is wrong with a first word that should be a command; empty: nothing.
+std::string wrong_command(const CLI::App& app, std::string_view first) {
+  if (first.empty() || first.front() == '-') return {};
   const std::vector<std::string> names = names_of_commands(app);
-  const bool named = std::find(names.begin(), names.end(), first) != names.end();
-  if (!named && !first.empty() && first.front() != '-') {
-    const auto nearest = plastica::io::nearest_word(first, names);
-    return fmt::format("{}: is not a command; {}", first,
-                       nearest ? "did you mean " + *nearest + "?"
-                               : fmt::format("there are {}", fmt::join(names, ", ")));
-  }
+  if (std::find(names.begin(), names.end(), first) != names.end()) return {};
+  const auto nearest = plastica::io::nearest_word(first, names);
+  return fmt::format("{}: is not a command; {}", first,
+                     nearest ? "did you mean " + *nearest + "?"
+                             : fmt::format("there are {}", fmt::join(names, ", ")));
+}
+
+/// What is wrong with the command line, in a line. @param first  a command, an option, or nothing
+std::string rule_of(const CLI::ParseError& error, std::string_view first) {
+  const bool named = !first.empty() && first.front() != '-';
   return fmt::format("{} (see plastica {}--help)", error.what(),
                      named ? std::string(first) + " " : "");
 }
@@ -110,13 +114,18 @@ int run(int argc, char** argv) {
   for (int i = 0; i < argc; ++i) command_line += (i == 0 ? "" : " ") + std::string(argv[i]);
   Action action;
   add_commands(app, command_line, action);
+  std::vector<std::string> words = plastica::cli::with_new_names({argv + 1, argv + argc});
+  const std::string first = words.empty() ? std::string() : words.front();
+  // Before help for it is asked for.
+  if (const std::string wrong = wrong_command(app, first); !wrong.empty()) {
+    return complain(wrong, plastica::cli::kBadInput);
+  }
   try {
-    std::vector<std::string> words = plastica::cli::with_new_names({argv + 1, argv + argc});
     std::reverse(words.begin(), words.end());  // as the parser takes them
     app.parse(words);
   } catch (const CLI::ParseError& error) {
     if (error.get_exit_code() == 0) return finish_output(app.exit(error));  // --help, --version
-    return complain(rule_of(app, error, argc > 1 ? argv[1] : ""), plastica::cli::kBadInput);
+    return complain(rule_of(error, first), plastica::cli::kBadInput);
   }
   return finish_output(action());
 }

@@ -81,8 +81,12 @@ sweeps::Wish wish_of(const RecommendArguments& arguments, sweeps::CostKind cost)
   return wish;
 }
 
-void write_scene(const std::string& path, const std::string& text, bool force) {
-  io::write_text_file(path, text, io::overwrite_if(force));
+/// Writes the scene of a case. Tables that it names are looked for beside the result.
+void write_scene(const RecommendArguments& arguments, const sweeps::SweepRecord& record,
+                 std::size_t index, const std::string& path) {
+  const std::string folder = std::filesystem::path(arguments.file).parent_path().string();
+  const std::string text = sweeps::scene_with_setting(record, index, folder, path);
+  io::write_text_file(path, text, io::overwrite_if(arguments.force));
   tell("wrote {}\n", path);
 }
 
@@ -111,11 +115,10 @@ int recommend(const RecommendArguments& arguments) {
                                             ? sweeps::recommend_for_error(points, *wish.within)
                                             : sweeps::recommend_for_budget(points, *wish.budget);
   if (choice.chosen && !arguments.output.empty()) {
-    write_scene(arguments.output, sweeps::scene_with_setting(record, *choice.chosen),
-                arguments.force);
+    write_scene(arguments, record, *choice.chosen, arguments.output);
   }
   if (choice.next && !arguments.next.empty()) {
-    write_scene(arguments.next, sweeps::scene_with_setting(record, *choice.next), arguments.force);
+    write_scene(arguments, record, *choice.next, arguments.next);
   }
   fmt::print("{}", sweeps::recommendation_text(record, cost, wish, choice));
   if (!choice.chosen) return kNotAcceptable;

@@ -82,8 +82,8 @@ void refuse(const std::optional<TomlValue>& value, std::string_view rule) {
 Prior read_prior(const TomlValue& value, const Field& field, ParameterScope scope) {
   if (scope != ParameterScope::Scene) {
     throw value.error(
-        "goes with targets that name a scene; an objective over the strain path has "
-        "no noise to weigh it by");
+        "goes with targets that name a scene: a fit of curves alone weighs Young's modulus by "
+        "the slope, and nothing by a prior");
   }
   const TomlTable table = value.table();
   const TomlValue deviation = table.at("standard_deviation");

@@ -27,6 +27,9 @@
 namespace plastica::calibrate {
 namespace {
 
+/// Residuals and a stated noise contradict each other where one is so many times the other.
+constexpr double kContradicts = 2.0;
+
 class SceneFit {
  public:
   SceneFit(std::span<const WeightedTarget> targets, const SceneFitOptions& options)
@@ -150,13 +153,20 @@ class SceneFit {
     return result_.segments ? result_.segments->parameters[i] : kUnknown;
   }
 
+  /// What the residuals are over a target's stated noise; 1 where none is stated, or they are too
+  /// few to tell.
+  double over_stated_noise(std::size_t t) const {
+    const auto& given = targets_[t].target.noise;
+    if (!given || problem_.noise()[t].is_from_elsewhere()) return 1.0;
+    return search_.noise_left(t) / *given;
+  }
+
   /// A stated noise that the residuals contradict.
   void warn_of_noise(std::size_t t) {
-    constexpr double kFactor = 2.0;
+    const double over = over_stated_noise(t);
+    if (over < kContradicts && over > 1.0 / kContradicts) return;
     const auto& given = targets_[t].target.noise;
-    if (!given || problem_.noise()[t].is_from_elsewhere()) return;
     const double left = search_.noise_left(t);
-    if (left < kFactor * *given && left > *given / kFactor) return;
     result_.warnings.push_back(
         fmt::format("{}: a noise of {:.3g} is stated, but the residuals are of {:.3g} (SI)",
                     targets_[t].target.name, *given, left));
@@ -237,6 +247,7 @@ class SceneFit {
     }
     of_target.runs_test_p = runs_test_p(residual);
     in_runs_ = in_runs_ || are_in_runs(of_target.runs_test_p, autocorrelation(residual));
+    is_doubted_ = is_doubted_ || over_stated_noise(index) >= kContradicts;
     of_target.break_strain = kNan;
     result_.targets.push_back(std::move(of_target));
   }
@@ -289,7 +300,7 @@ class SceneFit {
       // Where the residuals are independent both estimate the same, and either may be larger.
       const double more = error(errors.correlated_covariance());
       fitted.misfit_error = std::isnan(more) ? kNan : 0.0;
-      if (in_runs_ && more > fitted.noise_error) {
+      if ((in_runs_ || is_doubted_) && more > fitted.noise_error) {
         fitted.misfit_error = std::sqrt(more * more - fitted.noise_error * fitted.noise_error);
       }
       double squares = 0.0;
@@ -323,8 +334,9 @@ class SceneFit {
   const SceneFitOptions& options_;
   SceneProblem problem_;
   SceneSearch search_;
-  SceneWork work_;                              ///< after the search
-  bool in_runs_ = false;                        ///< whether a target's residuals are no noise
+  SceneWork work_;           ///< after the search
+  bool in_runs_ = false;     ///< whether a target's residuals are no noise
+  bool is_doubted_ = false;  ///< whether a target's residuals are far above its stated noise
   std::vector<std::vector<double>> halves_;     ///< of the sampling intervals of parameters [SI]
   std::vector<double> prior_fractions_;         ///< in what is known of the parameters (n_free)
   std::vector<std::vector<double>> fractions_;  ///< of the targets in a break limit, by parameter

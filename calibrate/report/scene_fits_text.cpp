@@ -39,7 +39,7 @@ constexpr std::array<SceneFitFlag, 9> kSceneFitFlags = {{{'u', "no usable fit"},
                                                          {'k', "a parameter weak"},
                                                          {'s', "a break limited by sampling"},
                                                          {'g', "a parameter limited by segments"},
-                                                         {'p', "a parameter from its prior"},
+                                                         {'a', "a parameter from its prior"},
                                                          {'c', "a correlation above 0.95"},
                                                          {'w', "warnings"}}};
 
@@ -55,7 +55,7 @@ std::string flags_of(const SceneFitResult& result) {
   if (any(Verdict::Weak)) flags += 'k';
   if (any(Verdict::LimitedBySampling)) flags += 's';
   if (any(Verdict::LimitedBySegments)) flags += 'g';
-  if (any(Verdict::FromPrior)) flags += 'p';
+  if (any(Verdict::FromPrior)) flags += 'a';
   if (!strong_correlations(result).empty()) flags += 'c';
   if (!result.warnings.empty()) flags += 'w';
   return flags;

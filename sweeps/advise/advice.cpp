@@ -29,11 +29,12 @@ struct Found {
   Candidate candidate{};
   std::optional<Trial> finest{};
   AdviceEnd end = AdviceEnd::Found;
+  std::optional<AdviceEnd> cut_short{};  ///< what ended the search for a better one
 };
 
 Found found_by(const Adviser& adviser) {
-  if (adviser.best()) return {*adviser.best(), adviser.finest(), AdviceEnd::Found};
-  return {adviser.last(), adviser.finest(), adviser.end()};
+  if (adviser.best()) return {*adviser.best(), adviser.finest(), AdviceEnd::Found, {}};
+  return {adviser.last(), adviser.finest(), adviser.end(), {}};
 }
 
 /// The error that costs so many times as much as a candidate, by its orders.
@@ -67,7 +68,10 @@ Found found_for_budget(AdviceRuns& runs, double budget) {
     Found next = found_by(adviser);
     const bool used_up = next.end == AdviceEnd::TooManyRuns || next.end == AdviceEnd::TooMuchWork;
     if (next.end == AdviceEnd::Interrupted) return next;
-    if (used_up) break;
+    if (used_up) {
+      fits.cut_short = next.end;
+      break;
+    }
     const bool better = next.end == AdviceEnd::Found && next.candidate.promised < promised &&
                         runs.expected_seconds(next.candidate.trial) <= budget;
     if (better) {
@@ -100,6 +104,7 @@ Advice advise(const Setup& setup, const AdviceOptions& options) {
   const double within = options.budget > 0.0 ? found.candidate.promised : options.within;
   Advice advice = filled_advice(runs, found.candidate, found.finest, within);
   advice.end = found.end;
+  advice.cut_short = found.cut_short;
   return advice;
 }
 

@@ -73,6 +73,8 @@ enum class AdviceEnd {
 
 struct Advice {
   AdviceEnd end = AdviceEnd::TooManyRuns;
+  /// For a budget: what ended the search before it was used; a more accurate setting may fit.
+  std::optional<AdviceEnd> cut_short;
   std::vector<FinenessAxis> axes;     ///< that act with the advised words
   Setting setting;                    ///< advised; else the last one (n_axes)
   std::vector<double> fractions;      ///< of graded segments, as of `TriedSetting`; empty: even

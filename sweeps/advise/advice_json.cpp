@@ -124,6 +124,8 @@ std::string advice_json(const Advice& advice, const AdviceOptions& options,
   const OrderedJson all = {
       {"scene", name},
       {"end", word_of(advice.end)},
+      {"cut_short",
+       advice.cut_short ? OrderedJson(word_of(*advice.cut_short)) : OrderedJson(nullptr)},
       {"within", options.budget > 0.0 ? OrderedJson(nullptr) : OrderedJson(options.within)},
       {"budget", options.budget > 0.0 ? OrderedJson(options.budget) : OrderedJson(nullptr)},
       {"promised", found ? finite_or_null(advice.promised) : OrderedJson(nullptr)},

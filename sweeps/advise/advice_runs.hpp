@@ -55,7 +55,7 @@ class AdviceRuns {
   /// file has them (fibres 40; 16 to 40 where more than 1 % is allowed), so that what is one run is
   /// one trial.
   Trial taken(Trial trial) const;
-  /// The trial with segments that end at the probes of joints: by a quarter more, where so many
+  /// The trial with segments that end at the probes of places: by a quarter more, where so many
   /// even ones do, else even between these places.
   Trial with_ends_at_probes(Trial trial) const;
   /// That of the scene's file.

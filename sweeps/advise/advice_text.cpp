@@ -157,6 +157,10 @@ std::string advice_text(const Advice& advice, const AdviceOptions& options,
     text += fmt::format("  cost {} (median of such runs' time for that work)\n",
                         cost_text(advice.work, advice.expected_seconds));
   }
+  if (advice.cut_short) {
+    text += fmt::format("  a more accurate one may fit: the search for it was ended by {}\n",
+                        *advice.cut_short == AdviceEnd::TooManyRuns ? "--max-runs" : "--max-work");
+  }
   if (advice.next_cheaper) {
     text +=
         fmt::format("next cheaper, not within: {}\n  {}, {}\n",

@@ -11,6 +11,7 @@
 #include <variant>
 
 #include "plastica/run/path_stops.hpp"
+#include "sweeps/plan/numbered_places.hpp"
 
 namespace plastica::sweeps {
 namespace {
@@ -63,27 +64,9 @@ void refuse_numbered(const Scene& scene, const SolverOptions& solver) {
     throw InputError({}, "beam.joint_lengths", "",
                      "fixes the segments, whose number is to be chosen");
   }
-  const auto refuse = [](const std::optional<Place>& place, std::string_view what) {
-    if (!place || !place->segment) return;
-    throw InputError({}, what, "",
+  if (const auto place = numbered_place(scene, solver)) {
+    throw InputError({}, *place, "",
                      "is the end of a segment, which moves with their number: give a fraction");
-  };
-  refuse(solver.control_at, "solver.control_at");
-  for (const Support& one : scene.supports) {
-    refuse(one.at, "support.at");
-    refuse(one.to, "support.to");
-  }
-  for (const Load& one : scene.loads) {
-    refuse(one.at, "load.at");
-    refuse(one.to, "load.to");
-  }
-  for (const PointMass& one : scene.masses) refuse(one.at, "mass.at");
-  for (const Probe& one : scene.probes) refuse(one.at, "probe.at");
-  for (const Cut& one : scene.cuts) refuse(one.at, "cut.at");
-  for (const InitialMotion& one : scene.initial_motions) {
-    refuse(one.from, "initial_motion.from");
-    refuse(one.to, "initial_motion.to");
-    refuse(one.about, "initial_motion.about");
   }
 }
 

@@ -94,6 +94,20 @@ std::vector<double> wanted_ends(const Scene& scene, const std::vector<double>& e
   return each_once(std::move(wanted));
 }
 
+/// Whether a probe is of a place along the beam, where its error depends on how far that is from
+/// the segments' ends: of a joint it is that of the nearest one; within a segment, which is
+/// straight, a point is off by c(t) h^2 with another c at each fraction t, and half as long
+/// segments have another t.
+bool is_of_place(ProbeQuantity quantity) {
+  switch (quantity) {
+    case ProbeQuantity::Displacement:
+    case ProbeQuantity::Rotation:
+    case ProbeQuantity::Velocity:
+    case ProbeQuantity::Spin: return true;
+    default: return is_of_joint(quantity);
+  }
+}
+
 /// How many segments each stretch between wanted ends gets: at least one, else by its part.
 std::vector<int> dealt(const std::vector<double>& density_at, int segments) {
   const std::size_t stretches = density_at.size() - 1;
@@ -146,7 +160,7 @@ std::vector<double> fractions_that_end_at_probes(const Scene& scene) {
   if (ends_at_probes(scene)) return {};
   std::vector<double> wanted = needed_ends(scene);
   for (const Probe& probe : scene.probes) {
-    if (is_of_joint(probe.quantity)) wanted.push_back(fraction_of(probe.at, ends));
+    if (is_of_place(probe.quantity)) wanted.push_back(fraction_of(probe.at, ends));
   }
   wanted = each_once(std::move(wanted));
   if (scene.beam.segments + 1 < static_cast<int>(wanted.size())) return {};
@@ -162,7 +176,7 @@ std::vector<double> fractions_that_end_at_probes(const Scene& scene) {
 bool ends_at_probes(const Scene& scene) {
   const std::vector<double> ends = segment_ends(scene);
   return std::ranges::all_of(scene.probes, [&](const Probe& probe) {
-    return !is_of_joint(probe.quantity) || segment_end_at(probe.at, ends);
+    return !is_of_place(probe.quantity) || segment_end_at(probe.at, ends);
   });
 }
 
@@ -176,7 +190,7 @@ Scene with_divided_segments(const Scene& scene, int parts) {
   }
   ends.push_back(1.0);
   for (const Probe& probe : scene.probes) {
-    if (is_of_joint(probe.quantity)) ends.push_back(fraction_of(probe.at, own));
+    if (is_of_place(probe.quantity)) ends.push_back(fraction_of(probe.at, own));
   }
   ends = each_once(std::move(ends));
   Scene made = scene;

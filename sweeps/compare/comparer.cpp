@@ -41,7 +41,9 @@ void Comparer::with_number(std::size_t i, double reference) {
   out_.reference[i] = reference;
   const double scale = sweep_.error_scale.value_or(std::abs(reference));
   if (!results_[i].value) return;
-  if (!(scale > 0.0)) {
+  // What a closed form leaves of 0 is rounding.
+  constexpr double kRounding = 1e-12;
+  if (!(scale > kRounding * std::abs(*results_[i].value))) {
     out_.reason[i] = "the reference is 0: give error.scale";
     return;
   }

@@ -53,7 +53,7 @@ Extrapolated extrapolate_one(const ReferenceSets& sets, std::vector<std::size_t>
   }
   Extrapolated out{true, extrapolated_along(sizes, values), {}, {}};
   if (!out.value) {
-    out.reason = "nothing can be extrapolated: it takes three values that converge";
+    out.reason = kNothingExtrapolated;
   } else if (sizes.size() >= kLeastSizes) {
     // The index is of the finest value: 1.25 times what it is off the extrapolated one.
     const auto grid = theory::grid_convergence(sizes, values);
@@ -70,7 +70,10 @@ std::optional<double> extrapolated_along(const std::vector<double>& sizes,
                                          const std::vector<double>& values) {
   if (sizes.size() < kLeastSizes) return std::nullopt;
   const auto grid = theory::grid_convergence(sizes, values);
-  return grid.kind == theory::ConvergenceKind::Unchanged ? values.back() : grid.extrapolated;
+  if (grid.kind == theory::ConvergenceKind::Unchanged) return values.back();
+  // Of values that go to and fro an order says little: of equal swings it is 0, and its limit far.
+  if (grid.kind != theory::ConvergenceKind::Monotone) return std::nullopt;
+  return grid.extrapolated;
 }
 
 Extrapolated extrapolate(const Sweep& sweep, const ReferenceSets& sets, const ReferenceSet& set,

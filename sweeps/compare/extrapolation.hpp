@@ -3,12 +3,17 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "sweeps/compare/reference_sets.hpp"
 
 /// Limits of values that several axes refine; not installed.
 namespace plastica::sweeps {
+
+/// Why there is no limit of values along one axis.
+inline constexpr std::string_view kNothingExtrapolated =
+    "nothing can be extrapolated: it takes three values that converge from one side";
 
 /// A limit, and how sure it is.
 struct Limit {

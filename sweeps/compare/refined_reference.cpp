@@ -15,9 +15,6 @@
 namespace plastica::sweeps {
 namespace {
 
-constexpr std::string_view kNothingExtrapolated =
-    "nothing can be extrapolated: it takes three values that converge";
-
 class RefinedComparison {
  public:
   RefinedComparison(const RefinedSweep& of, Comparer& comparer)

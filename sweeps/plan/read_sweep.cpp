@@ -6,6 +6,7 @@
 #include "plastica/io/toml.hpp"
 #include "sweeps/plan/derived_fields.hpp"
 #include "sweeps/plan/kind_axes.hpp"
+#include "sweeps/plan/numbered_places.hpp"
 #include "sweeps/plan/read_axes.hpp"
 #include "sweeps/plan/sweep.hpp"
 
@@ -70,6 +71,18 @@ void read_fit(const TomlTable& root, Sweep& sweep) {
   sweep.inputs.push_back(input_of(sweep.fit->file, sweep.fit->text));
 }
 
+/// A place that moves with the number of segments would make each case another problem.
+void check_places(const Sweep& sweep) {
+  const auto place = numbered_place(sweep.setup.scene, sweep.setup.solver);
+  if (!place) return;
+  for (const Axis& axis : sweep.axes) {
+    if (axis.values.size() < 2 || !axis.field->path.starts_with("beam.segment")) continue;
+    throw InputError(axis.where, axis.field->path, std::to_string(axis.values.size()) + " values",
+                     "move the scene's " + std::string(*place) +
+                         ", the end of a segment by its number: give it as a fraction");
+  }
+}
+
 Sweep read_document(const TomlDocument& document) {
   const TomlTable& root = document.root();
   Sweep sweep;
@@ -83,6 +96,7 @@ Sweep read_document(const TomlDocument& document) {
   if (const auto set = root.find_table("set")) read_settings(*set, "", sweep);
   read_axes(root, sweep);
   check_kind_axes(sweep);
+  check_places(sweep);
   read_error(root, sweep);
   read_fit(root, sweep);
   if (const auto cost = root.find_table("cost")) {

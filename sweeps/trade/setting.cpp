@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <filesystem>
 #include <limits>
 #include <map>
 #include <optional>
@@ -41,8 +42,9 @@ std::optional<Target> target_of(const Axis& axis, const FieldValue& value, const
 }
 
 /// The setup of a case, from the file of its scene.
-Setup setup_of(const SweepRecord& record, const std::string& text, std::size_t index) {
-  Setup setup = io::parse_scene_file(text, "scene").setup;
+Setup setup_of(const SweepRecord& record, const std::string& text, const std::string& file,
+               std::size_t index) {
+  Setup setup = io::parse_scene_file(text, file).setup;
   std::vector<const Field*> fields;
   std::vector<FieldValue> values;
   for (std::size_t a = 0; a < record.axes.size(); ++a) {
@@ -126,9 +128,11 @@ std::string setting_text(const SweepRecord& record, std::size_t index) {
   return text;
 }
 
-std::string scene_with_setting(const SweepRecord& record, std::size_t index) {
+std::string scene_with_setting(const SweepRecord& record, std::size_t index,
+                               const std::string& folder, const std::string& output) {
   const std::string& before = record.inputs.at(1).text;
-  const Setup wanted = setup_of(record, before, index);
+  const std::string file = (std::filesystem::path(folder) / "scene").string();
+  const Setup wanted = setup_of(record, before, file, index);
   std::vector<std::pair<const Field*, FieldValue>> values;
   for (std::size_t a = 0; a < record.axes.size(); ++a) {
     const FieldValue& value = record.at(index, a);
@@ -136,7 +140,7 @@ std::string scene_with_setting(const SweepRecord& record, std::size_t index) {
     if (!target) refuse_to_write(*record.axes[a].field, value);
     values.emplace_back(target->field, target->value);
   }
-  return scene_with_values(before, values, wanted);
+  return scene_with_values(before, values, wanted, file, output);
 }
 
 }  // namespace plastica::sweeps

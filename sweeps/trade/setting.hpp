@@ -37,7 +37,10 @@ std::string setting_text(const SweepRecord& record, std::size_t index);
 
 /// The scene's file with a case's values filled in and all else as it was written; what [set] fixes
 /// included.
+/// @param folder  where the tables are that the scene names
+/// @param output  the new file
 /// @throws InputError if a value cannot be written there, such as a factor on all loads
-std::string scene_with_setting(const SweepRecord& record, std::size_t index);
+std::string scene_with_setting(const SweepRecord& record, std::size_t index,
+                               const std::string& folder = "", const std::string& output = "scene");
 
 }  // namespace plastica::sweeps

@@ -25,6 +25,8 @@ INSTANTIATE_TEST_SUITE_P(
         line("NoCommand", {}, "A subcommand is required (see plastica --help)"),
         line("UnknownCommand", {"calibrat", "fit.toml"},
              "calibrat: is not a command; did you mean calibrate?"),
+        line("HelpOfUnknownCommand", {"calibrat", "--help"},
+             "calibrat: is not a command; did you mean calibrate?"),
         line("UnlikelyCommand", {"xyzzy"},
              "xyzzy: is not a command; there are calibrate, inspect, init, simulate, sweep, check, "
              "advise, recommend, stability, diff, show, plot, export, fields"),

@@ -63,6 +63,11 @@ INSTANTIATE_TEST_SUITE_P(
         sweep("BadScene", "scene.toml", "bad.toml",
               "bad.toml:3: beam.segments = 0: must be from 1 to 1e+07",
               {{"bad.toml", changed(kScene, "segments = 8", "segments = 0")}}),
+        sweep("PlaceByItsSegment", "scene.toml", "numbered.toml",
+              "sweep.toml:2: beam.segments = 3 values: move the scene's load.at, the end of a "
+              "segment by its number: give it as a fraction",
+              {{"numbered.toml",
+                changed(kScene, "[[load]]\nat = 'end'", "[[load]]\nat = { segment = 8 }")}}),
         sweep("UnknownField", "beam.segments", "beam.segment",
               "sweep.toml:3: axis[1].field = beam.segment: is not a field; `plastica fields` lists "
               "them"),

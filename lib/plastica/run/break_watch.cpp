@@ -18,11 +18,6 @@ constexpr std::array<BreakCause, 4> kCauses{BreakCause::BendingX, BreakCause::Be
 /// How large a strain is against its limit.
 double use_of(double strain, double limit) { return std::isinf(limit) ? 0.0 : strain / limit; }
 
-/// The joint's length over that of a component.
-double scale_of(const chain::JointModel& joint, std::size_t k) {
-  return joint.own_length() / joint.length[k];
-}
-
 JointAngles times(double factor, JointAngles angles) {
   for (double& angle : angles) angle *= factor;
   return angles;
@@ -49,7 +44,6 @@ BreakWatch::BreakWatch(const Scene& scene, std::vector<chain::JointModel> joints
   for (const chain::JointModel& joint : joints_) {
     hinge_.push_back(chain::hinge_length(scene, joint));
     same_hinges_ = same_hinges_ && hinge_.back() == hinge_.front();
-    for (std::size_t k = 0; k < 3; ++k) scales_ = scales_ || scale_of(joint, k) != 1.0;
   }
   covered_.resize(joints_.size());
   for (const chain::JointModel& joint : joints_) {
@@ -69,11 +63,28 @@ BreakWatch::Window BreakWatch::window_of(std::size_t joint) const {
   return {low, low + length};
 }
 
+JointAngles BreakWatch::spread(const JointAngles& angle, std::size_t joint) const {
+  const double length = hinge_[joint] == 0.0 ? joints_[joint].own_length() : hinge_[joint];
+  JointAngles theta{};
+  for (std::size_t k = 0; k < 3; ++k) theta[k] = angle[k] * (length / joints_[joint].length[k]);
+  return theta;
+}
+
 JointAngles BreakWatch::hinge_angles(const std::vector<JointAngles>& angles, std::size_t joint) {
-  if (hinge_[joint] == 0.0) return angles[joint];
-  if (has_window(joint)) return same_hinges_ ? windowed(angles, joint) : lone_window(angles, joint);
-  if (localization_ == Localization::Concentrated) return concentrated(angles, joint);
-  return times(hinge_[joint] / joints_[joint].own_length(), angles[joint]);
+  JointAngles theta = spread(angles[joint], joint);
+  if (hinge_[joint] == 0.0 || localization_ == Localization::Distributed) return theta;
+  JointAngles window{};
+  if (has_window(joint)) {
+    window = same_hinges_ ? windowed(angles, joint) : lone_window(angles, joint);
+  }
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (has_window(joint, k)) {
+      theta[k] = window[k];
+    } else if (localization_ == Localization::Concentrated) {
+      theta[k] = concentrated(angles, joint, k);
+    }
+  }
+  return theta;
 }
 
 JointAngles BreakWatch::lone_window(const std::vector<JointAngles>& angles,
@@ -110,23 +121,19 @@ JointAngles BreakWatch::windowed(const std::vector<JointAngles>& angles, std::si
   return sum;
 }
 
-JointAngles BreakWatch::concentrated(const std::vector<JointAngles>& angles,
-                                     std::size_t joint) const {
-  const double length = joints_[joint].own_length();
-  JointAngles theta{};
-  for (std::size_t k = 0; k < 3; ++k) {
-    const double own = angles[joint][k];
-    double shared = 0.0;
-    const auto look_at = [&](std::size_t neighbour) {
-      const double rotation = angles[neighbour][k] * length / joints_[neighbour].own_length();
-      if (rotation * own > 0.0) shared = std::max(shared, std::fabs(rotation));
-    };
-    if (joint > 0) look_at(joint - 1);
-    if (joint + 1 < joints_.size()) look_at(joint + 1);
-    shared = std::copysign(std::min(shared, std::fabs(own)), own);
-    theta[k] = shared * hinge_[joint] / length + (own - shared);
-  }
-  return theta;
+double BreakWatch::concentrated(const std::vector<JointAngles>& angles, std::size_t joint,
+                                std::size_t k) const {
+  const double length = joints_[joint].length[k];
+  const double own = angles[joint][k];
+  double shared = 0.0;
+  const auto look_at = [&](std::size_t neighbour) {
+    const double rotation = angles[neighbour][k] * length / joints_[neighbour].length[k];
+    if (rotation * own > 0.0) shared = std::max(shared, std::fabs(rotation));
+  };
+  if (joint > 0) look_at(joint - 1);
+  if (joint + 1 < joints_.size()) look_at(joint + 1);
+  shared = std::copysign(std::min(shared, std::fabs(own)), own);
+  return shared * hinge_[joint] / length + (own - shared);
 }
 
 BreakWatch::Strains BreakWatch::strains_of(const JointAngles& theta, std::size_t joint) const {
@@ -154,23 +161,15 @@ BreakWatch::Strains BreakWatch::strains_of(const JointAngles& theta, std::size_t
   return strain;
 }
 
-const std::vector<JointAngles>& BreakWatch::begin(const std::vector<JointAngles>& angles) {
-  if (scales_) {
-    scaled_ = angles;
-    for (std::size_t j = 0; j < joints_.size(); ++j) {
-      for (std::size_t k = 0; k < 3; ++k) scaled_[j][k] *= scale_of(joints_[j], k);
-    }
-  }
-  const std::vector<JointAngles>& all = scales_ ? scaled_ : angles;
-  covered_.begin(all);
+void BreakWatch::begin(const std::vector<JointAngles>& angles) {
+  covered_.begin(angles);
   window_first_ = window_end_ = 0;
-  return all;
 }
 
 template <class Use>
 void BreakWatch::for_each_joint(const std::vector<JointAngles>& angles, const Use& use) {
-  const std::vector<JointAngles>& all = begin(angles);
-  for (std::size_t j = 0; j < joints_.size(); ++j) use(j, strains_of(hinge_angles(all, j), j));
+  begin(angles);
+  for (std::size_t j = 0; j < joints_.size(); ++j) use(j, strains_of(hinge_angles(angles, j), j));
 }
 
 double BreakWatch::excess(const std::vector<JointAngles>& angles) {
@@ -201,9 +200,9 @@ void BreakWatch::set_strains(const std::vector<JointAngles>& angles, std::vector
 
 std::array<double, 4> BreakWatch::strains_at(const std::vector<JointAngles>& angles,
                                              std::size_t joint) {
-  const std::vector<JointAngles>& all = begin(angles);
+  begin(angles);
   JointAngles theta{};
-  for (std::size_t j = 0; j <= joint; ++j) theta = hinge_angles(all, j);
+  for (std::size_t j = 0; j <= joint; ++j) theta = hinge_angles(angles, j);
   Strains strain = strains_of(theta, joint);
   if (report_) strain[kBoth] = std::max(strain[0], strain[1]);
   for (std::size_t k = 0; k < theta.size(); ++k) strain[k] = std::copysign(strain[k], theta[k]);
@@ -211,12 +210,15 @@ std::array<double, 4> BreakWatch::strains_at(const std::vector<JointAngles>& ang
 }
 
 double BreakWatch::lone_strain(const JointAngles& angle, std::size_t joint) const {
-  JointAngles theta = angle;
-  for (std::size_t k = 0; k < 3; ++k) theta[k] *= scale_of(joints_[joint], k);
-  if (hinge_[joint] != 0.0 && has_window(joint)) {
-    theta = times(window_of(joint).covers(joints_[joint]), theta);
-  } else if (hinge_[joint] != 0.0 && localization_ != Localization::Concentrated) {
-    theta = times(hinge_[joint] / joints_[joint].own_length(), theta);
+  JointAngles theta = spread(angle, joint);
+  if (hinge_[joint] != 0.0 && localization_ != Localization::Distributed) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      if (has_window(joint, k)) {
+        theta[k] = window_of(joint).covers(joints_[joint]) * angle[k];
+      } else if (localization_ == Localization::Concentrated) {
+        theta[k] = angle[k];
+      }
+    }
   }
   return nearest_limit(strains_of(theta, joint), joint);
 }

@@ -82,19 +82,25 @@ class BreakWatch {
   /// Strains of bending about x, about y, torsion and of bending about both.
   using Strains = std::array<double, 4>;
 
-  /// The angles that the joints' own lengths would take, with all ready to go through them in
-  /// their order.
-  const std::vector<JointAngles>& begin(const std::vector<JointAngles>& angles);
+  /// Makes all ready to go through the joints in their order.
+  void begin(const std::vector<JointAngles>& angles);
   /// Calls `use` with each joint and its strains, in their order.
   template <class Use>
   void for_each_joint(const std::vector<JointAngles>& angles, const Use& use);
   Strains strains_of(const JointAngles& theta, std::size_t joint) const;
   double nearest_limit(const Strains& strain, std::size_t joint) const;
-  /// Whether Theta is a sum over a window.
-  bool has_window(std::size_t joint) const {
+  /// Whether Theta about an axis is a sum over a window: between unlike sections a joint has a
+  /// length about each.
+  bool has_window(std::size_t joint, std::size_t axis) const {
     return localization_ != Localization::Distributed &&
-           joints_[joint].own_length() < hinge_[joint];
+           joints_[joint].length[axis] < hinge_[joint];
   }
+  /// The same about any axis.
+  bool has_window(std::size_t joint) const {
+    return has_window(joint, 0) || has_window(joint, 1) || has_window(joint, 2);
+  }
+  /// theta_p L_p/l; without L_p what strains the joint's own length as much.
+  JointAngles spread(const JointAngles& angle, std::size_t joint) const;
   /// A part of the beam [m].
   struct Window {
     double low = 0.0, high = 0.0;
@@ -107,15 +113,14 @@ class BreakWatch {
   JointAngles windowed(const std::vector<JointAngles>& angles, std::size_t joint);
   /// The sum over a window by itself, where the next one may begin before it.
   JointAngles lone_window(const std::vector<JointAngles>& angles, std::size_t joint) const;
-  JointAngles concentrated(const std::vector<JointAngles>& angles, std::size_t joint) const;
+  double concentrated(const std::vector<JointAngles>& angles, std::size_t joint,
+                      std::size_t axis) const;
 
   std::vector<chain::JointModel> joints_;
   SlidingSum covered_;                             ///< of joints that windows cover whole
   std::size_t window_first_ = 0, window_end_ = 0;  ///< joints that the window touches
   std::vector<double> hinge_;                      ///< L_p (joints)
   bool same_hinges_ = true;
-  bool scales_ = false;  ///< whether any component has a length of its own
-  std::vector<JointAngles> scaled_;
   Localization localization_ = Localization::Concentrated;
   bool report_ = false;
   bool accumulated_ = false;

@@ -117,6 +117,29 @@ TEST(SceneFit, HasTheErrorsOfALinearFitWhereForcesAreProportional) {
               1e-3 * estimated.parameters[0].scatter_error());
 }
 
+// A noise that is stated a hundred times too small does not make the errors so.
+TEST(SceneFit, DoubtsANoiseThatTheResidualsContradict) {
+  const plastica::Setup setup = bend_test(10);
+  SceneTarget target = measured(setup, {}, 1e-4, 5e-3);
+  target.broke.reset();
+  std::mt19937 random(7);
+  std::normal_distribution<double> noise(0.0, 3.0);
+  for (double& force : target.ordinate) force += noise(random);
+  SceneFitOptions options;
+  options.starts = 1;
+  options.parameters = {free_parameter("youngs_modulus", 50e9, 500e9)};
+  const SceneFitResult estimated = fit_scene(setup, target, options);
+  target.noise = 0.03;
+  const SceneFitResult stated = fit_scene(setup, target, options);
+  EXPECT_NEAR(stated.parameters[0].noise_error, 0.01 * estimated.parameters[0].noise_error,
+              2e-3 * estimated.parameters[0].noise_error);
+  EXPECT_GT(stated.parameters[0].scatter_error(), 0.6 * estimated.parameters[0].scatter_error());
+  EXPECT_LT(stated.parameters[0].scatter_error(), 1.6 * estimated.parameters[0].scatter_error());
+  ASSERT_FALSE(stated.warnings.empty());
+  EXPECT_TRUE(has(stated.warnings[0], "a noise of 0.03 is stated, but the residuals are of"))
+      << stated.warnings[0];
+}
+
 TEST(SceneFit, SaysThatAForceWasNotSetToZero) {
   const plastica::Setup setup = bend_test(10);
   SceneFitOptions options;

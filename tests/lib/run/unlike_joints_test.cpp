@@ -203,6 +203,42 @@ TEST(UnlikeJoints, BreakAsMirrorImages) {
   EXPECT_NEAR(std::fabs(a.joints.front().angle[0]), 0.03 * 2.0, tolerance(0.03 * 2.0 * 0.01));
 }
 
+// A lone hinge takes the hinge length, whatever the joint's length about an axis is: about both
+// axes, and in space as in the plane.
+TEST(UnlikeJoints, BreakAtTheAngleOfALoneHingeAboutEitherAxis) {
+  for (const std::size_t across : {0U, 1U}) {
+    for (const auto level : {Level::Planar, Level::Spatial}) {
+      SCOPED_TRACE(::testing::Message()
+                   << "across " << across << ", level " << static_cast<int>(level));
+      Scene scene = chain_scene(4);
+      scene.yield_model = YieldModel::PerAxis;
+      scene.material.break_strain = 0.02;
+      scene.section.width = 0.03;
+      scene.section.height = 0.02;
+      Section thin = scene.section;
+      thin.height = 0.01;
+      Material soft = scene.material;
+      soft.youngs_modulus *= 0.3;
+      soft.yield_stress *= 0.4;
+      scene.regions.push_back({{0.5, {}}, Place::end(), thin, soft});
+      scene.supports.push_back({.at = Place::start(), .kind = SupportKind::Clamp});
+      Support push{.at = Place::end(), .kind = SupportKind::Roller};
+      push.hold = HeldFreedoms{across == 0, across == 1, false, false, false, false};
+      push.translation[across] = 0.8 * scene.beam.length;
+      scene.supports.push_back(push);
+      add_probe(scene, ProbeQuantity::Displacement, Place::end(), Component::X);
+      const Response response = simulate(scene, {.level = level, .steps = 400});
+      ASSERT_EQ(response.chain.events.size(), 1U) << name_of(response.status);
+      const BrokenJoint& broken = response.chain.events.front().joints.front();
+      EXPECT_EQ(broken.joint, 2);
+      // L_p is the thin part's depth.
+      const double lever = across == 0 ? 0.5 * thin.width : 0.5 * thin.height;
+      const double exact = 0.02 * thin.height / lever;
+      EXPECT_NEAR(std::fabs(broken.angle[1 - across]) / exact, 1.0, 2e-4);
+    }
+  }
+}
+
 TEST(UnlikeJoints, StoreTheWorkOfTheLoad) {
   // A linear beam stores half of force times way, whatever its joints are made of; with bending and
   // twist at once finite rotations cost 1e-7 of it at 1 N.

@@ -103,7 +103,7 @@ TEST(Grading, DoesNotRefineWhereTheSectionChanges) {
   EXPECT_LT(most / least, 1.25 * std::cbrt(5.0));
 }
 
-TEST(Grading, EndsEvenSegmentsAtProbesOfJointsWhereNoneDo) {
+TEST(Grading, EndsEvenSegmentsAtProbesOfAPlaceWhereNoneDo) {
   Scene scene = straight(8);
   Probe probe;
   probe.quantity = ProbeQuantity::Moment;
@@ -120,7 +120,11 @@ TEST(Grading, EndsEvenSegmentsAtProbesOfJointsWhereNoneDo) {
   EXPECT_NEAR(lengths[0], 0.37 / 3.0, 1e-12);
   EXPECT_NEAR(lengths[7], 0.63 / 5.0, 1e-12);
   scene.beam.segment_fractions.clear();
-  scene.probes[0].quantity = ProbeQuantity::Displacement;  // of the point itself
+  for (const auto quantity : {ProbeQuantity::Displacement, ProbeQuantity::Spin}) {
+    scene.probes[0].quantity = quantity;
+    EXPECT_FALSE(ends_at_probes(scene));
+  }
+  scene.probes[0].quantity = ProbeQuantity::Energy;  // of the whole beam
   EXPECT_TRUE(ends_at_probes(scene));
 }
 

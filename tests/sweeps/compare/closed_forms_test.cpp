@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -159,6 +160,58 @@ TEST(ClosedForms, HoldElementaryBeams) {
   }
   Scene two = chain_scene(4);
   EXPECT_EQ(refusal("beam", setup_of(two), of_probe()), "is for one load, or gravity alone");
+}
+
+TEST(ClosedForms, AreOfTheEndAtRestAndOfASizeWhereTheLoadIsLargest) {
+  Scene scene = loaded(cantilever_scene(100), {.force = {0.0, -1e-3, 0.0}});
+  add_probe(scene, ProbeQuantity::Displacement, Place::end(), Component::Y);
+  plastica::Setup setup = setup_of(scene);
+  EXPECT_LT(std::abs(error_of("beam", setup, of_probe(Take::Size))), 1e-3);
+  for (const Take take : {Take::Mean, Take::Least, Take::Largest, Take::Frequency}) {
+    EXPECT_EQ(refusal("beam", setup, of_probe(take)),
+              "is for a probe at the end of the run, or its size where the load is largest there");
+  }
+  setup.scene.loads[0].history = History::turning_points({1.0, 0.5});
+  setup.solver.duration = 2.0;
+  EXPECT_NE(refusal("beam", setup, of_probe(Take::Size)), "");
+  EXPECT_LT(std::abs(error_of("beam", setup, of_probe())), 1e-3);
+  setup.solver.analysis = Analysis::Dynamics;
+  for (const char* form : {"beam", "elastica", "lumped_chain", "elastoplastic_cantilever"}) {
+    EXPECT_EQ(refusal(form, setup, of_probe()), "is for a beam at rest");
+  }
+}
+
+// A load at the end of segment 1, which is 0.6 of the beam, is one at 0.6.
+TEST(ClosedForms, FindPlacesAmongUnevenSegments) {
+  std::array<double, 2> expected{};
+  for (const bool by_segment : {false, true}) {
+    const Place at = by_segment ? Place{0.0, 1} : Place{0.6, {}};
+    Scene scene = loaded(cantilever_scene(3), {.at = at, .force = {0.0, -1e-3, 0.0}});
+    scene.beam.segment_fractions = {0.6, 0.2, 0.2};
+    add_probe(scene, ProbeQuantity::Displacement, at, Component::Y);
+    expected[by_segment ? 1 : 0] =
+        find_closed_form("beam").values(setup_of(scene), of_probe(), {}).front();
+  }
+  EXPECT_EQ(expected[0], expected[1]);
+}
+
+// About the other axis, another section; in space the modes of both planes are counted together.
+TEST(ClosedForms, HoldTheFrequenciesOfTheAxisThatIsBent) {
+  Quantity quantity;
+  quantity.kind = QuantityKind::NaturalFrequency;
+  Scene scene = loaded(cantilever_scene(100), {.force = {1.0, 0.0, 0.0}});
+  scene.section.width = 2.0 * scene.section.height;
+  plastica::Setup setup = setup_of(scene);
+  for (int mode = 1; mode <= 2; ++mode) {
+    quantity.mode = mode;
+    const double expected =
+        find_closed_form("cantilever_frequency").values(setup, quantity, {}).front();
+    const auto found = unloaded_frequencies(scene, setup.solver, mode);
+    EXPECT_NEAR(found.back() / expected, 1.0, 1e-3);
+  }
+  setup.solver.level = Level::Spatial;
+  EXPECT_EQ(refusal("cantilever_frequency", setup, quantity),
+            "is for a beam that bends in a plane, solver.level = \"planar\"");
 }
 
 TEST(ClosedForms, HoldATwistedBar) {

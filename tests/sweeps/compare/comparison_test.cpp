@@ -84,10 +84,17 @@ TEST(Compare, ExtrapolatesAfterRichardson) {
   EXPECT_NEAR(comparison.error[0].value_or(0.0), 0.25, 1e-12);
 }
 
+// Equal swings have the order 0, by which the limit would be anywhere.
+TEST(Compare, ExtrapolatesNothingThatGoesToAndFro) {
+  const Made made(segments_axis("[4, 8, 16]") + against("richardson"), {1.196, 0.957, 1.196});
+  const Comparison comparison = made.compared();
+  for (std::size_t i = 0; i < 3; ++i) EXPECT_FALSE(comparison.error[i].has_value());
+}
+
 TEST(Compare, SaysWhereNothingCanBeExtrapolated) {
   const Made made(segments_axis("[4, 8, 16]") + against("richardson"), {1.0, 2.0, 4.0});
   EXPECT_EQ(made.compared().reason[0],
-            "nothing can be extrapolated: it takes three values that converge");
+            "nothing can be extrapolated: it takes three values that converge from one side");
 }
 
 TEST(Compare, TakesAValueAndAScale) {
@@ -112,6 +119,29 @@ TEST(Compare, TakesTheRmsOfCurves) {
   EXPECT_TRUE(made.compared().reference_curve[1].empty());
   made.results[0].time = {0.0, 1.0, 2.5};
   EXPECT_EQ(made.compared().reason[0], "the reference does not reach over the case's times");
+}
+
+// A reference that goes on is taken as far as the case goes.
+TEST(Compare, TakesAStoredCurveUpToTheCasesEnd) {
+  Made made(segments_axis("[4]") + against("finest"), {-2.0});
+  made.sweep.against = {
+      .kind = AgainstKind::File, .time = {0.0, 1.0, 3.0}, .curve = {0.0, -1.0, -5.0}};
+  made.results[0].last_time = 1.5;
+  EXPECT_DOUBLE_EQ(made.compared().reference[0].value_or(0.0), -2.0);
+  made.sweep.quantity.take = Take::Mean;
+  EXPECT_DOUBLE_EQ(made.compared().reference[0].value_or(0.0), -1.25 / 1.5);
+  made.sweep.quantity.take = Take::Size;
+  EXPECT_DOUBLE_EQ(made.compared().reference[0].value_or(0.0), 2.0);
+  made.results[0].last_time = 3.5;
+  EXPECT_EQ(made.compared().reason[0], "the reference does not reach over the case's times");
+  EXPECT_FALSE(made.compared().error[0].has_value());
+}
+
+TEST(Compare, HasNoErrorOfARunThatEndedBeforeItsClosedForm) {
+  Made made(segments_axis("[4]") + kTipError, {-0.7353007});
+  made.results[0].status = Status::Broken;
+  EXPECT_FALSE(made.compared().error[0].has_value());
+  EXPECT_EQ(made.compared().reason[0], "its run ended early, and the closed form is of the end");
 }
 
 TEST(Compare, ComparesWithAClosedForm) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sweeps/plan/numbered_places.hpp"
 #include "tests/support/message.hpp"
 #include "tests/sweeps/sweep_text.hpp"
 
@@ -140,6 +141,17 @@ TEST(ReadSweep, SamplesItsAxesTogetherAndTheSameForASeed) {
     EXPECT_GE(*std::min_element(lengths.begin(), lengths.end()), 1.0);
     EXPECT_LE(*std::max_element(lengths.begin(), lengths.end()), 100.0);
   }
+}
+
+// The end of segment 5 is another place with another number of segments.
+TEST(ReadSweep, RefusesPlacesThatMoveWithTheSegments) {
+  Scene scene = cantilever_sweep(segments_axis("[8]") + kTipError).setup.scene;
+  const SolverOptions solver;
+  EXPECT_FALSE(numbered_place(scene, solver).has_value());
+  scene.loads[0].at = {0.0, 0};  // the start
+  EXPECT_FALSE(numbered_place(scene, solver).has_value());
+  scene.loads[0].at = {0.0, 5};
+  EXPECT_EQ(numbered_place(scene, solver).value_or(""), "load.at");
 }
 
 TEST(ReadSweep, SetsFieldsForAllCases) {
