@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "plastica/base/check.hpp"
+#include "sweeps/advise/for_engine/body_chain.hpp"
 #include "sweeps/advise/for_engine/hinge_chain.hpp"
 
 namespace plastica::sweeps {
@@ -20,7 +21,8 @@ Vec<double, 3> EngineChain::point_velocity(std::size_t segment, const Vec<double
 std::unique_ptr<EngineChain> engine_chain(const AdvisedEngine& engine,
                                           const calibrate::EngineBeam& beam,
                                           const std::array<bool, 3>& turns) {
-  return std::make_unique<HingeChain>(engine, beam, turns);
+  if (engine.rule == EngineRule::Hinges) return std::make_unique<HingeChain>(engine, beam, turns);
+  return std::make_unique<BodyChain>(engine, beam);
 }
 
 const calibrate::EngineJoint& joint_before(const calibrate::EngineBeam& beam, std::size_t segment) {

@@ -26,7 +26,7 @@ struct SegmentPose {
   Vec<double, 3> spin{};                            ///< world axes [rad/s]
 };
 
-/// An exported beam with an engine's rule of a step: `HingeChain`.
+/// An exported beam with an engine's rule of a step: `HingeChain`, `BodyChain`.
 class EngineChain {
  public:
   virtual ~EngineChain() = default;
@@ -61,8 +61,8 @@ class EngineChain {
 };
 
 /// A beam at rest, undeformed, with the rule of an engine, which outlives it.
-/// @param turns  about which of x, y and z of a joint the hinges are that move: of a motion in a
-///               plane the others stand still
+/// @param turns  about which of x, y and z of a joint the hinges are that move, where the rule is
+///               of hinges: of a motion in a plane the others stand still
 /// @throws InputError for a beam with supports off the start, or that nothing holds
 std::unique_ptr<EngineChain> engine_chain(const AdvisedEngine& engine,
                                           const calibrate::EngineBeam& beam,

@@ -61,7 +61,7 @@ EngineRuns::EngineRuns(const AdvisedEngine& engine, const Setup& setup,
       watched_(watched),
       options_(options),
       fewest_(std::max(kFewestSegmentsOfEngine, needed_segments(setup.scene))),
-      turns_(turns_of(setup)),
+      turns_(engine.rule == EngineRule::Hinges ? turns_of(setup) : kAllTurns),
       sample_time_(path_stops(setup.scene, setup.solver).time.back() / setup.solver.steps) {
   not_run_.reason = "it was not run";
 }
