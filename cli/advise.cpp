@@ -184,7 +184,8 @@ void add_advise(CLI::App& app, Action& action) {
                   "Take the most accurate whose run takes no more CPU time: \"2 ms\"")
       ->option_text("TIME");
   sub->add_option("--for", arguments->engine,
-                  "Choose segments, joints and step for this engine: mujoco, bullet")
+                  "Choose segments, joints and step for this engine: mujoco, bullet, or chrono, by "
+                  "its published rule (not verified in Chrono)")
       ->option_text("ENGINE");
   sub->add_option("--of", arguments->options.probes,
                   "Look at these probes; without it at all of the scene")

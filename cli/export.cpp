@@ -298,8 +298,8 @@ void add_export(CLI::App& app, Action& action) {
       ->option_text("G")
       ->group(world);
   sub->add_option("--damping", arguments->beam.damping,
-                  "mjcf: damp each joint by this time its stiffness: \"0.5 ms\"; default: the "
-                  "scene's, else a tenth of the step")
+                  "mjcf, bullet, chrono: damp each joint by this time its stiffness: \"0.5 ms\"; "
+                  "default: the scene's; in mjcf else a tenth of the step")
       ->option_text("TIME")
       ->group(world);
   sub->add_option("--contacts", arguments->beam.contacts,

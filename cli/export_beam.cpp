@@ -135,7 +135,7 @@ bool has_world(calibrate::EngineFormat format) {
 /// Whether a format's joints have the damping that is asked for.
 bool takes_damping(calibrate::EngineFormat format) {
   using enum calibrate::EngineFormat;
-  return format == Mjcf || format == Bullet;
+  return format == Mjcf || format == Bullet || format == Chrono;
 }
 
 /// The world that the options ask for.
@@ -148,7 +148,7 @@ calibrate::EngineWorld world_of(const BeamRequest& request, calibrate::EngineFor
   refuse_option(!request.gravity.empty() && !in_world, "--gravity", kWithWorld);
   constexpr std::string_view kWithMjcf = "goes with --to mjcf";
   refuse_option(!request.damping.empty() && !takes_damping(format), "--damping",
-                "goes with --to mjcf or bullet");
+                "goes with --to mjcf, bullet or chrono");
   refuse_option(!request.contacts.empty() && format != Mjcf, "--contacts", kWithMjcf);
   calibrate::EngineWorld world{.up = request.up};
   if (!request.gravity.empty()) {

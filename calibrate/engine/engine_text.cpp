@@ -34,6 +34,8 @@ std::vector<std::string> engine_notes(const EngineBeam& beam, EngineFormat forma
     notes.push_back(mjcf_step_note(beam));
   } else if (format == EngineFormat::Bullet) {
     notes.push_back(bullet_step_note(beam));
+  } else if (format == EngineFormat::Chrono) {
+    notes.push_back(chrono_step_note(beam));
   } else if (beam.damping_time) {
     notes.push_back(
         fmt::format("the damping of the scene's joints, {:g} s, is left out", *beam.damping_time));

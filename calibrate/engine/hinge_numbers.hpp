@@ -4,13 +4,14 @@
 
 #include "calibrate/engine/engine_beam.hpp"
 
-/// What engines whose coordinates are the turns of hinges are given of a beam's joints.
+/// What engines are given of a beam's joints.
 namespace plastica::calibrate {
 
-/// Engines that step the coordinates of hinges.
+/// Engines whose joints turn about three axes, with a spring and a damper about each.
 enum class HingeEngine {
   Mujoco,  ///< its "Euler": damping implicit, armature
   Bullet,  ///< btMultiBody: springs and dampers are torques of the program, explicit
+  Chrono,  ///< bushings between free bodies, by EULER_IMPLICIT_LINEARIZED: implicit
 };
 
 /// How many segments MuJoCo 2 reads: its reader of XML (tinyxml2) takes 100 elements inside of each
@@ -34,8 +35,12 @@ double mujoco_damping_time(const EngineBeam& beam);
 /// adds.
 double mujoco_armature_time(const EngineBeam& beam);
 
-/// A hinge in an engine. Bullet has no armature, and what the beam does not damp is not damped
-/// there.
+/// What of a joint's damping a bushing of Chrono gets: EULER_IMPLICIT_LINEARIZED has it in the
+/// forces of the present velocity, and again in the matrix of the new one.
+inline constexpr double kChronoDampingFraction = 0.5;
+
+/// A hinge in an engine. Bullet and Chrono have no armature, and what the beam does not damp is not
+/// damped there.
 /// @param axis  0 … 2: about x, y, z of the joint
 HingeNumbers hinge_numbers(HingeEngine engine, const EngineBeam& beam, const EngineJoint& joint,
                            std::size_t axis);

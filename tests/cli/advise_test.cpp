@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "tests/cli/command.hpp"
@@ -134,6 +135,25 @@ TEST_F(Advise, SaysWhereItFindsNothingForMujoco) {
   EXPECT_FALSE(place_.has("beam.xml"));
 }
 
+TEST_F(Advise, WritesTheBeamForChronoAndSaysThatItWasNotRunThere) {
+  const CommandResult advised = place_.run({"advise", arm(), "--within", "5 %", "--for", "chrono",
+                                            "-o", "beam.hpp", "--json", "advice.json"});
+  ASSERT_EQ(advised.code, 0) << advised.err;
+  constexpr std::string_view kNotRun = "which was not verified in Chrono itself";
+  for (const std::string& text :
+       {advised.out, place_.read("beam.hpp"), place_.read("advice.json")}) {
+    EXPECT_NE(text.find(kNotRun), std::string::npos) << text;
+  }
+  EXPECT_NE(advised.out.find("robot_arm.toml for chrono, within 5 %:\n"), std::string::npos)
+      << advised.out;
+  const std::string beam = place_.read("beam.hpp");
+  EXPECT_NE(beam.find("Note: segments and step are advised for gripper"), std::string::npos);
+  EXPECT_NE(beam.find("\nconstexpr double kTimeStep = "), std::string::npos);
+  EXPECT_NE(place_.read("advice.json").find("\"rule_held_against\": null"), std::string::npos);
+  const CommandResult help = place_.run({"advise", "--help"});
+  EXPECT_NE(help.out.find("verified in Chrono)"), std::string::npos) << help.out;
+}
+
 TEST_F(Advise, RefusesForMujocoInOneLine) {
   const auto refusal = [&](std::vector<std::string> words) {
     words.insert(words.begin(), {"advise", arm()});
@@ -141,10 +161,18 @@ TEST_F(Advise, RefusesForMujocoInOneLine) {
     EXPECT_EQ(result.code, 2) << result.out;
     return result.err;
   };
-  EXPECT_EQ(refusal({"--within", "1 %", "--for", "mujco"}),
-            "plastica: --for = mujco: must be one of mujoco, bullet; did you mean mujoco?\n");
+  EXPECT_EQ(
+      refusal({"--within", "1 %", "--for", "mujco"}),
+      "plastica: --for = mujco: must be one of mujoco, bullet, chrono; did you mean mujoco?\n");
   EXPECT_EQ(refusal({"--within", "1 %", "--for", "mujoco", "-o", "advised.toml"}),
             "plastica: -o = advised.toml: must end in .xml: with --for mujoco it is the beam\n");
+  EXPECT_EQ(refusal({"--within", "1 %", "--for", "chrono", "-o", "beam.xml"}),
+            "plastica: -o = beam.xml: must end in .hpp: with --for chrono it is the beam\n");
+  EXPECT_EQ(refusal({"--within", "1 %", "--for", "chrono", "--plot", "a.svg"}),
+            "plastica: --plot: does not go with --for\n");
+  EXPECT_EQ(refusal({"--budget", "2 ms", "--for", "chrono"}),
+            "plastica: --budget: does not go with --for: what a step takes is the engine's "
+            "affair\n");
   EXPECT_EQ(refusal({"--budget", "2 ms", "--for", "mujoco"}),
             "plastica: --budget: does not go with --for: what a step takes is the engine's "
             "affair\n");

@@ -192,6 +192,8 @@ TEST_F(ExportBeam, ThatCannotBeIsRefusedInOneLine) {
        "--damping = 1 m: …"},
       {{"--to", "opensees", "--scene", "scene.toml", "--case", "a", "--up", "z"},
        "--up: goes with --to mjcf, agx, bullet or chrono"},
+      {{"--to", "agx", "--scene", "scene.toml", "--case", "a", "--damping", "1 ms"},
+       "--damping: goes with --to mjcf, bullet or chrono"},
       {{"--to", "agx", "--scene", "scene.toml", "--case", "a", "--contacts", "all"},
        "--contacts: goes with --to mjcf"},
       {{"--to", "mjcf", "--up", "up"}, "--up = up: must be one of x, y, z, -x, -y, -z"},

@@ -18,7 +18,6 @@ namespace {
 
 /// A motion in a plane that leaves it by no more stays in it [1].
 constexpr double kInPlane = 1e-6;
-constexpr std::array<bool, 3> kAllTurns{true, true, true};
 
 EngineAdviceEnd end_of(AdviceEnd end) {
   switch (end) {
@@ -53,6 +52,7 @@ TriedEngineSetting tried_of(EngineSearch& search, const EngineRuns& runs,
 
 void add_notes(const Setup& setup, EngineAdvice& advice) {
   const Scene& scene = setup.scene;
+  if (!advice.engine->rule_note.empty()) advice.notes.emplace_back(advice.engine->rule_note);
   if (!scene.loads.empty()) {
     advice.notes.emplace_back(advice.engine->load_note);
   }

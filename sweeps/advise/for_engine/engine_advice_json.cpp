@@ -79,6 +79,9 @@ std::string engine_advice_json(const EngineAdvice& advice, const AdviceOptions& 
   const EngineJson all = {
       {"scene", name},
       {"engine", advice.engine->word},
+      {"rule_held_against", advice.engine->held_against.empty()
+                                ? EngineJson(nullptr)
+                                : EngineJson(advice.engine->held_against)},
       {"end", word_of(advice.end)},
       {"within", options.within},
       {"segments", found ? EngineJson(advice.setting.segments) : EngineJson(nullptr)},

@@ -43,9 +43,9 @@ std::string engine_line(std::string_view what, const std::string& value) {
   return fmt::format("  {:<16} = {}", what, value);
 }
 
-std::string_view damping_remark(EngineDamping damping) {
+std::string_view damping_remark(const AdvisedEngine& engine, EngineDamping damping) {
   switch (damping) {
-    case EngineDamping::Scene: return "the scene's";
+    case EngineDamping::Scene: return engine.scene_damping;
     case EngineDamping::None: return "none, as in the scene";
     case EngineDamping::Numerical: break;
   }
@@ -71,7 +71,7 @@ std::string joint_lines(const EngineAdvice& advice) {
   std::string text = engine_line("joint stiffness", three(inner->stiffness)) +
                      "  N m/rad, about x, y, z of " + inner->name + "\n" +
                      engine_line("joint damping", three(damping)) + "  N m s/rad, " +
-                     std::string(damping_remark(advice.setting.damping)) + "\n";
+                     std::string(damping_remark(*advice.engine, advice.setting.damping)) + "\n";
   if (armature == std::array<double, 3>{}) return text;
   return text + engine_line("joint armature", three(armature)) + "  kg m^2, for this step\n";
 }

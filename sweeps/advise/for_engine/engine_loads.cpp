@@ -64,7 +64,7 @@ Vec<double, 3> EngineLoads::ground_rotation(double time) const {
   return sum;
 }
 
-void EngineLoads::gather(const HingeChain& chain, double time,
+void EngineLoads::gather(const EngineChain& chain, double time,
                          std::vector<SegmentWrench>& wrenches) const {
   wrenches.assign(chain.size(), {});
   for (const PointLoad& one : loads_) {
@@ -84,7 +84,7 @@ void EngineLoads::gather(const HingeChain& chain, double time,
   }
 }
 
-double EngineLoads::observe(const HingeChain& chain, const Probe& probe) const {
+double EngineLoads::observe(const EngineChain& chain, const Probe& probe) const {
   const chain::SegmentPoint point = point_at(probe.at);
   const Mat<double, 3, 3>& undeformed = layout_.segment_frame[point.segment];
   Vec<double, 3> value;

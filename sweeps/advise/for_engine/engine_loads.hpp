@@ -6,7 +6,7 @@
 #include "calibrate/engine/engine_beam.hpp"
 #include "plastica/chain/layout.hpp"
 #include "plastica/model/scene.hpp"
-#include "sweeps/advise/for_engine/hinge_chain.hpp"
+#include "sweeps/advise/for_engine/engine_chain.hpp"
 
 /// What acts on the beam in an engine, and where the scene looks at it; not installed.
 namespace plastica::sweeps {
@@ -23,9 +23,9 @@ class EngineLoads {
   /// How far the ground at the start has turned, as a rotation vector [rad].
   Vec<double, 3> ground_rotation(double time) const;
   /// Of the present pose. @param wrenches  (N)
-  void gather(const HingeChain& chain, double time, std::vector<SegmentWrench>& wrenches) const;
+  void gather(const EngineChain& chain, double time, std::vector<SegmentWrench>& wrenches) const;
   /// What a probe records of the present pose: displacement, rotation, velocity or spin.
-  double observe(const HingeChain& chain, const Probe& probe) const;
+  double observe(const EngineChain& chain, const Probe& probe) const;
 
  private:
   /// A load of the scene, or what one segment has of it.

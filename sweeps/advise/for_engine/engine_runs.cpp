@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <memory>
 #include <utility>
 
 #include "calibrate/engine/engine_world.hpp"
@@ -10,8 +11,8 @@
 #include "plastica/model/choose_level.hpp"
 #include "plastica/run/path_stops.hpp"
 #include "sweeps/advise/for_engine/engine_advice.hpp"
+#include "sweeps/advise/for_engine/engine_chain.hpp"
 #include "sweeps/advise/for_engine/engine_loads.hpp"
-#include "sweeps/advise/for_engine/hinge_chain.hpp"
 
 namespace plastica::sweeps {
 namespace {
@@ -60,7 +61,7 @@ EngineRuns::EngineRuns(const AdvisedEngine& engine, const Setup& setup,
       watched_(watched),
       options_(options),
       fewest_(std::max(kFewestSegmentsOfEngine, needed_segments(setup.scene))),
-      turns_(turns_of(setup)),
+      turns_(engine.rule == EngineRule::Hinges ? turns_of(setup) : kAllTurns),
       sample_time_(path_stops(setup.scene, setup.solver).time.back() / setup.solver.steps) {
   not_run_.reason = "it was not run";
 }
@@ -121,7 +122,7 @@ const Outcome& EngineRuns::run(const EngineSetting& setting) {
 
 Outcome EngineRuns::made(const EngineSetting& setting) const {
   const calibrate::EngineBeam numbers = beam(setting);
-  HingeChain chain(engine_, numbers, turns_);
+  const std::unique_ptr<EngineChain> chain = engine_chain(engine_, numbers, turns_);
   const EngineLoads loads(setup_.scene, numbers);
   Outcome outcome;
   outcome.status = Status::Completed;
@@ -132,7 +133,7 @@ Outcome EngineRuns::made(const EngineSetting& setting) const {
     outcome.time.push_back(sample_time_ * sample);
     for (std::size_t k = 0; k < watched_.size(); ++k) {
       const Probe& probe = setup_.scene.probes[watched_[k].probe];
-      outcome.history[k].push_back(loads.observe(chain, probe));
+      outcome.history[k].push_back(loads.observe(*chain, probe));
     }
   };
   record(0);
@@ -140,11 +141,11 @@ Outcome EngineRuns::made(const EngineSetting& setting) const {
   for (int sample = 0; sample < setup_.solver.steps; ++sample) {
     for (int step = 0; step < setting.steps; ++step) {
       if (step % kLooksForStop == 0 && is_raised(options_.stop)) return outcome;
-      const double time = sample_time_ * sample + chain.time_step() * step;
+      const double time = sample_time_ * sample + chain->time_step() * step;
       const Vec<double, 3> turned = loads.ground_rotation(time);
-      for (std::size_t k = 0; k < 3; ++k) chain.set_rest(k, turned[k]);
-      loads.gather(chain, time, wrenches);
-      if (chain.step(loads.gravity(time), wrenches)) continue;
+      for (std::size_t k = 0; k < 3; ++k) chain->set_rest(k, turned[k]);
+      loads.gather(*chain, time, wrenches);
+      if (chain->step(loads.gravity(time), wrenches)) continue;
       outcome.status = Status::NonFinite;
       outcome.reason = fmt::format("{}'s steps blow up", engine_.word);
       return outcome;

@@ -15,6 +15,9 @@
 /// Runs of a scene as an engine steps its exported beam; not installed.
 namespace plastica::sweeps {
 
+/// Every hinge of a joint moves.
+inline constexpr std::array<bool, 3> kAllTurns{true, true, true};
+
 /// What exceeds a limit of its runs is not run: its outcome has the status NotRun.
 class EngineRuns {
  public:
@@ -29,7 +32,8 @@ class EngineRuns {
   int most_steps() const { return 100'000; }
   /// A setting with twice as many segments, and as many steps as these need to be as stable.
   EngineSetting with_twice_segments(const EngineSetting& setting) const;
-  /// About which axes of its joints the beam turns: of a motion in a plane about one.
+  /// About which axes of its joints the beam turns: of a motion in a plane about one, where the
+  /// rule is of hinges.
   const std::array<bool, 3>& turns() const { return turns_; }
   void set_turns(const std::array<bool, 3>& turns);
   double time_step(const EngineSetting& setting) const { return sample_time_ / setting.steps; }
@@ -56,7 +60,7 @@ class EngineRuns {
   const std::vector<WatchedProbe>& watched_;
   const AdviceOptions& options_;
   int fewest_ = 1;
-  std::array<bool, 3> turns_{true, true, true};
+  std::array<bool, 3> turns_ = kAllTurns;
   double sample_time_ = 0.0;
   std::map<EngineSetting, Outcome> outcomes_;
   Outcome not_run_{};

@@ -50,7 +50,7 @@ class EngineSearch {
   bool is_within(const EngineSetting& setting);
   bool blows_up(const EngineSetting& setting);
   /// With twice as many segments, and steps that are short enough for them: explicit springs need
-  /// four times as many, explicit dampers sixteen.
+  /// four times as many, explicit dampers sixteen, implicit ones no more.
   EngineSetting with_twice_segments(const EngineSetting& setting);
   bool find_first(EngineDamping damping);
   /// Brackets the least of a number that does, the other as it is.

@@ -1,10 +1,8 @@
 #include "sweeps/advise/for_engine/hinge_chain.hpp"
 
-#include <algorithm>
 #include <cmath>
 
 #include "calibrate/engine/hinge_numbers.hpp"
-#include "plastica/base/check.hpp"
 #include "plastica/chain/rotation.hpp"
 
 namespace plastica::sweeps {
@@ -13,50 +11,34 @@ namespace {
 using Vector = Vec<double, 3>;
 using Matrix = Mat<double, 3, 3>;
 
-/// Columns: the axes of a frame.
-Matrix matrix_of(const calibrate::EngineAxes& axes) {
-  Matrix m;
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    for (std::size_t k = 0; k < 3; ++k) m(k, axis) = axes[axis][k];
-  }
-  return m;
-}
-
 }  // namespace
 
 HingeChain::HingeChain(const AdvisedEngine& engine, const calibrate::EngineBeam& beam,
                        const std::array<bool, 3>& turns)
-    : engine_(&engine), time_step_(beam.time_step) {
+    : EngineChain(beam.time_step), engine_(&engine) {
   for (std::size_t i = 0; i < beam.segments.size(); ++i) {
     const calibrate::EngineSegment& numbers = beam.segments[i];
-    const Matrix frame = matrix_of(numbers.axes);
+    const Matrix frame = frame_of(numbers.axes);
     Segment segment;
     segment.mass = numbers.mass;
     segment.inertia = {numbers.inertia};
     segment.center = transposed_times(frame, Vector{numbers.center()} - Vector{numbers.start});
     segment.first = joints_.size();
-    const auto joint = std::ranges::find_if(
-        beam.joints, [&](const auto& one) { return !one.off_start && one.child == i; });
-    if (joint == beam.joints.end()) {
-      throw InputError({}, "support", "", "is missing: nothing holds the beam at its start");
-    }
-    const Matrix before = i == 0 ? identity<double, 3>() : matrix_of(beam.segments[i - 1].axes);
+    const Matrix before = i == 0 ? identity<double, 3>() : frame_of(beam.segments[i - 1].axes);
     const Vector from = i == 0 ? Vector{} : Vector{beam.segments[i - 1].start};
     segment.offset = transposed_times(before, Vector{numbers.start} - from);
     segment.relative = transpose(before) * frame;
     segments_.push_back(segment);
-    add_joints(beam, *joint, turns);
+    add_joints(beam, joint_before(beam, i), turns);
     segments_.back().last = joints_.size();
   }
-  for (const calibrate::EngineJoint& joint : beam.joints) {
-    if (joint.off_start) throw InputError({}, joint.name, "", "is off the beam's start");
-  }
+  check_held_at_start(beam);
   place();
 }
 
 void HingeChain::add_joints(const calibrate::EngineBeam& beam, const calibrate::EngineJoint& joint,
                             const std::array<bool, 3>& turns) {
-  const Matrix frame = matrix_of(beam.segments[joint.child].axes);
+  const Matrix frame = frame_of(beam.segments[joint.child].axes);
   for (std::size_t k = 0; k < 3; ++k) {
     if (joint.holds[k]) continue;
     Joint slide;
@@ -77,16 +59,6 @@ void HingeChain::add_joints(const calibrate::EngineBeam& beam, const calibrate::
         numbers.armature + (engine_->implicit_damping ? beam.time_step * numbers.damping : 0.0);
     joints_.push_back(hinge);
   }
-}
-
-Vector HingeChain::point(std::size_t segment, const Vector& arm) const {
-  const SegmentPose& at = segments_[segment].pose;
-  return at.position + at.frame * arm;
-}
-
-Vector HingeChain::point_velocity(std::size_t segment, const Vector& arm) const {
-  const SegmentPose& at = segments_[segment].pose;
-  return at.velocity + cross(at.spin, at.frame * arm);
 }
 
 void HingeChain::set_state(std::span<const double> positions, std::span<const double> speeds) {
@@ -198,8 +170,8 @@ bool HingeChain::advance() {
           (joint.drive - dot(joint.held_moment, angular) - dot(joint.held_force, linear)) /
           joint.inertia;
       (joint.slides ? linear : angular) += acceleration * joint.world_axis;
-      joint.speed += time_step_ * acceleration;
-      joint.position += time_step_ * joint.speed;
+      joint.speed += time_step() * acceleration;
+      joint.position += time_step() * joint.speed;
       in_range = in_range && is_in_range(acceleration) && is_in_range(joint.speed) &&
                  is_in_range(joint.position);
     }

@@ -9,22 +9,9 @@
 #include "calibrate/engine/engine_beam.hpp"
 #include "plastica/base/matrix.hpp"
 #include "sweeps/advise/for_engine/advised_engine.hpp"
+#include "sweeps/advise/for_engine/engine_chain.hpp"
 
 namespace plastica::sweeps {
-
-/// Force and moment on a segment.
-struct SegmentWrench {
-  Vec<double, 3> force{};   ///< world axes [N]
-  Vec<double, 3> moment{};  ///< about the segment's inner end, world axes [N m]
-};
-
-/// Where a segment is and how it moves.
-struct SegmentPose {
-  Vec<double, 3> position{};                        ///< of its inner end [m]
-  Mat<double, 3, 3> frame = identity<double, 3>();  ///< columns: its axes in world axes
-  Vec<double, 3> velocity{};                        ///< of its inner end [m/s]
-  Vec<double, 3> spin{};                            ///< world axes [rad/s]
-};
 
 /// What an engine does with a beam that is exported for it, by its published rule: a chain of
 /// slides and hinges, stepped in the coordinates q of these. MuJoCo's integrator "Euler" is
@@ -47,7 +34,7 @@ struct SegmentPose {
 /// Source: MuJoCo documentation, "Computation", sections "Continuous time" and "Numerical
 /// integration", version 2.2.2 with `mj_step`; Bullet 3.24, btMultiBody.h and
 /// btMultiBodyDynamicsWorld.h.
-class HingeChain {
+class HingeChain final : public EngineChain {
  public:
   /// A beam at rest, undeformed.
   /// @param engine  whose rule it is, which outlives this
@@ -58,12 +45,8 @@ class HingeChain {
   HingeChain(const AdvisedEngine& engine, const calibrate::EngineBeam& beam,
              const std::array<bool, 3>& turns);
 
-  std::size_t size() const { return segments_.size(); }
-  double time_step() const { return time_step_; }
-  const SegmentPose& pose(std::size_t segment) const { return segments_[segment].pose; }
-  /// Of a point, as seen from the segment's inner end in its axes.
-  Vec<double, 3> point(std::size_t segment, const Vec<double, 3>& arm) const;
-  Vec<double, 3> point_velocity(std::size_t segment, const Vec<double, 3>& arm) const;
+  std::size_t size() const override { return segments_.size(); }
+  const SegmentPose& pose(std::size_t segment) const override { return segments_[segment].pose; }
 
   std::size_t freedoms() const { return joints_.size(); }
   double coordinate(std::size_t freedom) const { return joints_[freedom].position; }
@@ -71,18 +54,10 @@ class HingeChain {
   /// Puts the chain into another state. @param positions, speeds  (freedoms)
   void set_state(std::span<const double> positions, std::span<const double> speeds);
 
-  /// Where the spring of the first segment's hinge about an axis of its joint is at rest (MuJoCo's
-  /// `qpos_spring`, Bullet's torque; 0 at the beginning) [rad]: what a clamp has turned, in a
-  /// plane.
-  /// @param axis  0 … 2, about which the first joint turns
-  void set_rest(std::size_t axis, double angle);
-
-  /// One step. Allocates nothing.
-  /// @param gravity  acceleration in world axes [m/s^2]
-  /// @param wrenches  (N)
-  /// @return false where the engine gives up: a coordinate, a speed or an acceleration is not
-  ///         finite, or beyond its largest
-  bool step(const Vec<double, 3>& gravity, std::span<const SegmentWrench> wrenches);
+  /// Where the spring of the first segment's hinge about an axis is at rest (MuJoCo's
+  /// `qpos_spring`, Bullet's torque).
+  void set_rest(std::size_t axis, double angle) override;
+  bool step(const Vec<double, 3>& gravity, std::span<const SegmentWrench> wrenches) override;
 
  private:
   /// A slide or a hinge at the inner end of a segment. What comes first carries the others.
@@ -130,7 +105,6 @@ class HingeChain {
   bool is_in_range(double value) const { return std::abs(value) <= engine_->largest; }
 
   const AdvisedEngine* engine_ = nullptr;
-  double time_step_ = 0.0;
   std::vector<Segment> segments_;
   std::vector<Joint> joints_;
 };

@@ -121,6 +121,7 @@ ParsedBeam parse_tables(std::vector<std::string> segments, std::vector<std::stri
     joint.hardened_stiffness = row.triple();
     joint.yield_moment = row.triple();
     joint.break_angle = row.triple();
+    if (!two_frames) joint.damping = row.triple();
   }
   return beam;
 }

@@ -15,6 +15,7 @@ struct ParsedJoint {
   std::array<double, 3> hardened_stiffness{};
   std::array<double, 3> yield_moment{};
   std::array<double, 3> break_angle{};
+  std::array<double, 3> damping{};  ///< Chrono alone
   std::array<double, 3> point{};
   std::array<bool, 3> holds{};
 };
