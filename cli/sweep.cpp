@@ -87,12 +87,15 @@ int print_dry_run(const sweeps::Sweep& sweep, const std::string& output) {
   const sweeps::CaseTable cases(sweep);
   say("{}: {} of {}\n", sweep.path, report::counted(cases.size(), "case"), sweep.scene.path);
   for (const sweeps::Axis& axis : sweep.axes) {
-    say("  {}: {}, {} … {}\n", axis.field->path, report::counted(axis.values.size(), "value"),
-        sweeps::value_text(*axis.field, axis.values.front()),
-        sweeps::value_text(*axis.field, axis.values.back()));
+    const auto [low, high] = std::minmax_element(axis.values.begin(), axis.values.end());
+    const auto& first = axis.sampled ? *low : axis.values.front();
+    const auto& last = axis.sampled ? *high : axis.values.back();
+    say("  {}: {}{}, {} … {}\n", axis.field->path, report::counted(axis.values.size(), "value"),
+        axis.sampled ? " drawn" : "", sweeps::value_text(*axis.field, first),
+        sweeps::value_text(*axis.field, last));
   }
-  const Setup last = cases.setup(cases.size() - 1);
-  const Model model = prepare(last.scene, last.solver);
+  const Setup last_case = cases.setup(cases.size() - 1);
+  const Model model = prepare(last_case.scene, last_case.solver);
   say("  last case: level {}; its run takes about {:.2f} MB\n", model.level_reason,
       static_cast<double>(response_size(model).bytes()) / 1e6);
   say("  compared: {}{}{}\n", sweep.quantity.name,

@@ -4,22 +4,15 @@
 #include <string_view>
 #include <utility>
 
-#include <nlohmann/json.hpp>
-
 #include "plastica/base/quantity.hpp"
+#include "plastica/report/json_values.hpp"
 
 namespace plastica::sweeps {
 namespace {
 
-using OrderedJson = nlohmann::ordered_json;
-
-OrderedJson finite_or_null(double value) {
-  return std::isfinite(value) ? OrderedJson(value) : OrderedJson(nullptr);
-}
-
-OrderedJson words_or_null(std::string_view text) {
-  return text.empty() ? OrderedJson(nullptr) : OrderedJson(text);
-}
+using report::Json;
+using report::number;
+using report::text_or_null;
 
 std::string_view word_of(AdviceEnd end) {
   switch (end) {
@@ -41,10 +34,10 @@ std::string_view verified_with(const Advice& advice) {
 }
 
 /// Fields and their values: those of the axes, then those of the words.
-OrderedJson values_of(const Advice& advice, const Setting& setting, const Words& words) {
-  OrderedJson all = OrderedJson::object();
+Json values_of(const Advice& advice, const Setting& setting, const Words& words) {
+  Json all = Json::object();
   for (std::size_t k = 0; k < setting.size(); ++k) {
-    all[std::string(advice.axes[k].field->path)] = finite_or_null(setting[k]);
+    all[std::string(advice.axes[k].field->path)] = number(setting[k]);
   }
   for (std::size_t w = 0; w < words.size(); ++w) {
     for (const auto& [field, word] : advice.word_axes[w].choices[words[w]].values) {
@@ -54,62 +47,60 @@ OrderedJson values_of(const Advice& advice, const Setting& setting, const Words&
   return all;
 }
 
-OrderedJson fractions_or_null(const std::vector<double>& fractions) {
-  return fractions.empty() ? OrderedJson(nullptr) : OrderedJson(fractions);
+Json fractions_or_null(const std::vector<double>& fractions) {
+  return fractions.empty() ? Json(nullptr) : Json(fractions);
 }
 
-OrderedJson tried_of(const Advice& advice, const TriedSetting& one) {
+Json tried_of(const Advice& advice, const TriedSetting& one) {
   return {{"values", values_of(advice, one.setting, one.words)},
           {"segment_fractions", fractions_or_null(one.fractions)},
-          {"error", finite_or_null(one.error)},
-          {"reason", words_or_null(one.reason)},
-          {"segment_iterations", one.work > 0 ? OrderedJson(one.work) : OrderedJson(nullptr)},
-          {"cost", one.work > 0 ? OrderedJson(one.cost) : OrderedJson(nullptr)},
-          {"seconds", one.work > 0 ? OrderedJson(one.seconds) : OrderedJson(nullptr)}};
+          {"error", number(one.error)},
+          {"reason", text_or_null(one.reason)},
+          {"segment_iterations", one.work > 0 ? Json(one.work) : Json(nullptr)},
+          {"cost", one.work > 0 ? Json(one.cost) : Json(nullptr)},
+          {"seconds", one.work > 0 ? Json(one.seconds) : Json(nullptr)}};
 }
 
-OrderedJson numbers_of(const Advice& advice) {
-  OrderedJson all = OrderedJson::array();
+Json numbers_of(const Advice& advice) {
+  Json all = Json::array();
   for (std::size_t k = 0; k < advice.axes.size(); ++k) {
     const Field& field = *advice.axes[k].field;
     const bool known = k < advice.budget.size();
     all.push_back({{"field", field.path},
                    {"unit", si_unit(field.dimension)},
                    {"value", advice.setting[k]},
-                   {"error", known ? finite_or_null(advice.budget[k].error) : OrderedJson(nullptr)},
-                   {"order", known ? OrderedJson(advice.budget[k].order) : OrderedJson(nullptr)},
+                   {"error", known ? number(advice.budget[k].error) : Json(nullptr)},
+                   {"order", known ? Json(advice.budget[k].order) : Json(nullptr)},
                    {"order_seen", known && advice.budget[k].order_seen}});
   }
   return all;
 }
 
-OrderedJson others_of(const WordAxis& axis, const WordLine& line) {
-  OrderedJson all = OrderedJson::array();
+Json others_of(const WordAxis& axis, const WordLine& line) {
+  Json all = Json::array();
   for (const OtherWord& other : line.others) {
     all.push_back({{"word", axis.choices[other.choice].text()},
-                   {"cost_ratio", finite_or_null(other.cost)},
-                   {"error", finite_or_null(other.error)},
-                   {"reason", words_or_null(other.reason)}});
+                   {"cost_ratio", number(other.cost)},
+                   {"error", number(other.error)},
+                   {"reason", text_or_null(other.reason)}});
   }
   return all;
 }
 
-OrderedJson words_of(const Advice& advice) {
-  OrderedJson all = OrderedJson::array();
+Json words_of(const Advice& advice) {
+  Json all = Json::array();
   for (std::size_t w = 0; w < advice.word_axes.size(); ++w) {
     const WordAxis& axis = advice.word_axes[w];
     const bool model = axis.kind == WordKind::Model;
     const bool known = !advice.word_budget.empty();
-    all.push_back(
-        {{"field", axis.field().path},
-         {"word", axis.choices[advice.words[w]].text()},
-         {"in_file", axis.choices[axis.own].text()},
-         {"kind", model ? "model" : "method"},
-         {"richest", model ? OrderedJson(axis.choices[axis.richest].text()) : OrderedJson(nullptr)},
-         {"error",
-          known && model ? finite_or_null(advice.word_budget[w].error) : OrderedJson(nullptr)},
-         {"others", known ? others_of(axis, advice.word_budget[w]) : OrderedJson::array()},
-         {"note", words_or_null(axis.note)}});
+    all.push_back({{"field", axis.field().path},
+                   {"word", axis.choices[advice.words[w]].text()},
+                   {"in_file", axis.choices[axis.own].text()},
+                   {"kind", model ? "model" : "method"},
+                   {"richest", model ? Json(axis.choices[axis.richest].text()) : Json(nullptr)},
+                   {"error", known && model ? number(advice.word_budget[w].error) : Json(nullptr)},
+                   {"others", known ? others_of(axis, advice.word_budget[w]) : Json::array()},
+                   {"note", text_or_null(axis.note)}});
   }
   return all;
 }
@@ -119,38 +110,37 @@ OrderedJson words_of(const Advice& advice) {
 std::string advice_json(const Advice& advice, const AdviceOptions& options,
                         const std::string& name) {
   const bool found = advice.end == AdviceEnd::Found;
-  OrderedJson tried = OrderedJson::array();
+  Json tried = Json::array();
   for (const TriedSetting& one : advice.tried) tried.push_back(tried_of(advice, one));
-  const OrderedJson all = {
+  const Json all = {
       {"scene", name},
       {"end", word_of(advice.end)},
-      {"cut_short",
-       advice.cut_short ? OrderedJson(word_of(*advice.cut_short)) : OrderedJson(nullptr)},
-      {"within", options.budget > 0.0 ? OrderedJson(nullptr) : OrderedJson(options.within)},
-      {"budget", options.budget > 0.0 ? OrderedJson(options.budget) : OrderedJson(nullptr)},
-      {"promised", found ? finite_or_null(advice.promised) : OrderedJson(nullptr)},
-      {"verified", found ? finite_or_null(advice.verified) : OrderedJson(nullptr)},
-      {"verified_with", words_or_null(verified_with(advice))},
-      {"words_left_out", found ? finite_or_null(advice.of_words) : OrderedJson(nullptr)},
-      {"worst", words_or_null(advice.worst)},
-      {"reason", words_or_null(advice.reason)},
+      {"cut_short", advice.cut_short ? Json(word_of(*advice.cut_short)) : Json(nullptr)},
+      {"within", options.budget > 0.0 ? Json(nullptr) : Json(options.within)},
+      {"budget", options.budget > 0.0 ? Json(options.budget) : Json(nullptr)},
+      {"promised", found ? number(advice.promised) : Json(nullptr)},
+      {"verified", found ? number(advice.verified) : Json(nullptr)},
+      {"verified_with", text_or_null(verified_with(advice))},
+      {"words_left_out", found ? number(advice.of_words) : Json(nullptr)},
+      {"worst", text_or_null(advice.worst)},
+      {"reason", text_or_null(advice.reason)},
       {"numbers", numbers_of(advice)},
       {"segment_fractions", fractions_or_null(advice.fractions)},
-      {"even", advice.even ? tried_of(advice, *advice.even) : OrderedJson(nullptr)},
+      {"even", advice.even ? tried_of(advice, *advice.even) : Json(nullptr)},
       {"words", words_of(advice)},
       {"segment_iterations", advice.work},
-      {"cost", finite_or_null(advice.cost)},
-      {"seconds", finite_or_null(advice.seconds)},
-      {"expected_seconds", finite_or_null(advice.expected_seconds)},
+      {"cost", number(advice.cost)},
+      {"seconds", number(advice.seconds)},
+      {"expected_seconds", number(advice.expected_seconds)},
       {"next_cheaper",
-       advice.next_cheaper ? tried_of(advice, *advice.next_cheaper) : OrderedJson(nullptr)},
+       advice.next_cheaper ? tried_of(advice, *advice.next_cheaper) : Json(nullptr)},
       {"in_file", tried_of(advice, advice.own)},
       {"left_out", advice.left_out},
       {"runs", advice.runs},
       {"total_segment_iterations", advice.total_work},
-      {"total_seconds", finite_or_null(advice.total_seconds)},
+      {"total_seconds", number(advice.total_seconds)},
       {"tried", std::move(tried)}};
-  return all.dump(2, ' ', false, OrderedJson::error_handler_t::replace) + '\n';
+  return all.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
 }
 
 }  // namespace plastica::sweeps

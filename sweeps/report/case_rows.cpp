@@ -115,8 +115,9 @@ std::string grid_note(const std::optional<theory::GridConvergence>& grid, const 
     case ConvergenceKind::Divergent:
       return "the three finest values do not converge: nothing is extrapolated";
     case ConvergenceKind::Unchanged: return "the two finest values agree to rounding";
-    case ConvergenceKind::Monotone:
-    case ConvergenceKind::Oscillatory: break;
+    case ConvergenceKind::Oscillatory:
+      return "the three finest values go to and fro: nothing is extrapolated";
+    case ConvergenceKind::Monotone: break;
   }
   std::string line =
       fmt::format("three finest: order {:.3f}, extrapolated {:.9g}{}", *grid->observed_order,
@@ -125,7 +126,6 @@ std::string grid_note(const std::optional<theory::GridConvergence>& grid, const 
     line += fmt::format(", GCI {} % (safety factor {:g})", percent_text(*grid->fine_index),
                         grid->safety_factor);
   }
-  if (grid->kind == ConvergenceKind::Oscillatory) line += ", oscillating";
   return line;
 }
 

@@ -6,21 +6,16 @@
 #include <string_view>
 #include <utility>
 
-#include <nlohmann/json.hpp>
-
+#include "plastica/report/json_values.hpp"
 #include "sweeps/compare/convergence.hpp"
 #include "sweeps/report/case_rows.hpp"
 
 namespace plastica::sweeps {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
-Json number(std::optional<double> value) {
-  return value && std::isfinite(*value) ? Json(*value) : Json(nullptr);
-}
-
-Json text_or_null(std::string_view text) { return text.empty() ? Json(nullptr) : Json(text); }
+using report::Json;
+using report::number;
+using report::text_or_null;
 
 Json value_of(const FieldValue& value) {
   if (const auto* word = std::get_if<std::string>(&value)) return *word;

@@ -4,8 +4,8 @@
 #include <chrono>
 #include <cmath>
 
+#include "plastica/base/thread_seconds.hpp"
 #include "plastica/report/format.hpp"
-#include "plastica/run/lane_pool.hpp"
 #include "plastica/run/path_stops.hpp"
 #include "plastica/run/response_size.hpp"
 

@@ -6,26 +6,15 @@
 #include <cmath>
 #include <span>
 
-#include <nlohmann/json.hpp>
-
 #include "plastica/model/rate_kind.hpp"
 #include "plastica/model/section_kind.hpp"
+#include "plastica/report/json_values.hpp"
 #include "plastica/report/scene_facts.hpp"
 #include "plastica/report/scene_frames.hpp"
 #include "plastica/report/scene_spectrum.hpp"
 
 namespace plastica::report {
 namespace {
-
-using Json = nlohmann::ordered_json;
-
-Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
-
-Json numbers(std::span<const double> values) {
-  Json all = Json::array();
-  for (const double value : values) all.push_back(number(value));
-  return all;
-}
 
 Json level_word(Level level) {
   return find_field_or_null("solver.level")->choices[static_cast<std::size_t>(level)];

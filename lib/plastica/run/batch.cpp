@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "plastica/base/parallel_for.hpp"
+#include "plastica/base/thread_seconds.hpp"
 #include "plastica/run/guarded_cases.hpp"
 #include "plastica/run/lane_pool.hpp"
 #include "plastica/run/parameters.hpp"

@@ -1,10 +1,10 @@
 #include "plastica/run/lane_pool.hpp"
 
 #include <algorithm>
-#include <ctime>
 #include <exception>
 #include <utility>
 
+#include "plastica/base/thread_seconds.hpp"
 #include "plastica/run/response_size.hpp"
 
 namespace plastica {
@@ -38,12 +38,6 @@ void run_by_itself(WaitingCase& one) {
 }
 
 }  // namespace
-
-double thread_seconds() {
-  timespec now{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
 
 std::optional<LaneCases> LanePool::add(WaitingCase&& one) {
   const ChainModel& model = *one.model->chain;

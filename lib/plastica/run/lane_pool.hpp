@@ -52,7 +52,4 @@ class LanePool {
 void run_lane_cases(LaneCases&& cases,
                     const std::function<void(std::size_t index, BatchRow&& row)>& take);
 
-/// CPU time of this thread so far [s]: what else the machine does is not counted.
-double thread_seconds();
-
 }  // namespace plastica

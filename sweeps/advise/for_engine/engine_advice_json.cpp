@@ -1,22 +1,18 @@
 #include "sweeps/advise/for_engine/engine_advice_json.hpp"
 
-#include <cmath>
 #include <cstddef>
 #include <string_view>
 #include <utility>
 
-#include <nlohmann/json.hpp>
-
 #include "calibrate/engine/hinge_numbers.hpp"
+#include "plastica/report/json_values.hpp"
 
 namespace plastica::sweeps {
 namespace {
 
-using EngineJson = nlohmann::ordered_json;
-
-EngineJson number_or_null(double value) {
-  return std::isfinite(value) ? EngineJson(value) : EngineJson(nullptr);
-}
+using report::Json;
+using report::number;
+using report::text_or_null;
 
 std::string_view word_of(EngineAdviceEnd end) {
   switch (end) {
@@ -39,17 +35,17 @@ std::string_view word_of(EngineDamping damping) {
   return "numerical";
 }
 
-EngineJson json_of(const TriedEngineSetting& one) {
+Json json_of(const TriedEngineSetting& one) {
   return {{"segments", one.setting.segments},
           {"time_step", one.time_step},
           {"damping", word_of(one.setting.damping)},
-          {"error", number_or_null(one.error)},
-          {"reason", one.reason.empty() ? EngineJson(nullptr) : EngineJson(one.reason)},
+          {"error", number(one.error)},
+          {"reason", one.reason.empty() ? Json(nullptr) : Json(one.reason)},
           {"segment_steps", one.work}};
 }
 
-EngineJson joints_of(const AdvisedEngine& engine, const calibrate::EngineBeam& beam) {
-  EngineJson all = EngineJson::array();
+Json joints_of(const AdvisedEngine& engine, const calibrate::EngineBeam& beam) {
+  Json all = Json::array();
   for (const calibrate::EngineJoint& joint : beam.joints) {
     std::array<double, 3> damping{};
     std::array<double, 3> armature{};
@@ -71,32 +67,28 @@ EngineJson joints_of(const AdvisedEngine& engine, const calibrate::EngineBeam& b
 std::string engine_advice_json(const EngineAdvice& advice, const AdviceOptions& options,
                                const std::string& name) {
   const bool found = advice.end == EngineAdviceEnd::Found;
-  const auto if_found = [&](double value) {
-    return found ? number_or_null(value) : EngineJson(nullptr);
-  };
-  EngineJson tried = EngineJson::array();
+  const auto if_found = [&](double value) { return found ? number(value) : Json(nullptr); };
+  Json tried = Json::array();
   for (const TriedEngineSetting& one : advice.tried) tried.push_back(json_of(one));
-  const EngineJson all = {
+  const Json all = {
       {"scene", name},
       {"engine", advice.engine->word},
-      {"rule_held_against", advice.engine->held_against.empty()
-                                ? EngineJson(nullptr)
-                                : EngineJson(advice.engine->held_against)},
+      {"rule_held_against", text_or_null(advice.engine->held_against)},
       {"end", word_of(advice.end)},
       {"within", options.within},
-      {"segments", found ? EngineJson(advice.setting.segments) : EngineJson(nullptr)},
+      {"segments", found ? Json(advice.setting.segments) : Json(nullptr)},
       {"time_step", if_found(advice.time_step)},
-      {"damping", found ? EngineJson(word_of(advice.setting.damping)) : EngineJson(nullptr)},
-      {"joints", found ? joints_of(*advice.engine, advice.beam) : EngineJson::array()},
+      {"damping", found ? Json(word_of(advice.setting.damping)) : Json(nullptr)},
+      {"joints", found ? joints_of(*advice.engine, advice.beam) : Json::array()},
       {"error", if_found(advice.error)},
       {"reference_error", if_found(advice.reference_error)},
       {"promised", if_found(advice.promised)},
       {"by_segments", if_found(advice.by_segments)},
       {"by_steps", if_found(advice.by_steps)},
-      {"worst", advice.worst.empty() ? EngineJson(nullptr) : EngineJson(advice.worst)},
+      {"worst", advice.worst.empty() ? Json(nullptr) : Json(advice.worst)},
       {"reference", advice.reference_setting},
-      {"segment_steps", found ? EngineJson(advice.work) : EngineJson(nullptr)},
-      {"next_cheaper", advice.next_cheaper ? json_of(*advice.next_cheaper) : EngineJson(nullptr)},
+      {"segment_steps", found ? Json(advice.work) : Json(nullptr)},
+      {"next_cheaper", advice.next_cheaper ? json_of(*advice.next_cheaper) : Json(nullptr)},
       {"notes", advice.notes},
       {"left_out", advice.left_out},
       {"cut_short", advice.cut_short},
@@ -104,7 +96,7 @@ std::string engine_advice_json(const EngineAdvice& advice, const AdviceOptions& 
       {"runs", advice.runs},
       {"total_segment_steps", advice.total_work},
       {"tried", std::move(tried)}};
-  return all.dump(2, ' ', false, EngineJson::error_handler_t::replace) + '\n';
+  return all.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
 }
 
 }  // namespace plastica::sweeps
