@@ -7,6 +7,7 @@
 
 #include "calibrate/fit/scene_fit.hpp"
 #include "calibrate/inference/verdict.hpp"
+#include "calibrate/problem/scene_problem.hpp"
 
 namespace plastica::calibrate {
 
@@ -27,5 +28,13 @@ void add_warning(const TargetFit& of_target, Law law, std::string_view try_next,
 /// @param fits  what the fit made of them (n_targets)
 void warn_of_specimens(std::span<const WeightedTarget> targets, std::span<const TargetFit> fits,
                        std::vector<std::string>& warnings);
+
+/// Of targets that bore more than a break limit, fitted or held, while they were intact.
+/// @param parameters  fitted; one of the break counts with three of its standard errors
+/// @param curves  of the targets at the solution (n_targets, >= 1)
+void warn_of_survived(const SceneProblem& problem, const SceneFitOptions& options,
+                      std::span<const FittedParameter> parameters,
+                      std::span<const std::vector<SceneCurve>> curves,
+                      std::vector<std::string>& warnings);
 
 }  // namespace plastica::calibrate
