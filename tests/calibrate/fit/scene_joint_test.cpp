@@ -267,6 +267,32 @@ TEST(SceneJointFit, RunsNoPointTwice) {
   EXPECT_EQ(three.runs, two.runs);
 }
 
+// The bar has 205 GPa, which its curve says within 0.3 % or so.
+TEST(SceneJointFit, SaysThatCurvesContradictAPrior) {
+  const WeightedTarget weighted = bent(6, 5.0, 1);
+  SceneFitOptions options{
+      .parameters = stiffness_and_yield(), .starts = 1, .segments_error = false};
+  const SceneFitResult alone = fit_scene(weighted.setup, weighted.target, options);
+  const auto contradicted = [&](double mean, double deviation) {
+    options.parameters[0].prior = Prior{mean, deviation};
+    const SceneFitResult fit = fit_scene(weighted.setup, weighted.target, options);
+    const auto warning = std::ranges::find_if(fit.warnings, [](const std::string& line) {
+      return line.find("the curves contradict the prior of youngs_modulus") != std::string::npos;
+    });
+    return warning == fit.warnings.end() ? std::string() : *warning;
+  };
+  EXPECT_EQ(contradicted(205e9, 1e9), "");
+  EXPECT_EQ(contradicted(195e9, 10e9), "");
+  EXPECT_NE(contradicted(160e9, 5e9), "");
+  EXPECT_NE(contradicted(160e9, 0.1e9), "");  // where the prior has its way
+  EXPECT_NE(contradicted(250e9, 5e9), "");
+  // Two and four standard errors of both away from what the curves say by themselves.
+  const FittedParameter& E = alone.parameter("youngs_modulus");
+  const double both = std::hypot(E.noise_error, 1e9);
+  EXPECT_EQ(contradicted(E.value - 2.0 * both, 1e9), "");
+  EXPECT_NE(contradicted(E.value - 4.0 * both, 1e9), "");
+}
+
 TEST(SceneJointFit, LetsPriorsAndTiesSayWhatCurvesDoNot) {
   // A bar that does not yield says nothing of its yield stress; a prior does.
   WeightedTarget weighted = bent(6, 0.5, 7);
