@@ -44,6 +44,7 @@ CouponProblem::CouponProblem(const Target& target, const FitOptions& options,
   if (result.modulus_prior) misfit_.set_prior(*result.modulus_prior);
   details_ = misfit_.details(active_);
   drop_unidentifiable_yield(misfit_, set_, active_, options, details_);
+  details_.by_shift = shift_slopes(target, options, set_, active_);
   uncertainty_ = uncertainty(details_, active_, set_, target, options, misfit_.break_factor());
   spread_ = spread_of(details_, active_, set_, target, options);
   for (std::size_t i = 0; i < free_.size(); ++i) {

@@ -155,11 +155,23 @@ FitInfluence influence_of(const Misfit::Details& d, const StressErrors& of_stres
   fit.left =
       (1.0 - 2.0 * fit.leverage.array()).matrix() + squares.cwiseProduct(along).rowwise().sum();
   fit.residual = Eigen::Map<const VectorXd>(d.residual.data(), samples)(entered);
+  if (d.by_shift.empty()) return fit;
+  // What the strain's shift is off is no noise of the samples, and counted by itself: it is taken
+  // out as a parameter more would.
+  const VectorXd shift = Eigen::Map<const VectorXd>(d.by_shift.data(), samples)(entered);
+  const VectorXd beside = shift - slopes * (fit.influence * shift);
+  const VectorXd weighted = weight.cwiseProduct(beside);
+  const double size = weighted.dot(beside);
+  if (size > 0.0) fit.residual -= weighted.dot(fit.residual) / size * beside;
   return fit;
 }
 
-/// Whether residuals are noise, of which alone a variance can be told.
-bool are_noise(const VectorXd& residual) {
+/// Whether residuals are noise, of which alone a variance can be told: not what is left of a curve
+/// without any.
+bool are_noise(const VectorXd& residual, double largest_stress) {
+  constexpr double kNothing = 1e-6;
+  const double squares = residual.squaredNorm() / static_cast<double>(residual.size());
+  if (!(std::sqrt(squares) > kNothing * largest_stress)) return false;
   const std::span<const double> all(residual.data(), static_cast<std::size_t>(residual.size()));
   return !are_in_runs(runs_test_p(all), autocorrelation(all));
 }
@@ -206,7 +218,7 @@ StressErrors stress_errors(const Misfit::Details& d, std::span<const double> act
   of_stress.covariance = sizes.asDiagonal() * c * sizes.asDiagonal();
   if (!std::isinf(of_stress.degrees_of_freedom)) {
     const FitInfluence fit = influence_of(d, of_stress);
-    if (are_noise(fit.residual) && is_noise_unequal(fit)) {
+    if (are_noise(fit.residual, stress) && is_noise_unequal(fit)) {
       of_stress.own = own_variances(fit);
       of_stress.influence = sizes.asDiagonal() * fit.influence;
       of_stress.covariance =
