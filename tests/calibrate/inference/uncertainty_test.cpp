@@ -148,30 +148,6 @@ TEST(Uncertainty, MatchesTheSpreadOfFitsWithNoiseOfTheStrain) {
   }
 }
 
-// What is resampled keeps the noise of its part of the curve, and the profile is stretched.
-TEST(Uncertainty, IsThatOfBootstrapAndProfileWithNoiseOfTheStrain) {
-  const std::vector<double> strain = path({0.0014, 0.012}, 60);
-  Target target = target_of(strain, ideal_curve(strain, 200e9, 300e6));
-  add_normal_noise(target, 7, 1e6);
-  Noise of_strain(9);
-  for (double& e : target.corrected.strain) e += of_strain(3e-5);
-  FitOptions options = fit_of({free_parameter("youngs_modulus"), free_parameter("yield_stress")});
-  options.objective = Objective::LeastSquares;
-  options.intervals.bootstrap = 400;
-  options.intervals.profile = true;
-  const FitResult result = fit_target(target, options);
-  ASSERT_EQ(result.status, FitStatus::Fitted);
-  for (std::size_t k = 0; k < 2; ++k) {
-    const FittedParameter& p = result.parameters[k];
-    // The standard deviation of 400 resamples scatters by 3.5 %.
-    EXPECT_NEAR(result.intervals.residuals.intervals[k].standard_error / p.standard_error, 1.0,
-                tolerance(4.0 * 0.035));
-    const double wide = p.interval_high - p.interval_low;
-    const LikelihoodProfile& profile = result.intervals.profiles[k];
-    EXPECT_NEAR((profile.high - profile.low) / wide, 1.0, tolerance(0.1)) << p.path;
-  }
-}
-
 TEST(Uncertainty, MatchesTheSpreadOfFitsWithAKnownNoise) {
   FitOptions options = fit_of({free_parameter("youngs_modulus"), free_parameter("yield_stress")});
   options.objective = Objective::LeastSquares;
