@@ -31,6 +31,13 @@ void use_fixed_modulus(const std::vector<Parameter>& parameters, TargetBlock& bl
   }
 }
 
+/// A rate of the tests moves nothing in a material without a law of it.
+void check_rate(const TomlTable& table, const TargetSource& source, const Material& material) {
+  if (!source.strain_rate || material.rate.law != RateLaw::None) return;
+  throw InputError(source.strain_rate->where, table.key() + ".strain_rate", "",
+                   "is of no use without a law, material.rate.law: it would move nothing");
+}
+
 std::vector<TargetBlock> read_targets(const TomlTable& root, const std::string& folder,
                                       const FitOptions& fit) {
   const std::vector<Parameter>& parameters = fit.parameters;
@@ -55,6 +62,7 @@ std::vector<TargetBlock> read_targets(const TomlTable& root, const std::string& 
     block.source.files = target_files(table, folder);
     table.check_unused();
     check_target(table, block.source);
+    check_rate(table, block.source, fit.setup.scene.material);
     check_material_is_given(root, parameters, block.source.test);
     use_fixed_modulus(parameters, block);
     blocks.push_back(std::move(block));

@@ -47,9 +47,9 @@ void set_errors(const Uncertainty& u, std::size_t k, double confidence, const Fi
   p.noise_error = u.noise_error[k];
   p.sampling_error = half / std::sqrt(3.0);
   p.misfit_error = 0.0;
-  p.degrees_of_freedom = u.degrees_of_freedom;
+  p.degrees_of_freedom = u.degrees_of_freedom[k];
   // Of noise as large as the residuals: a stated one may be smaller, or larger.
-  const double over = std::isinf(u.degrees_of_freedom) ? result.misfit_rms / u.noise : 1.0;
+  const double over = std::isinf(u.degrees_of_freedom[k]) ? result.misfit_rms / u.noise : 1.0;
   const bool in_runs = are_in_runs(result.runs_test_p, result.autocorrelation);
   if (in_runs || over > kTooSmall) {
     const auto parameters = static_cast<int>(u.identified.size());
@@ -140,6 +140,13 @@ std::string why_no_break(const Curve& curve) {
       "the record ends under load {}, at {:.0f} % of the largest stress; if the specimen broke "
       "there, say so by corrections.end_fraction = \"{:.0f} %\"",
       where, 100.0 * end, std::ceil(100.0 * end));
+}
+
+/// Where noise is not alike along the curve; which errors it makes stands in uncertainty.hpp.
+std::string unequal_noise(const Uncertainty& u) {
+  if (u.own_variance.empty()) return {};
+  return "the residuals scatter more on some parts of the curve than on others, as by noise of the "
+         "strain: errors and intervals are those of unequal noise";
 }
 
 void add_warnings(const Target& target, FitResult& result) {
@@ -261,6 +268,8 @@ void explain_fit(const Target& target, const FitOptions& options, const Paramete
   add_parameters(set, active, u, options.confidence, result);
   add_tied_errors(set, result);
   result.correlation = u.correlation;
+  std::string unequal = unequal_noise(u);
+  if (!unequal.empty()) result.warnings.push_back(std::move(unequal));
   add_warnings(target, result);
   warn_of_held_break(target, set, misfit.break_factor(), details.permanent, result);
   add_fitted_curve(target, options, result);

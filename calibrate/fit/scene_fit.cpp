@@ -111,13 +111,18 @@ class SceneFit {
       warn_of_path(t, curves[t][0]);
     }
     for (std::size_t i = 0; i < result_.parameters.size(); ++i) {
-      add_warning(result_.parameters[i], segments_of(i), result_.warnings);
+      const FittedParameter& p = result_.parameters[i];
+      add_warning(p, segments_of(i), result_.warnings);
+      const auto has = [&](const Parameter& each) { return each.field->path == p.path; };
+      const auto& prior = std::ranges::find_if(options_.parameters, has)->prior;
+      if (prior) warn_of_prior(*prior, prior_fractions_[i], p, result_.warnings);
     }
     const std::string next = laws_to_try(result_.law, loading_of(targets_), options_.laws);
     for (const TargetFit& of_target : result_.targets) {
       add_warning(of_target, result_.law, next, result_.warnings);
     }
     warn_of_specimens(targets_, result_.targets, result_.warnings);
+    warn_of_survived(problem_, options_, result_.parameters, curves, result_.warnings);
     const FittedScenes fitted(problem_, options_, search_.best(), errors);
     result_.intervals = find_intervals(fitted, work_, result_.warnings);
     if (options_.laws.size() > 1) result_.held_out = held_out(fitted, work_);

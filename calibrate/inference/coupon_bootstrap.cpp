@@ -8,10 +8,27 @@
 namespace plastica::calibrate {
 namespace {
 
+/// Residuals of unequal noise stay with their samples, at the size of their own variances, and draw
+/// their signs, alike within a block: the wild bootstrap (Wu, Ann. Stat. 14 (1986) 1261; signs:
+/// Davidson & Flachaire, J. Econometrics 146 (2008) 162).
+std::vector<double> drawn_signs(const std::vector<double>& variance, std::size_t block,
+                                Draws& draws) {
+  std::vector<double> drawn;
+  drawn.reserve(variance.size());
+  double sign = 1.0;
+  for (std::size_t i = 0; i < variance.size(); ++i) {
+    if (i % block == 0) sign = draws.below(2) == 0 ? -1.0 : 1.0;
+    drawn.push_back(sign * std::sqrt(variance[i]));
+  }
+  return drawn;
+}
+
 /// What is added to the residuals of the squares so that they are those of a drawn curve.
 std::vector<double> drawn_shift(const CouponProblem& problem, const std::vector<double>& residual,
                                 double inflation, std::size_t block, Draws& draws) {
-  const std::vector<double> drawn = drawn_residuals(residual, inflation, block, draws);
+  const std::vector<double> drawn = problem.own_variance().empty()
+                                        ? drawn_residuals(residual, inflation, block, draws)
+                                        : drawn_signs(problem.own_variance(), block, draws);
   std::vector<double> shift(problem.squares().residuals, 0.0);
   // The prior's mean is drawn about the fitted value that it stands for.
   if (problem.prior_size() > 0.0) {

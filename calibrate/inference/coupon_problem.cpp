@@ -19,6 +19,7 @@ CouponProblem::CouponProblem(const Target& target, const FitOptions& options,
                              const FitResult& result)
     : set_(target, options), misfit_(target, options, set_) {
   const std::size_t n_active = set_.active().size();
+  std::vector<std::optional<std::size_t>> active_index;  // of each of free_
   std::size_t k = 0;
   for (std::size_t i = 0; i < set_.size(); ++i) {
     const ResolvedParameter& p = set_.all()[i];
@@ -36,15 +37,20 @@ CouponProblem::CouponProblem(const Target& target, const FitOptions& options,
         const double at = set_.coordinate(k, free.fitted->value);
         squares_.start.push_back(std::clamp(at, squares_.lower.back(), squares_.upper.back()));
       }
-      ++k;
     }
+    active_index.push_back(p.idle ? std::nullopt : std::optional(k++));
     free_.push_back(free);
   }
   if (result.modulus_prior) misfit_.set_prior(*result.modulus_prior);
   details_ = misfit_.details(active_);
   drop_unidentifiable_yield(misfit_, set_, active_, options, details_);
+  details_.by_shift = shift_slopes(target, options, set_, active_);
   uncertainty_ = uncertainty(details_, active_, set_, target, options, misfit_.break_factor());
   spread_ = spread_of(details_, active_, set_, target, options);
+  for (std::size_t i = 0; i < free_.size(); ++i) {
+    const std::size_t of = active_index[i].value_or(0);
+    if (of < n_active) free_[i].degrees_of_freedom = uncertainty_.degrees_of_freedom[of];
+  }
   noise_ = std::max(uncertainty_.noise, kMinNoise * std::sqrt(misfit_.cost_unit()));
   for (std::size_t i = 0; i < n_active; ++i) {
     if (set_.all()[set_.active()[i]].is_break) {

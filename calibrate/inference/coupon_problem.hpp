@@ -36,11 +36,12 @@ class CouponProblem {
   double cost() const { return cost_; }                                   ///< there
 
   double noise() const { return noise_; }  ///< s; not 0 where the model meets the curve [Pa]
-  double degrees_of_freedom() const { return uncertainty_.degrees_of_freedom; }
   /// Of the samples that enter the fit, in their order: where among the residuals, and what of it
   /// is left [Pa]; and how many parameters took their part of it.
   const std::vector<std::size_t>& entered() const { return entered_; }
   std::vector<double> residual_of_entered() const;
+  /// Of unequal noise: the variance of each of them [Pa^2] (uncertainty.hpp); else empty.
+  const std::vector<double>& own_variance() const { return uncertainty_.own_variance; }
   std::size_t determined() const { return determined_; }
   /// Of a residual in Pa, to have it as the squares do.
   double scale(std::size_t sample) const { return scale_[sample]; }
@@ -63,6 +64,7 @@ class CouponProblem {
     const FittedParameter* fitted = nullptr;
     std::optional<std::size_t> coordinate;  ///< of one that is searched
     bool is_break = false;                  ///< the one that follows; else without coordinate: idle
+    double degrees_of_freedom = 1.0;        ///< of the residuals' part of its error
   };
   const std::vector<Free>& free() const { return free_; }  ///< in the order of the result
 

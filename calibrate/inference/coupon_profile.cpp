@@ -28,7 +28,7 @@ ProfiledParameter profiled(const CouponProblem& problem, const CouponProblem::Fr
     p.inverse = moments->inverse;
     p.along = std::move(moments->along);
   }
-  p.degrees_of_freedom = problem.degrees_of_freedom();
+  p.degrees_of_freedom = free.degrees_of_freedom;
   p.value_of = [&problem](std::size_t i, double at) { return problem.value(i, at); };
   return p;
 }
@@ -41,7 +41,7 @@ std::vector<LikelihoodProfile> profile_coupon(CouponProblem& problem, double con
     if (!free.is_break && !free.coordinate) {  // idle
       LikelihoodProfile none;
       const double factor =
-          theory::student_t_quantile(0.5 + 0.5 * confidence, problem.degrees_of_freedom());
+          theory::student_t_quantile(0.5 + 0.5 * confidence, free.degrees_of_freedom);
       none.threshold = factor * factor;
       none.low = none.high = kNan;
       profiles.push_back(std::move(none));

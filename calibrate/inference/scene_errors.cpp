@@ -40,13 +40,16 @@ void drop_unidentifiable(const MatrixXd& normal, std::vector<Index>& kept) {
 
 }  // namespace
 
-bool breaks_by(const Parameter& p, const SceneModel& model, const WeightedTarget& weighted) {
-  if (!weighted.target.broke) return false;
+bool limits(MaterialField limit, const SceneModel& model, const WeightedTarget& weighted) {
   const bool torsion = model.level() == Level::Twist ||
                        (model.level() == Level::Coupon &&
                         weighted.setup.scene.drive.deformation == Deformation::Torsion);
   const bool bends = !torsion && model.level() != Level::Spatial;
-  return p.field->material == MaterialField::BreakStrain ? bends : torsion;
+  return limit == MaterialField::BreakStrain ? bends : torsion;
+}
+
+bool breaks_by(const Parameter& p, const SceneModel& model, const WeightedTarget& weighted) {
+  return weighted.target.broke && limits(*p.field->material, model, weighted);
 }
 
 double limit_within(const StrainAtBreak& strain, bool ends) {

@@ -83,6 +83,8 @@ class SceneErrors {
   std::vector<std::vector<SceneCurve>> neighbours_;
 };
 
+/// Whether a break limit, in tension or in torsion, is one of a target's scene.
+bool limits(MaterialField limit, const SceneModel& model, const WeightedTarget& weighted);
 /// Whether a target broke in the way that a break parameter limits.
 bool breaks_by(const Parameter& p, const SceneModel& model, const WeightedTarget& weighted);
 

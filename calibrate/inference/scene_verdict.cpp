@@ -2,11 +2,14 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 #include "calibrate/fit/check_scene_fit.hpp"
 #include "calibrate/inference/lack_of_fit.hpp"
+#include "calibrate/inference/scene_errors.hpp"
 
 namespace plastica::calibrate {
 
@@ -20,6 +23,31 @@ std::string enough_segments(const FittedParameter& p, const SegmentsError& segme
   if (!(times < kMax)) return "";
   return fmt::format("; about {:.1f} times as many segments would make both alike",
                      std::ceil(10.0 * times) / 10.0);
+}
+
+/// A break limit of a target's scene.
+struct HeldLimit {
+  double value = 0.0;   ///< [1]
+  double margin = 0.0;  ///< more than this beyond it is no noise
+  bool fitted = false;
+};
+
+std::optional<HeldLimit> limit_of(const Field& field, const WeightedTarget& target,
+                                  const SceneFitOptions& options,
+                                  std::span<const FittedParameter> parameters) {
+  constexpr double kErrors = 3.0, kRounding = 1e-3;
+  const auto p = std::ranges::find(parameters, field.path, &FittedParameter::path);
+  if (p != parameters.end()) {
+    const double errors = p->has_error() ? kErrors * p->standard_error : 0.0;
+    return HeldLimit{p->value, std::max(errors, kRounding * p->value), true};
+  }
+  const Setup setup = with_fixed(target.setup, options);
+  const Material& material = setup.scene.material;
+  const std::optional<double>& held = *field.material == MaterialField::BreakStrain
+                                          ? material.break_strain
+                                          : material.break_shear_strain;
+  if (!held) return std::nullopt;
+  return HeldLimit{*held, kRounding * *held, false};
 }
 
 }  // namespace
@@ -74,6 +102,48 @@ void warn_of_specimens(std::span<const WeightedTarget> targets, std::span<const 
           "that differ, shared = false fits each by itself; the errors above know nothing of it",
           fits[b].name, fits[a].name));
       return;
+    }
+  }
+}
+
+void warn_of_prior(const Prior& prior, double fraction, const FittedParameter& p,
+                   std::vector<std::string>& warnings) {
+  constexpr double kErrors = 3.0, kNothing = 1e-6;  // of what is known, by the curves
+  const double curves = 1.0 - fraction;
+  if (!(curves > kNothing) || !(p.noise_error > 0.0)) return;
+  const double alone = prior.mean + (p.value - prior.mean) / curves;
+  const double error = p.noise_error / std::sqrt(curves);
+  const double both = std::hypot(prior.standard_deviation, error);
+  const double apart = std::abs(alone - prior.mean);
+  if (!(apart > kErrors * both)) return;
+  warnings.push_back(fmt::format(
+      "the curves contradict the prior of {}: {:.4g} ± {:.2g} without it, {:.4g} ± {:.2g} by it "
+      "(SI), {:.1f} standard errors apart: the value is a mean of unlike ones",
+      p.name(), alone, error, prior.mean, prior.standard_deviation, apart / both));
+}
+
+void warn_of_survived(const SceneProblem& problem, const SceneFitOptions& options,
+                      std::span<const FittedParameter> parameters,
+                      std::span<const std::vector<SceneCurve>> curves,
+                      std::vector<std::string>& warnings) {
+  for (std::size_t t = 0; t < curves.size(); ++t) {
+    const WeightedTarget& target = problem.targets()[t];
+    const StrainAtBreak& strain = curves[t].front().strain;
+    for (const char* name : {"break_strain", "break_shear_strain"}) {
+      const Field& field = find_field(name);
+      if (!limits(*field.material, problem.model(t), target)) continue;
+      const auto limit = limit_of(field, target, options, parameters);
+      if (!limit || !(strain.survived > limit->value + limit->margin)) continue;
+      // A fitted limit is a mean of those at which targets broke: whether these agree is judged
+      // there.
+      const bool only_at_break = target.target.broke && !(strain.survived > strain.before);
+      if (limit->fitted && only_at_break) continue;
+      warnings.push_back(fmt::format(
+          "{}: the specimen bore a permanent strain of {:.4g} % and {}, more than {} allows, which "
+          "is {} {:.4g} %",
+          target.target.name, 100.0 * strain.survived,
+          target.target.broke ? "went on" : "did not break at all", name,
+          limit->fitted ? "fitted as" : "held at", 100.0 * limit->value));
     }
   }
 }

@@ -7,6 +7,7 @@
 
 #include "calibrate/fit/scene_fit.hpp"
 #include "calibrate/inference/verdict.hpp"
+#include "calibrate/problem/scene_problem.hpp"
 
 namespace plastica::calibrate {
 
@@ -27,5 +28,21 @@ void add_warning(const TargetFit& of_target, Law law, std::string_view try_next,
 /// @param fits  what the fit made of them (n_targets)
 void warn_of_specimens(std::span<const WeightedTarget> targets, std::span<const TargetFit> fits,
                        std::vector<std::string>& warnings);
+
+/// Of a prior that the curves contradict: what they say of the parameter without it, d, is further
+/// from the prior's mean than three standard errors of both. With v the squared noise error of the
+/// value x and f = v/sd^2 the prior's fraction, d = mean + (x - mean)/(1 - f) with the variance
+/// v/(1 - f). What residuals in runs add does not count: the prior itself may make them.
+/// @param fraction  f [1]
+void warn_of_prior(const Prior& prior, double fraction, const FittedParameter& parameter,
+                   std::vector<std::string>& warnings);
+
+/// Of targets that bore more than a break limit, fitted or held, while they were intact.
+/// @param parameters  fitted; one of the break counts with three of its standard errors
+/// @param curves  of the targets at the solution (n_targets, >= 1)
+void warn_of_survived(const SceneProblem& problem, const SceneFitOptions& options,
+                      std::span<const FittedParameter> parameters,
+                      std::span<const std::vector<SceneCurve>> curves,
+                      std::vector<std::string>& warnings);
 
 }  // namespace plastica::calibrate

@@ -7,7 +7,11 @@
 #include <numeric>
 #include <span>
 
+#include "calibrate/inference/lack_of_fit.hpp"
+#include "calibrate/inference/material_interval.hpp"
 #include "calibrate/inference/not_a_number.hpp"
+#include "calibrate/inference/unequal_noise.hpp"
+#include "calibrate/inference/verdict.hpp"
 #include "calibrate/problem/weighted_squares.hpp"
 
 namespace plastica::calibrate {
@@ -28,6 +32,9 @@ struct StressErrors {
   std::vector<double> size;  ///< of the active parameters, SI (n)
   double variance = 0.0;     ///< of the noise [Pa^2]
   double degrees_of_freedom = 1.0;
+  /// Where noise is unequal: A^-1 J^T W of the samples that enter, SI, and their variances.
+  MatrixXd influence;
+  VectorXd own;
 };
 
 /// A, with the prior's, B = J^T W^2 J and the prior's B_p of some columns, scaled by `size`.
@@ -125,6 +132,50 @@ VectorXd shift_effect(const Misfit::Details& d, double error, const StressErrors
   return -error * (sizes.asDiagonal() * (of_stress.inverse * pull));
 }
 
+/// The fit about its solution, its parameters over their sizes.
+FitInfluence influence_of(const Misfit::Details& d, const StressErrors& of_stress) {
+  std::vector<Eigen::Index> entered;
+  for (std::size_t s = 0; s < d.residual.size(); ++s) {
+    if (d.weight[s] > 0.0) entered.push_back(static_cast<Eigen::Index>(s));
+  }
+  const auto samples = static_cast<Eigen::Index>(d.residual.size());
+  const auto m = static_cast<Eigen::Index>(of_stress.columns.size());
+  MatrixXd slopes(static_cast<Eigen::Index>(entered.size()), m);
+  for (Eigen::Index k = 0; k < m; ++k) {
+    const std::size_t column = of_stress.columns[static_cast<std::size_t>(k)];
+    const Eigen::Map<const VectorXd> all(d.jacobian.data() + column * d.residual.size(), samples);
+    slopes.col(k) = of_stress.size[column] * all(entered);
+  }
+  const VectorXd weight = Eigen::Map<const VectorXd>(d.weight.data(), samples)(entered);
+  FitInfluence fit;
+  const MatrixXd along = slopes * of_stress.inverse;  // (n x m)
+  fit.influence = (weight.asDiagonal() * along).transpose();
+  fit.leverage = weight.cwiseProduct(along.cwiseProduct(slopes).rowwise().sum());
+  const MatrixXd squares = along * of_stress.weighted;
+  fit.left =
+      (1.0 - 2.0 * fit.leverage.array()).matrix() + squares.cwiseProduct(along).rowwise().sum();
+  fit.residual = Eigen::Map<const VectorXd>(d.residual.data(), samples)(entered);
+  if (d.by_shift.empty()) return fit;
+  // What the strain's shift is off is no noise of the samples, and counted by itself: it is taken
+  // out as a parameter more would.
+  const VectorXd shift = Eigen::Map<const VectorXd>(d.by_shift.data(), samples)(entered);
+  const VectorXd beside = shift - slopes * (fit.influence * shift);
+  const VectorXd weighted = weight.cwiseProduct(beside);
+  const double size = weighted.dot(beside);
+  if (size > 0.0) fit.residual -= weighted.dot(fit.residual) / size * beside;
+  return fit;
+}
+
+/// Whether residuals are noise, of which alone a variance can be told: not what is left of a curve
+/// without any.
+bool are_noise(const VectorXd& residual, double largest_stress) {
+  constexpr double kNothing = 1e-6;
+  const double squares = residual.squaredNorm() / static_cast<double>(residual.size());
+  if (!(std::sqrt(squares) > kNothing * largest_stress)) return false;
+  const std::span<const double> all(residual.data(), static_cast<std::size_t>(residual.size()));
+  return !are_in_runs(runs_test_p(all), autocorrelation(all));
+}
+
 StressErrors stress_errors(const Misfit::Details& d, std::span<const double> active,
                            const ParameterSet& parameters, const Target& target,
                            const FitOptions& options) {
@@ -165,6 +216,15 @@ StressErrors stress_errors(const Misfit::Details& d, std::span<const double> act
   }
   const MatrixXd c = of_stress.variance * of_stress.inverse * normal.b * of_stress.inverse;
   of_stress.covariance = sizes.asDiagonal() * c * sizes.asDiagonal();
+  if (!std::isinf(of_stress.degrees_of_freedom)) {
+    const FitInfluence fit = influence_of(d, of_stress);
+    if (are_noise(fit.residual, stress) && is_noise_unequal(fit)) {
+      of_stress.own = own_variances(fit);
+      of_stress.influence = sizes.asDiagonal() * fit.influence;
+      of_stress.covariance =
+          of_stress.influence * of_stress.own.asDiagonal() * of_stress.influence.transpose();
+    }
+  }
   of_stress.of_prior = sizes.asDiagonal() * of_stress.prior * sizes.asDiagonal();
   return of_stress;
 }
@@ -244,7 +304,16 @@ Uncertainty uncertainty(const Misfit::Details& details, std::span<const double> 
     }
   }
   u.noise = std::sqrt(of_stress.variance);
-  u.degrees_of_freedom = of_stress.degrees_of_freedom;
+  u.degrees_of_freedom.assign(n, of_stress.degrees_of_freedom);
+  if (of_stress.own.size() > 0) {
+    u.own_variance.assign(of_stress.own.data(), of_stress.own.data() + of_stress.own.size());
+    const MatrixXd influence = map * of_stress.influence;
+    for (std::size_t i = 0; i < n; ++i) {
+      u.degrees_of_freedom[i] =
+          degrees_of_own(influence.row(static_cast<Eigen::Index>(i)).cwiseAbs2().transpose(),
+                         of_stress.own, of_stress.degrees_of_freedom);
+    }
+  }
   return u;
 }
 
@@ -264,7 +333,9 @@ Spread spread_of(const Misfit::Details& details, std::span<const double> active,
       const auto row = static_cast<Eigen::Index>(i), column = static_cast<Eigen::Index>(j);
       const double unit = of_stress.size[a] * of_stress.size[b];
       all.inverse[a * n + b] = unit * of_stress.inverse(row, column);
-      all.spread[a * n + b] = unit * spread(row, column);
+      all.spread[a * n + b] = of_stress.own.size() > 0
+                                  ? of_stress.covariance(row, column) / of_stress.variance
+                                  : unit * spread(row, column);
       all.prior[a * n + b] = unit * of_stress.prior(row, column);
     }
   }

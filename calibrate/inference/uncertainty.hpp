@@ -18,6 +18,10 @@ namespace plastica::calibrate {
 /// "sandwich"; for equal weights it is s^2 (J^T J)^-1, and with them and a given noise A^-1).
 ///   least squares with a given noise: s = noise, whatever the given weights;
 ///   otherwise: s^2 = sum r_i^2/(n_samples - n) over the samples whose weight is above 0.
+/// Where residuals that are noise scatter otherwise on the samples that decide on a parameter than
+/// on the rest (`is_noise_unequal`), and no noise is given, each sample has its own variance v_i
+/// instead of s^2 (`own_variances`): C = A^-1 J^T W diag(v) W J A^-1, and each parameter its own
+/// degrees of freedom.
 /// So given weights are no inverse variances: they say which part of the curve the parameters have
 /// to follow, and a fit that leans on fewer samples gets larger errors.
 /// Where the model cannot follow the curve the residuals are not independent and the errors are too
@@ -47,7 +51,10 @@ struct Uncertainty {
   std::vector<double> sampling;     ///< half a break's sampling interval, SI (n); 0 of all others
   std::vector<double> correlation;  ///< (n x n); NaN in rows and columns not identified
   double noise = 0.0;               ///< s [Pa]
-  double degrees_of_freedom = 1.0;  ///< of s; infinite if it is given
+  /// Of the residuals' part of the errors (n); infinite if s is given.
+  std::vector<double> degrees_of_freedom;
+  /// Of unequal noise: v of the samples with a weight [Pa^2]; else empty.
+  std::vector<double> own_variance;
 };
 
 /// How the residuals of a fit change with the shift of the target's strain [Pa] (n_samples), by
@@ -65,7 +72,7 @@ Uncertainty uncertainty(const Misfit::Details& details, std::span<const double> 
 /// identified, SI (n x n).
 struct Spread {
   std::vector<double> inverse;  ///< A^-1, with the weights of the details
-  std::vector<double> spread;   ///< A^-1 (J^T W^2 J) A^-1
+  std::vector<double> spread;   ///< A^-1 (J^T W^2 J) A^-1; of unequal noise C over s^2
   std::vector<double> prior;    ///< P, with the noise that it has
 };
 Spread spread_of(const Misfit::Details& details, std::span<const double> active,

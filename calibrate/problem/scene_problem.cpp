@@ -8,8 +8,6 @@
 #include "plastica/model/region.hpp"
 
 namespace plastica::calibrate {
-namespace {
-
 Setup with_fixed(const Setup& setup, const SceneFitOptions& options) {
   Setup fixed = setup;
   for (const Parameter& p : options.parameters) {
@@ -24,6 +22,8 @@ Setup with_fixed(const Setup& setup, const SceneFitOptions& options) {
   }
   return fixed;
 }
+
+namespace {
 
 RunCounters counters_of(const SceneCurve& curve) {
   return {curve.is_extended ? 2 : 1, curve.usable ? 0 : 1, curve.segment_iterations};

@@ -16,6 +16,9 @@
 
 namespace plastica::calibrate {
 
+/// A setup with the values of parameters that are fixed, or tied to one that is.
+Setup with_fixed(const Setup& setup, const SceneFitOptions& options);
+
 /// Runs that a fit has made.
 struct RunCounters {
   int runs = 0;

@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <vector>
 
 #include "calibrate/problem/given_weights.hpp"
+#include "calibrate/target/characteristics.hpp"
 #include "plastica/coupon/shape.hpp"
 
 namespace plastica::calibrate {
@@ -23,6 +25,51 @@ double largest_weighted_stress(const Curve& curve, const FitOptions& options) {
 
 /// A factor around the start, within the field's range.
 StartValue around(double start, double factor) { return {start, start / factor, start * factor}; }
+
+/// A turn of the strain: where, the stress there, and how far the stroke to it went.
+struct Turn {
+  double strain = 0.0, stress = 0.0, range = 0.0;
+};
+
+std::vector<Turn> turns_of(const Curve& curve) {
+  std::vector<Turn> turns;
+  double from = 0.0;
+  for (std::size_t i = 0; i < curve.size(); ++i) {
+    const double step = curve.strain[i] - from;
+    const bool last = i + 1 == curve.size();
+    if (!last && (curve.strain[i + 1] - curve.strain[i]) * step >= 0.0) continue;
+    turns.push_back({curve.strain[i], curve.stress[i], step});
+    from = curve.strain[i];
+  }
+  return turns;
+}
+
+/// Whether a cyclic curve carries less than before at the end of a stroke that went no less far,
+/// from and to, in the same direction: by a hundredth, and by 8 times the noise.
+bool softens(const Target& target) {
+  if (target.loading != Loading::Cyclic) return false;
+  constexpr double kLess = 0.01, kNoises = 8.0, kAsFar = 0.99;
+  const Curve& curve = target.corrected;
+  const double least = std::max(kLess * largest_magnitude(curve.stress),
+                                kNoises * noise_of(curve.strain, curve.stress));
+  const std::vector<Turn> turns = turns_of(curve);
+  for (std::size_t later = 1; later < turns.size(); ++later) {
+    for (std::size_t i = 0; i < later; ++i) {
+      const Turn &a = turns[i], &b = turns[later];
+      const double sign = std::copysign(1.0, a.range);
+      const bool as_far = sign * b.range >= kAsFar * std::abs(a.range) &&
+                          sign * (b.strain - a.strain) >= (kAsFar - 1.0) * std::abs(a.range);
+      if (as_far && sign * (a.stress - b.stress) > least) return true;
+    }
+  }
+  return false;
+}
+
+/// Of what saturates: it hardens, unless the curve shows that it softens.
+StartValue saturation_start(double stress, const Target& target) {
+  if (!softens(target)) return around(0.3 * stress, 100.0);
+  return {-0.1 * stress, -stress, 30.0 * stress};
+}
 
 /// Of a rate law: as given, or what is usual of steel.
 StartValue rate_start(MaterialField field, const RateDependence& rate) {
@@ -59,7 +106,7 @@ StartValue raw_start(MaterialField field, const CurveSizes& s, const Target& tar
       return {torsion ? 3.0 * s.slope : s.slope, 0.0, 0.999 * young};
     }
     case MaterialField::KinematicFraction: return {0.5, 0.0, 1.0};
-    case MaterialField::SaturationStress: return around(0.3 * s.stress, 100.0);
+    case MaterialField::SaturationStress: return saturation_start(s.stress, target);
     case MaterialField::SaturationRate: return around(3.0 / s.strain, 1000.0);
     // Back stresses that each carry a fifth of the stress and are full after 3 %, 30 % of the
     // strain and never.

@@ -30,7 +30,9 @@ struct StartValue {
 /// laws); the break strain as the permanent strain at break; the tangent modulus as the slope from
 /// proof stress to strength. Where a curve lacks one, its largest stress and strain stand in (95 %
 /// of the stress for a yield stress).
-/// Bounds hold the start with at least a factor of ten, and lie within the field's range.
+/// What saturates hardens, above 0; of a cyclic curve that carries less at the end of a later
+/// stroke as long as before it may soften, too, and begins there. Bounds hold the start with at
+/// least a factor of ten, and lie within the field's range.
 /// @param sizes  the target's `curve_sizes`
 StartValue start_value(const Field& field, const CurveSizes& sizes, const Target& target,
                        const FitOptions& options);

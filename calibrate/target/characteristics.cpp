@@ -68,7 +68,10 @@ std::optional<YieldPoint> find_yield_point(std::span<const double> stress, doubl
   for (std::size_t i = 0; i < stress.size(); ++i) {
     const double value = stress[i];
     if (value > point.upper) {
-      if (dropped) return point;
+      if (dropped) {
+        point.until = i;
+        return point;
+      }
       point = {value, value, i, i};
     }
     if (value < point.lower) {
@@ -91,12 +94,40 @@ std::optional<YieldPoint> find_yield_point(std::span<const double> stress, doubl
     climb = stress[i] - lower;
     point.lower = lower;
     point.lower_at = lower_at;
-    point.later_peak = i;
+    point.later_peak = point.until = i;
   }
   if (!dropped || climb <= least_drop() || point.upper - point.lower <= least_drop()) {
     return std::nullopt;
   }
   return point;
+}
+
+void leave_out_transient(std::span<const double> strain, std::span<const double> stress,
+                         double noise, double yield_drop, YieldPoint& point) {
+  constexpr double kLongest = 0.0025, kStays = 3.0, kHigher = 0.05, kNoises = 3.0;
+  const double least = std::max(yield_drop * point.upper, 8.0 * noise);
+  const auto lowest_from = [&](std::size_t i) {
+    const auto begin = stress.begin() + static_cast<std::ptrdiff_t>(i);
+    const auto end = stress.begin() + static_cast<std::ptrdiff_t>(point.until);
+    return static_cast<std::size_t>(std::min_element(begin, end) - stress.begin());
+  };
+  const double from = strain[point.at];
+  for (std::size_t i = point.lower_at + 1; i < point.until; ++i) {
+    const double length = strain[i] - from;
+    if (length > kLongest) return;
+    const std::size_t lowest = lowest_from(i);
+    const double depth = stress[lowest] - point.lower;
+    if (!(length > 0.0 && depth > least)) continue;
+    std::size_t stays = i;
+    while (stays < point.until && strain[stays] < from + kStays * length) ++stays;
+    if (stays == point.until) return;
+    const double higher = stress[lowest_from(stays)] - stress[lowest];
+    if (higher > std::max(kHigher * depth, kNoises * noise)) continue;
+    if (point.upper - stress[lowest] <= least) return;  // a pause on a plateau
+    point.lower = stress[lowest];
+    point.lower_at = lowest;
+    return;
+  }
 }
 
 }  // namespace plastica::calibrate

@@ -28,12 +28,13 @@ std::optional<double> proof_stress(std::span<const double> strain, std::span<con
 /// Upper and lower yield strength [Pa].
 struct YieldPoint {
   double upper = 0.0;
-  double lower = 0.0;  ///< least stress until it climbs above the upper one; no transient excluded
-  std::size_t at = 0;  ///< sample of the upper one
+  double lower = 0.0;        ///< least stress until it climbs above the upper one
+  std::size_t at = 0;        ///< sample of the upper one
   std::size_t lower_at = 0;  ///< of the lower one
   /// Where the upper one is the largest stress of all, the sample of the largest after the climb
   /// from the lower one: Rm is there (ISO 6892-1:2019, 3.10.1: after the yield point).
   std::optional<std::size_t> later_peak{};
+  std::size_t until = 0;  ///< the sample at which it has climbed, or the last one
 };
 
 /// The yield point by the rule of TargetOptions::yield_drop. Source: ISO 6892-1:2019, 3.10.2. One
@@ -41,5 +42,16 @@ struct YieldPoint {
 /// the curve falls from Rm to its end.
 std::optional<YieldPoint> find_yield_point(std::span<const double> stress, double noise,
                                            double yield_drop);
+
+/// Leaves the initial transient out of a lower yield strength, as ISO 6892-1:2019, 3.10.2.2 asks
+/// for: the undershoot of machine and specimen behind the upper one. The standard says no more of
+/// it than that what comes within 0.25 % of strain after it may count (12.1), so it is taken to be
+/// - over within a strain l of 0.25 % after the upper one,
+/// - deeper than a yield drop (`find_yield_point`) below the least stress from there on,
+/// - followed by what stays: from 3 l on the least stress is no higher, but for a twentieth of that
+///   depth, or 3 times the noise, and still a yield drop below the upper one. A curve that hardens
+///   right behind its minimum has no transient.
+void leave_out_transient(std::span<const double> strain, std::span<const double> stress,
+                         double noise, double yield_drop, YieldPoint& point);
 
 }  // namespace plastica::calibrate

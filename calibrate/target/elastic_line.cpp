@@ -184,11 +184,15 @@ std::optional<ElasticLine> settled_line(const Curve& curve, Loading loading, Val
   double yield = start;
   bool settled = false;
   auto line = automatic_line(strain, stress, sign, yield, noise, options);
+  // After a test the strain may run back to zero, above the offset line without load.
+  const auto furthest = std::max_element(curve.strain.begin(), curve.strain.end());
+  const auto tested = static_cast<std::size_t>(furthest - curve.strain.begin()) + 1;
+  const Values until = Values(curve.strain).first(tested);
   for (int round = 0; line && round < 8; ++round) {
     line->yield_stress = yield;
     if (loading != Loading::Monotonic || !sees_offset(line->modulus, options.offset, noise)) break;
-    const auto proof =
-        proof_stress(curve.strain, curve.stress, line->modulus, line->zero_strain, options.offset);
+    const auto proof = proof_stress(until, Values(curve.stress).first(tested), line->modulus,
+                                    line->zero_strain, options.offset);
     settled = proof && std::abs(*proof - yield) <= 1e-4 * yield;
     if (!proof || !(*proof > least) || settled) break;
     auto next = automatic_line(strain, stress, sign, *proof, noise, options);

@@ -255,8 +255,20 @@ struct Block {
 struct Imported {
   std::vector<Target> targets;
   std::optional<InputError> lacking;  ///< where the file has not the columns of the block
+  std::optional<InputError> no_row;   ///< where a specimen is not in the block's table
+  bool has_row = false;               ///< whether one is
   bool was_unreadable = false;
 };
+
+/// Looks for a specimen in the block's table.
+void find_row(const Block& block, const Part& part, Imported& imported) {
+  try {
+    (void)block.specimens->row_of(part);
+    imported.has_row = true;
+  } catch (const InputError& error) {
+    if (!imported.no_row) imported.no_row = error;
+  }
+}
 
 Target rejected(Target target, const InputError& error) {
   reject(target, error.what());
@@ -297,9 +309,11 @@ Imported import_file(const Block& block, const std::string& file) {
   std::string stem = std::filesystem::path(file).stem().string();
   if (source.csv.sheet) stem += ":" + *source.csv.sheet;
   first.name = stem;
+  const bool is_one = source.split.empty();
+  if (block.specimens && is_one) find_row(block, {stem, "", {}}, imported);
   std::optional<CsvTable> table;
   try {
-    if (block.specimens && source.split.empty()) {
+    if (block.specimens && is_one) {
       block.specimens->add_groups(block.specimens->row_of({stem, "", {}}), first);
     }
     if (source.kept) table = source.kept->take(file, source.csv);
@@ -321,6 +335,7 @@ Imported import_file(const Block& block, const std::string& file) {
   }
   const bool pattern = block.plan.stress->column.find('*') != std::string::npos;
   for (const Part& part : parts) {
+    if (block.specimens && !is_one) find_row(block, part, imported);
     for (const io::FoundColumn& column : columns.stress) {
       Target target = first;
       if (!part.value.empty()) target.name += ":" + part.value;
@@ -362,6 +377,11 @@ std::vector<Target> import_targets(const TargetSource& source, const TargetOptio
   };
   // Then the block is wrong, not the files.
   if (first != files.end() && std::ranges::none_of(files, has_columns)) throw *first->lacking;
+  const auto no_row =
+      std::ranges::find_if(files, [](const Imported& file) { return file.no_row.has_value(); });
+  if (no_row != files.end() && std::ranges::none_of(files, &Imported::has_row)) {
+    throw *no_row->no_row;
+  }
   std::vector<Target> targets;
   for (Imported& file : files) {
     std::ranges::move(file.targets, std::back_inserter(targets));

@@ -136,7 +136,8 @@ void measure_characteristics(Target& target, const ElasticLine& line, const RawF
   } else if (!elastic_to_the_end(curve, line.modulus, noise, *c.rm)) {
     c.rp02 = proof_stress(curve.strain, curve.stress, line.modulus, 0.0, options.offset);
   }
-  if (const auto point = find_yield_point(curve.stress, noise, options.yield_drop)) {
+  if (auto point = find_yield_point(curve.stress, noise, options.yield_drop)) {
+    leave_out_transient(curve.strain, curve.stress, noise, options.yield_drop, *point);
     // Where flow begins: a drop later on is that of a slip, or of a pause.
     constexpr double kLatest = 0.005;
     const double plastic = curve.strain[point->at] - point->upper / line.modulus;

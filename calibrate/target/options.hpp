@@ -110,7 +110,8 @@ struct TargetOptions {
   double modulus_high = 0.6;
   double offset = 0.002;  ///< [1] plastic strain of the proof stress
   /// Smallest fall after an upper yield point, as a fraction of it; also at least 8 times the
-  /// noise. The stress must climb above it again, otherwise it is Rm.
+  /// noise. The stress must climb above it again, otherwise it is Rm. How deep a transient must be
+  /// to be left out of the lower yield strength, too (`leave_out_transient`).
   double yield_drop = 0.003;
 
   /// Samples wanted on the elastic part and on the plateau of a monotonic curve; fewer: TooCoarse.

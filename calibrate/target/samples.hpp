@@ -75,7 +75,9 @@ void drop_duplicates(const Samples& samples);
 /// Drops lone outliers of a curve that goes one way, "outliers": a sample that differs from both
 /// neighbours, to the same side, by more than 0.2 of the largest |ordinate| (of the medians of
 /// three neighbours) and 8 times the noise, while the neighbours differ by less than a quarter of
-/// that.
+/// that. Or, on a rise, one that is off the straight line through its four nearest, over the
+/// abscissa and over the rows, by more than 0.03 of the largest, 8 times the noise (about it, over
+/// the rows) and four times what these are off their line.
 void drop_outliers(const Samples& samples);
 
 /// Drops spikes of a monotonic test of a coupon, "spikes", which would be its Rm or its break:

@@ -1,5 +1,7 @@
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <numeric>
 #include <span>
 #include <vector>
 
@@ -18,6 +20,55 @@ double quantile_of_sizes(std::span<const double> values, double share) {
   const auto at = static_cast<std::ptrdiff_t>(share * static_cast<double>(sizes.size() - 1));
   std::ranges::nth_element(sizes, sizes.begin() + at);
   return sizes[static_cast<std::size_t>(at)];
+}
+
+/// 0, 1, 2, …
+std::vector<double> numbered(std::size_t n) {
+  std::vector<double> rows(n);
+  std::iota(rows.begin(), rows.end(), 0.0);
+  return rows;
+}
+
+/// The noise about a sample: where the strain has noise it is more on an elastic part.
+double noise_about(std::span<const double> x, std::span<const double> y, std::size_t sample) {
+  constexpr std::size_t kReach = 20;
+  const std::size_t begin = sample > kReach ? sample - kReach : 0;
+  const std::size_t count = std::min(x.size(), sample + kReach + 1) - begin;
+  return noise_of(x.subspan(begin, count), y.subspan(begin, count));
+}
+
+/// Whether a sample is by itself off the straight line through its four nearest, which lie on one.
+/// @param threshold  less is none
+bool is_off_the_line(std::span<const double> x, std::span<const double> y, std::size_t i,
+                     double threshold) {
+  constexpr double kTimes = 4.0;  // what the four are off their line
+  const std::array<std::size_t, 4> near{i - 2, i - 1, i + 1, i + 2};
+  double mean_x = 0.0, mean_y = 0.0, sxx = 0.0, sxy = 0.0;
+  for (const std::size_t k : near) {
+    mean_x += 0.25 * x[k];
+    mean_y += 0.25 * y[k];
+  }
+  for (const std::size_t k : near) {
+    sxx += (x[k] - mean_x) * (x[k] - mean_x);
+    sxy += (x[k] - mean_x) * (y[k] - mean_y);
+  }
+  if (!(sxx > 0.0)) return false;
+  const auto off = [&](std::size_t k) {
+    return std::abs(y[k] - mean_y - sxy / sxx * (x[k] - mean_x));
+  };
+  double largest = threshold;
+  for (const std::size_t k : near) largest = std::max(largest, kTimes * off(k));
+  return off(i) > largest;
+}
+
+/// A dropout or a spike on a rise, where it may be between its neighbours' values or far below the
+/// largest one: off both the curve and the record, whose strain may have noise. Neither the corner
+/// at a yield stress nor an upper yield point is.
+bool is_off_a_rise(std::span<const double> x, std::span<const double> rows,
+                   std::span<const double> y, std::size_t i, double threshold) {
+  constexpr double kNoises = 8.0;
+  if (i < 2 || i + 2 >= y.size() || !is_off_the_line(x, y, i, threshold)) return false;
+  return is_off_the_line(rows, y, i, std::max(threshold, kNoises * noise_about(x, y, i)));
 }
 
 /// Marks runs of `shortest` to 5 values whose sizes are above those before and behind, which are
@@ -77,8 +128,13 @@ void drop_outliers(const Samples& samples) {
   const double largest = largest_magnitude(std::span(medians).subspan(1, n - 2));
   if (!(largest > 0.0)) return;
   const double threshold = std::max(0.2 * largest, 8.0 * noise_of(samples.abscissa, y));
+  constexpr double kSmall = 0.03;  // of the largest: less is no matter, or a step of the sensor
+  const std::vector<double> x = samples.abscissa;
+  const std::vector<double> rows = numbered(n);
+  const double small = std::max(kSmall * largest, 8.0 * noise_of(x, y));
   const std::size_t dropped = filter(samples, [&](std::size_t i) {
     if (i == 0 || i + 1 == n) return true;
+    if (is_off_a_rise(x, rows, y, i, small)) return false;
     const double a = y[i] - y[i - 1];
     const double b = y[i] - y[i + 1];
     const double least = std::min(std::abs(a), std::abs(b));
@@ -98,9 +154,8 @@ void drop_spikes(const Samples& samples) {
   std::vector<bool> keep(n, true);
   mark_runs(y, std::max(0.2 * usual, 8.0 * noise_of(x, y)), 2, keep);
   double step = 0.0;
-  std::vector<double> rows(n);
+  const std::vector<double> rows = numbered(n);
   for (std::size_t i = 1; i < n; ++i) {
-    rows[i] = static_cast<double>(i);
     step += std::abs(x[i] - x[i - 1]) / static_cast<double>(n - 1);
   }
   mark_runs(x, std::max({20.0 * step, 0.01 * quantile_of_sizes(x, kMost), 8.0 * noise_of(rows, x)}),

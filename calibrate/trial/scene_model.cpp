@@ -341,22 +341,33 @@ double SceneModel::strain_at(const Response& response, const std::vector<double>
   return low + fraction * (strain_of(response, limited, k) - low);
 }
 
+double SceneModel::largest_strain(const Response& response, const std::vector<double>& path,
+                                  const std::vector<bool>& limited, double until) const {
+  double largest = strain_at(response, path, limited, until);
+  for (std::size_t i = 0; i < path.size() && path[i] <= until; ++i) {
+    largest = std::fmax(largest, strain_of(response, limited, i));
+  }
+  return largest;
+}
+
 void SceneModel::set_strain(const Response& response, const std::vector<double>& path,
                             const std::vector<bool>& limited, SceneCurve& curve) const {
   const auto at = [&](double place) { return strain_at(response, path, limited, place); };
+  const auto up_to = [&](double place) { return largest_strain(response, path, limited, place); };
+  const double last = is_driven(target_.kind) ? static_cast<double>(target_.abscissa.size() - 1)
+                                              : target_.abscissa.back();
   if (!target_.broke) {
-    curve.strain.at = at(is_driven(target_.kind) ? static_cast<double>(target_.abscissa.size() - 1)
-                                                 : target_.abscissa.back());
+    curve.strain.at = at(last);
+    curve.strain.survived = up_to(last);
     return;
   }
   if (is_driven(target_.kind)) {
-    const auto last = static_cast<double>(target_.abscissa.size() - 1);
-    curve.strain = {at(last + 0.5), at(last), at(last + 1.0)};
+    curve.strain = {at(last + 0.5), at(last), at(last + 1.0), up_to(last)};
     return;
   }
   const SceneBreak& broke = *target_.broke;
-  curve.strain = {at(broke.at), at(broke.at - broke.half_interval),
-                  at(broke.at + broke.half_interval)};
+  const double intact = broke.at - broke.half_interval;
+  curve.strain = {at(broke.at), at(intact), at(broke.at + broke.half_interval), up_to(intact)};
 }
 
 }  // namespace plastica::calibrate

@@ -27,6 +27,9 @@ struct StrainAtBreak {
       std::numeric_limits<double>::quiet_NaN();  ///< where the target broke, or its last one
   double before = std::numeric_limits<double>::quiet_NaN();  ///< where it was intact for sure
   double after = std::numeric_limits<double>::quiet_NaN();   ///< where it was broken for sure
+  /// The largest on the way, up to where it was intact for sure: of a net measure it may be that of
+  /// an earlier stroke.
+  double survived = std::numeric_limits<double>::quiet_NaN();
 };
 
 /// What a scene gives where a target was measured.
@@ -89,6 +92,9 @@ class SceneModel {
                    const std::vector<bool>& limited, double at) const;
   void set_ordinate(const Response& response, const std::vector<double>& path,
                     SceneCurve& curve) const;
+  /// The largest up to a place of the path, and there.
+  double largest_strain(const Response& response, const std::vector<double>& path,
+                        const std::vector<bool>& limited, double until) const;
   void set_strain(const Response& response, const std::vector<double>& path,
                   const std::vector<bool>& limited, SceneCurve& curve) const;
 

@@ -39,6 +39,10 @@ INSTANTIATE_TEST_SUITE_P(
                  {{"a.csv/b.csv", ""}},
                  {"calibrate", "a.csv"},
                  "a.csv: cannot be read: Is a directory"},
+        BadInput{"NotInTheTable",
+                 {{"a.csv", broken_curve()}, {"info.csv", "id,lot\nb,1\n"}},
+                 {"calibrate", "a.csv", "--table", "info.csv:id", "--group", "lot", "-o", "a.h5"},
+                 "info.csv: id = a: has no row in the table"},
         curve("Empty", "", ": is empty"),
         curve("Binary",
               std::string("\x7F"

@@ -203,6 +203,9 @@ INSTANTIATE_TEST_SUITE_P(
                    "8: target[1].table.file = none.csv: is not a file"),
         target_key("TableWithoutKey", "table = { file = 'info.csv' }",
                    "8: target[1].table.key: is missing"),
+        target_key("RateWithoutALaw", "strain_rate = '0.01 1/s'",
+                   "8: target[1].strain_rate: is of no use without a law, material.rate.law: it "
+                   "would move nothing"),
         target_key("MissingKeyColumn", "table = { file = 'info.csv', key = 'name' }",
                    "8: key = name: is not a column of info.csv, which has 3 columns: id, S0, "
                    "temperature"),

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <string>
 #include <vector>
@@ -158,6 +159,41 @@ TEST(FitLaw, KeepsAStatedNoiseForTheComparison) {
   options.objective = Objective::LeastSquares;
   options.noise = 1e6;
   EXPECT_EQ(fit_law(voce_target(), options, Law::Ideal).noise, 1e6);
+}
+
+// Voce with Q = -80 MPa, b = 20, worked in small steps that know nothing of the library.
+TEST(Law, FindsThatACyclicCurveSoftens) {
+  const std::vector<double> strain = path({0.008, -0.008, 0.01, -0.01, 0.012, -0.012, 0.012}, 60);
+  std::vector<double> stress;
+  double plastic = 0.0, passed = 0.0, before = 0.0;
+  Noise noise(12);
+  for (const double to : strain) {
+    constexpr int kSteps = 500;
+    for (int i = 1; i <= kSteps; ++i) {
+      const double e = before + (to - before) * i / kSteps;
+      const double yield = 350e6 - 80e6 * (1.0 - std::exp(-20.0 * passed));
+      const double slope = -80e6 * 20.0 * std::exp(-20.0 * passed);
+      const double tried = 200e9 * (e - plastic);
+      const double step = (std::abs(tried) - yield) / (200e9 + slope);
+      if (step <= 0.0) continue;
+      plastic += std::copysign(step, tried);
+      passed += step;
+    }
+    before = to;
+    stress.push_back(200e9 * (to - plastic) + noise(1e6));
+  }
+  Target target = target_of(strain, stress);
+  target.loading = Loading::Cyclic;
+  FitOptions options = modulus_and_yield();
+  options.laws = {Law::Voce};
+  const FitResult result = fit_law(target, options, Law::Voce);
+  ASSERT_EQ(result.status, FitStatus::Fitted) << result.reason;
+  const FittedParameter& q = result.parameter("saturation_stress");
+  const FittedParameter& b = result.parameter("saturation_rate");
+  EXPECT_NEAR(q.value, -80e6, 4.0 * q.standard_error);
+  EXPECT_NEAR(b.value, 20.0, 4.0 * b.standard_error);
+  EXPECT_LT(q.standard_error, 4e6);
+  EXPECT_EQ(result.misfit_word, "close");
 }
 
 }  // namespace

@@ -173,6 +173,54 @@ TEST(SceneJointFit, SaysThatTargetsDisagreeOnTheBreak) {
   EXPECT_FALSE(disagrees(fit(targets, options)));
 }
 
+bool bore_more(const SceneFitResult& fit, const std::string& how) {
+  return std::ranges::any_of(fit.warnings, [&](const std::string& line) {
+    return line.find("the specimen bore") != std::string::npos &&
+           line.find(how) != std::string::npos;
+  });
+}
+
+// One bar broke at 60 mm; another was pushed to 70 mm and bore it, or to 50 mm.
+TEST(SceneJointFit, SaysThatASpecimenBoreMoreThanTheFittedBreakLimit) {
+  std::vector<WeightedTarget> targets{bent(6, 0.5, 1), bent(6, 0.5, 2)};
+  for (WeightedTarget& weighted : targets) {
+    weighted.target.abscissa.resize(30);
+    weighted.target.ordinate.resize(30);
+  }
+  targets[0].target.broke = SceneBreak{0.0601, 1e-4};
+  targets[1].target.name = "pushed";
+  for (int i = 31; i <= 35; ++i) targets[1].target.abscissa.push_back(2e-3 * i);
+  make_curve(targets[1], {}, 0.5, 2);
+  const SceneFitOptions options{
+      .parameters = testing::all_three(), .starts = 1, .segments_error = false};
+  EXPECT_TRUE(bore_more(fit(targets, options), "did not break at all, more than break_strain"));
+  // Back from 70 mm it bore that too, whatever it has at the end.
+  for (int i = 1; i <= 5; ++i) targets[1].target.abscissa.push_back(0.07 - 2e-3 * i);
+  make_curve(targets[1], {}, 0.5, 2);
+  EXPECT_TRUE(bore_more(fit(targets, options), "pushed: "));
+  targets[1].target.abscissa.resize(25);
+  make_curve(targets[1], {}, 0.5, 2);
+  EXPECT_FALSE(bore_more(fit(targets, options), ""));
+}
+
+TEST(SceneJointFit, SaysThatASpecimenBoreMoreThanAHeldBreakLimit) {
+  WeightedTarget weighted = bent(6, 0.5, 1);
+  SceneFitOptions options{
+      .parameters = stiffness_and_yield(), .starts = 1, .segments_error = false};
+  EXPECT_FALSE(bore_more(fit_scene(weighted.setup, weighted.target, options), ""));
+  weighted.setup.scene.material.break_strain = 0.002;
+  EXPECT_TRUE(bore_more(fit_scene(weighted.setup, weighted.target, options),
+                        "break_strain allows, which is held at 0.2 %"));
+  weighted.setup.scene.material.break_strain = 0.5;
+  EXPECT_FALSE(bore_more(fit_scene(weighted.setup, weighted.target, options), ""));
+  Parameter held;
+  held.field = &find_field("break_strain");
+  held.role = ParameterRole::Fixed;
+  held.value = 0.003;
+  options.parameters.push_back(held);
+  EXPECT_TRUE(bore_more(fit_scene(weighted.setup, weighted.target, options), "held at 0.3 %"));
+}
+
 TEST(SceneJointFit, SaysThatSpecimensDiffer) {
   const auto differ = [](const std::vector<WeightedTarget>& targets) {
     const SceneFitResult one =
@@ -217,6 +265,32 @@ TEST(SceneJointFit, RunsNoPointTwice) {
   const SceneFitResult three =
       fit_scene(weighted.setup, weighted.target, {.parameters = testing::all_three(), .starts = 1});
   EXPECT_EQ(three.runs, two.runs);
+}
+
+// The bar has 205 GPa, which its curve says within 0.3 % or so.
+TEST(SceneJointFit, SaysThatCurvesContradictAPrior) {
+  const WeightedTarget weighted = bent(6, 5.0, 1);
+  SceneFitOptions options{
+      .parameters = stiffness_and_yield(), .starts = 1, .segments_error = false};
+  const SceneFitResult alone = fit_scene(weighted.setup, weighted.target, options);
+  const auto contradicted = [&](double mean, double deviation) {
+    options.parameters[0].prior = Prior{mean, deviation};
+    const SceneFitResult fit = fit_scene(weighted.setup, weighted.target, options);
+    const auto warning = std::ranges::find_if(fit.warnings, [](const std::string& line) {
+      return line.find("the curves contradict the prior of youngs_modulus") != std::string::npos;
+    });
+    return warning == fit.warnings.end() ? std::string() : *warning;
+  };
+  EXPECT_EQ(contradicted(205e9, 1e9), "");
+  EXPECT_EQ(contradicted(195e9, 10e9), "");
+  EXPECT_NE(contradicted(160e9, 5e9), "");
+  EXPECT_NE(contradicted(160e9, 0.1e9), "");  // where the prior has its way
+  EXPECT_NE(contradicted(250e9, 5e9), "");
+  // Two and four standard errors of both away from what the curves say by themselves.
+  const FittedParameter& E = alone.parameter("youngs_modulus");
+  const double both = std::hypot(E.noise_error, 1e9);
+  EXPECT_EQ(contradicted(E.value - 2.0 * both, 1e9), "");
+  EXPECT_NE(contradicted(E.value - 4.0 * both, 1e9), "");
 }
 
 TEST(SceneJointFit, LetsPriorsAndTiesSayWhatCurvesDoNot) {

@@ -103,5 +103,53 @@ TEST(StartValues, LieInsideOfBoundsThatLieInTheFieldsRange) {
   }
 }
 
+/// 200 GPa, a yield stress of 300 MPa + isotropic + kinematic hardening moduli times plastic
+/// strain, isotropic down to no less than half; worked step by step.
+Target strokes(const std::vector<double>& corners, double isotropic, double kinematic,
+               double noise = 0.0) {
+  const std::vector<double> strain = path(corners, 200);
+  std::vector<double> stress;
+  double plastic = 0.0, passed = 0.0;
+  Noise random(4);
+  for (const double e : strain) {
+    const double yield = std::max(150e6, 300e6 + isotropic * passed);
+    const double tried = 200e9 * (e - plastic) - kinematic * plastic;
+    const double beyond = std::abs(tried) - yield;
+    if (beyond > 0.0) {
+      const double step = beyond / (200e9 + kinematic + isotropic);
+      plastic += std::copysign(step, tried);
+      passed += step;
+    }
+    stress.push_back(200e9 * (e - plastic) + random(noise));
+  }
+  Target target = target_of(strain, stress);
+  target.loading = Loading::Cyclic;
+  return target;
+}
+
+TEST(StartValues, LetACyclicCurveSoftenThatDoes) {
+  const std::vector<double> even{0.008, -0.008, 0.01, -0.01, 0.012, -0.012};
+  const std::vector<double> uneven{0.01, -0.004, 0.006, 0.0, 0.012};
+  for (const double kinematic : {0.0, 5e9}) {
+    const StartValue softens = start_of("saturation_stress", strokes(even, -1e9, kinematic, 1e6));
+    EXPECT_LT(softens.start, 0.0);
+    EXPECT_LT(softens.lower, -200e6);
+    EXPECT_GT(softens.upper, 200e6);
+    for (const std::vector<double>& corners : {even, uneven}) {
+      for (const double isotropic : {0.0, 1e9}) {
+        for (const double noise : {0.0, 3e6}) {
+          EXPECT_GT(
+              start_of("saturation_stress", strokes(corners, isotropic, kinematic, noise)).lower,
+              0.0);
+        }
+      }
+    }
+  }
+  // A fall after the largest stress of one stroke may be a neck.
+  Target once = strokes({0.05}, -2e9, 0.0);
+  once.loading = Loading::Monotonic;
+  EXPECT_GT(start_of("saturation_stress", once).lower, 0.0);
+}
+
 }  // namespace
 }  // namespace plastica::calibrate

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <random>
 #include <string>
 #include <vector>
 
@@ -123,6 +124,71 @@ TEST(Characteristics, RmComesAfterAYieldPointThatIsTheLargestStress) {
   EXPECT_NEAR(c.rel.value(), 270e6, 1.0);
   EXPECT_NEAR(c.rm.value(), 290e6, 1.0);
   EXPECT_EQ(c.strain_at_rm.value(), curve.strain.back());
+}
+
+/// Steel of 205 GPa and ReH = 400 MPa, whose stress is `flow` of the strain after that, and
+/// from 1.5 % on hardens by 120 MPa.
+template <typename Flow>
+Curve with_flow(const Flow& flow, double noise) {
+  std::mt19937_64 random(5);
+  std::normal_distribution<double> normal;
+  Curve curve;
+  const auto add = [&](double strain, double stress) {
+    curve.strain.push_back(strain);
+    curve.stress.push_back(stress + noise * normal(random));
+  };
+  constexpr double kUpper = 400e6 / 205e9, kHardens = 0.015;
+  for (int i = 0; i <= 60; ++i) add(kUpper * i / 60, 400e6 * i / 60);
+  for (double after = 1e-4; after < 0.2; after += after < kHardens ? 1e-4 : 1e-3) {
+    const double hard = std::max(0.0, after - kHardens) / (0.2 - kHardens);
+    add(kUpper + after, flow(after) + 120e6 * (2.0 - hard) * hard);
+  }
+  return curve;
+}
+
+// Down to 325 MPa, back within some hundredths of a per cent, then a plateau at 350 MPa.
+TEST(Characteristics, TheLowerYieldStrengthLeavesOutTheInitialTransient) {
+  for (const double noise : {0.0, 0.5e6}) {
+    for (const double length : {3e-4, 6e-4, 1.2e-3}) {
+      const auto dip = [&](double after) {
+        if (after < 0.3 * length) return 400e6 - 75e6 * after / (0.3 * length);
+        return after < length ? 325e6 + 25e6 * (after / length - 0.3) / 0.7 : 350e6;
+      };
+      const Characteristics c = make_target("dip", with_flow(dip, noise)).characteristics;
+      EXPECT_NEAR(c.reh.value(), 400e6, 4.0 * noise + 1.0);
+      // The least of 150 samples of a plateau with noise; a twentieth of the depth.
+      EXPECT_GT(c.rel.value(), 350e6 - 4.0 * noise - 0.05 * 25e6) << noise << " " << length;
+      EXPECT_LT(c.rel.value(), 350e6 + 1.0);
+    }
+  }
+}
+
+TEST(Characteristics, TheLowerYieldStrengthIsTheLeastWhereThereIsNoTransient) {
+  const auto plateau = [](double after) { return after < 4e-4 ? 370e6 : 350e6; };
+  const auto hardens = [](double after) {
+    return after < 4e-4 ? 400e6 - 60e6 * after / 4e-4
+                        : 340e6 + 60e6 * std::pow((after - 4e-4) / 0.015, 0.3);
+  };
+  const auto slowly = [](double after) {
+    return after < 1e-3 ? 400e6 - 75e6 * after / 1e-3
+                        : std::min(350e6, 325e6 + 25e6 * (after - 1e-3) / 4e-3);
+  };
+  const auto falls = [](double after) { return after < 4e-4 ? 360e6 : 350e6 - 400e6 * after; };
+  const auto shallow = [](double after) {
+    return after < 3e-4 ? 370e6 : after < 6e-4 ? 349.5e6 : 350e6;
+  };
+  for (const double noise : {0.0, 0.5e6}) {
+    const auto rel = [&](const auto& flow, double least) {
+      const Characteristics c = make_target("least", with_flow(flow, noise)).characteristics;
+      ASSERT_TRUE(c.rel.has_value());
+      EXPECT_NEAR(*c.rel, least, 4.0 * noise + 1.0);
+    };
+    rel(plateau, 350e6);
+    rel(hardens, 340e6);
+    rel(slowly, 325e6);
+    rel(falls, 350e6 - 400e6 * 0.015);
+    rel(shallow, 349.5e6);
+  }
 }
 
 TEST(Characteristics, AStressThatRelaxesInAPauseIsNoYieldPoint) {

@@ -156,5 +156,80 @@ TEST(ElasticLine, IsFoundAboveAPreloadBelowARowOfZeros) {
   EXPECT_NEAR(*target.characteristics.youngs_modulus, 210e9, 2e9);
 }
 
+std::size_t outliers_of(const Target& target) {
+  const auto found = std::ranges::find(target.repairs, "outliers", &Repair::kind);
+  return found == target.repairs.end() ? 0 : found->count;
+}
+
+constexpr Hardening kSteel{"steel", 200e9, 300e6, 600e6, 0.5, 0.1};
+
+// The truth is the curve without it, whose E differs by what one sample says.
+TEST(ElasticLine, DoesNotMoveForALoneDropoutOrSpike) {
+  for (const int samples : {15, 40, 150}) {
+    const Curve clean = curve_of(kSteel, samples, 0.002);
+    const Characteristics& c = make_target("clean", clean).characteristics;
+    ASSERT_EQ(outliers_of(make_target("clean", clean)), 0U);
+    for (const double place : {0.25, 0.4, 0.55, 0.75}) {
+      const auto at = static_cast<std::size_t>(place * samples);
+      for (const double wrong : {0.0, 0.5 * clean.stress[at], clean.stress[at] + 60e6}) {
+        Curve curve = clean;
+        curve.stress[at] = wrong;
+        const Target target = make_target("lone", curve);
+        EXPECT_EQ(outliers_of(target), 1U) << samples << " " << at << " " << wrong;
+        const Characteristics& lone = target.characteristics;
+        EXPECT_NEAR(*lone.youngs_modulus, *c.youngs_modulus, *c.youngs_modulus_stderr);
+        EXPECT_NEAR(lone.modulus_window_high / c.modulus_window_high, 1.0, 1e-3);
+      }
+    }
+  }
+}
+
+TEST(ElasticLine, IsOfAllSamplesAtCornersAndPeaks) {
+  // A sharp corner at the yield stress, sampled coarsely beyond it; and an upper yield point of one
+  // sample, before a fall within one or two.
+  for (const int samples : {10, 40, 200}) {
+    for (const double fall : {0.0, 0.03, 0.1, 0.2}) {
+      for (const int steps : {1, 2}) {
+        Curve curve;
+        for (int i = 0; i <= samples; ++i) {
+          curve.strain.push_back(0.0015 * i / samples);
+          curve.stress.push_back(300e6 * i / samples);
+        }
+        for (int i = 1; i <= 100; ++i) {
+          curve.strain.push_back(0.0015 + 5e-4 * i);
+          const double fallen = fall * std::min(1.0, static_cast<double>(i) / steps);
+          curve.stress.push_back(300e6 * (1.0 - fallen) + 0.4e6 * i);
+        }
+        EXPECT_EQ(outliers_of(make_target("corner", curve)), 0U)
+            << samples << " " << fall << " " << steps;
+      }
+    }
+  }
+}
+
+// After its break the machine drives back, with nothing in the grips.
+TEST(ElasticLine, DoesNotMoveForRowsAfterTheEndOfTheTest) {
+  const Curve tested = curve_of(kSteel, 40, 0.002);
+  const double end = tested.strain.back();
+  Curve broken = tested;
+  const auto add = [&](Curve& curve, double strain, int i) {
+    curve.strain.push_back(strain);
+    curve.stress.push_back(i % 2 == 0 ? 0.3e6 : -0.2e6);
+  };
+  for (int i = 0; i < 3; ++i) add(broken, end + 1e-4 * (i + 1), i);
+  const Target alone = make_target("alone", broken);
+  Curve back = broken, at_once = broken;
+  for (int i = 0; i < 50; ++i) add(back, end * (1.0 - i / 49.0), i);
+  for (int i = 0; i < 10; ++i) add(at_once, 1e-6 * i, i);
+  for (const Curve& curve : {back, at_once}) {
+    const Target target = make_target("after", curve);
+    const Characteristics &a = alone.characteristics, &b = target.characteristics;
+    EXPECT_NEAR(b.modulus_window_high / a.modulus_window_high, 1.0, 1e-3);
+    EXPECT_NEAR(*b.youngs_modulus / *a.youngs_modulus, 1.0, 1e-6);
+    EXPECT_NEAR(*b.rp02 / *a.rp02, 1.0, 1e-3);
+    EXPECT_NEAR(*b.break_strain, *a.break_strain, 1e-9);
+  }
+}
+
 }  // namespace
 }  // namespace plastica::calibrate

@@ -7,12 +7,14 @@
 
 #include "plastica/base/check.hpp"
 #include "tests/calibrate/target/curve_files.hpp"
+#include "tests/support/message.hpp"
 
 namespace plastica::calibrate {
 namespace {
 
 using plastica::testing::CurveFiles;
 using plastica::testing::IdealPlastic;
+using plastica::testing::message_of;
 
 void expect_ideal(const Target& target) {
   EXPECT_EQ(target.status, TargetStatus::Ready) << target.reason;
@@ -116,6 +118,27 @@ TEST(ImportTargets, RejectsABadSpecimenAlone) {
   EXPECT_EQ(targets[3].status, TargetStatus::Rejected);
   EXPECT_NE(targets[3].reason.find("has no row in the table"), std::string::npos)
       << targets[3].reason;
+}
+
+TEST(ImportTargets, RefusesATableThatHasNoneOfTheSpecimens) {
+  const CurveFiles files("rowless");
+  TargetSource source = CurveFiles::source(
+      {files.write_curve("one.csv", 1.0, 1e-6), files.write_curve("two.csv", 1.0, 1e-6)});
+  const std::string info = files.write("info.csv", "id,lot\nA,one\nB,three\n");
+  source.table = TableSource{info, "id", {}, {}};
+  EXPECT_EQ(message_of([&] { (void)import_targets(source); }),
+            info + ": id = one: has no row in the table");
+  source.table->key = "lot";
+  const auto targets = import_targets(source);
+  EXPECT_EQ(targets.at(0).status, TargetStatus::Ready);
+  EXPECT_EQ(targets.at(1).status, TargetStatus::Rejected);
+  // Of specimens one under the other.
+  source =
+      CurveFiles::source({files.write("many.csv", "a,b [MPa],n\n0,0,1\n1,1,1\n0,0,2\n1,1,2\n")});
+  source.split = {"n"};
+  source.table = TableSource{info, "id", {}, {}};
+  EXPECT_EQ(message_of([&] { (void)import_targets(source); }),
+            info + ": id = 1: has no row in the table");
 }
 
 TEST(ImportTargets, RejectsAFileWithoutTheColumnOrUnitAlone) {

@@ -213,7 +213,7 @@ TEST(Repair, DropsALoneOutlierAndKeepsTheRestOfTheCurve) {
     EXPECT_NEAR(target.characteristics.rm.value(), curve.stress.back(), 1.0);
   }
   Curve curve = smooth_curve();
-  curve.stress[250] *= 0.85;
+  curve.stress[250] *= 0.975;
   EXPECT_EQ(count_of(make_target("small", curve), "outliers"), 0U);
 }
 
