@@ -31,16 +31,33 @@ struct Turn {
   double strain = 0.0, stress = 0.0, range = 0.0;
 };
 
+/// Where the strain turns back by a twentieth of its range: less is noise.
 std::vector<Turn> turns_of(const Curve& curve) {
+  constexpr double kTurns = 0.05;
+  const std::vector<double>& strain = curve.strain;
+  const auto [low, high] = std::minmax_element(strain.begin(), strain.end());
+  const double least = kTurns * (*high - *low);
   std::vector<Turn> turns;
-  double from = 0.0;
-  for (std::size_t i = 0; i < curve.size(); ++i) {
-    const double step = curve.strain[i] - from;
-    const bool last = i + 1 == curve.size();
-    if (!last && (curve.strain[i + 1] - curve.strain[i]) * step >= 0.0) continue;
-    turns.push_back({curve.strain[i], curve.stress[i], step});
-    from = curve.strain[i];
+  std::size_t furthest = 0;
+  double from = 0.0, sign = 0.0;
+  const auto turn = [&] {
+    turns.push_back({strain[furthest], curve.stress[furthest], strain[furthest] - from});
+    from = strain[furthest];
+  };
+  for (std::size_t i = 0; i < strain.size(); ++i) {
+    const double beyond = strain[i] - strain[furthest];
+    if (sign == 0.0) {
+      if (std::abs(strain[i] - strain[0]) > least) sign = std::copysign(1.0, strain[i] - strain[0]);
+      furthest = i;
+    } else if (sign * beyond > 0.0) {
+      furthest = i;
+    } else if (-sign * beyond > least) {
+      turn();
+      sign = -sign;
+      furthest = i;
+    }
   }
+  if (sign != 0.0) turn();
   return turns;
 }
 

@@ -145,6 +145,14 @@ TEST(StartValues, LetACyclicCurveSoftenThatDoes) {
       }
     }
   }
+  // A strain with noise turns at every sample.
+  Target noisy = strokes(even, 1e9, 5e9, 1e6);
+  Noise of_strain(6);
+  for (double& e : noisy.corrected.strain) e += of_strain(1e-4);
+  EXPECT_GT(start_of("saturation_stress", noisy).lower, 0.0);
+  noisy = strokes(even, -1e9, 0.0, 1e6);
+  for (double& e : noisy.corrected.strain) e += of_strain(3e-5);
+  EXPECT_LT(start_of("saturation_stress", noisy).lower, 0.0);
   // A fall after the largest stress of one stroke may be a neck.
   Target once = strokes({0.05}, -2e9, 0.0);
   once.loading = Loading::Monotonic;
