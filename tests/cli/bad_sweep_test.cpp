@@ -64,7 +64,7 @@ INSTANTIATE_TEST_SUITE_P(
               "bad.toml:3: beam.segments = 0: must be from 1 to 1e+07",
               {{"bad.toml", changed(kScene, "segments = 8", "segments = 0")}}),
         sweep("PlaceByItsSegment", "scene.toml", "numbered.toml",
-              "sweep.toml:2: beam.segments = 3 values: move the scene's load.at, the end of a "
+              "sweep.toml:3: beam.segments = 3 values: move the scene's load.at, the end of a "
               "segment by its number: give it as a fraction",
               {{"numbered.toml",
                 changed(kScene, "[[load]]\nat = 'end'", "[[load]]\nat = { segment = 8 }")}}),

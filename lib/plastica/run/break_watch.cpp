@@ -71,18 +71,18 @@ JointAngles BreakWatch::spread(const JointAngles& angle, std::size_t joint) cons
 }
 
 JointAngles BreakWatch::hinge_angles(const std::vector<JointAngles>& angles, std::size_t joint) {
-  JointAngles theta = spread(angles[joint], joint);
-  if (hinge_[joint] == 0.0 || localization_ == Localization::Distributed) return theta;
-  JointAngles window{};
+  if (hinge_[joint] == 0.0 || localization_ == Localization::Distributed) {
+    return spread(angles[joint], joint);
+  }
+  JointAngles theta{};
   if (has_window(joint)) {
-    window = same_hinges_ ? windowed(angles, joint) : lone_window(angles, joint);
+    theta = same_hinges_ ? windowed(angles, joint) : lone_window(angles, joint);
   }
   for (std::size_t k = 0; k < 3; ++k) {
-    if (has_window(joint, k)) {
-      theta[k] = window[k];
-    } else if (localization_ == Localization::Concentrated) {
-      theta[k] = concentrated(angles, joint, k);
-    }
+    if (has_window(joint, k)) continue;
+    theta[k] = localization_ == Localization::Concentrated
+                   ? concentrated(angles, joint, k)
+                   : angles[joint][k] * (hinge_[joint] / joints_[joint].length[k]);
   }
   return theta;
 }

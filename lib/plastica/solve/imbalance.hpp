@@ -44,11 +44,13 @@ struct Rounding {
 
 /// What springs and joints to the ground make of the rounding of positions and angles: their
 /// stiffness times it. (Angles within the beam are unknowns themselves, without such a rounding.)
+/// Nothing with float, whose tolerance has it already (`reachable`).
 template <class L, bool kElastic>
 Rounding<typename L::Scalar> rounding_of(const chain::Chain<L>& chain,
                                          const NewtonWork<L, kElastic>& w) {
   using S = typename L::Scalar;
   Rounding<S> sum;
+  if constexpr (!kIsDouble<S>) return sum;
   const S unit = constant<S>(kRoundings * std::numeric_limits<real_t<S>>::epsilon());
   for (const auto& spring : chain.springs) {
     for (std::size_t k = 0; k < L::kTranslations; ++k) {

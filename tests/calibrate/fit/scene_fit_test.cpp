@@ -133,8 +133,10 @@ TEST(SceneFit, DoubtsANoiseThatTheResidualsContradict) {
   const SceneFitResult stated = fit_scene(setup, target, options);
   EXPECT_NEAR(stated.parameters[0].noise_error, 0.01 * estimated.parameters[0].noise_error,
               2e-3 * estimated.parameters[0].noise_error);
-  EXPECT_GT(stated.parameters[0].scatter_error(), 0.6 * estimated.parameters[0].scatter_error());
-  EXPECT_LT(stated.parameters[0].scatter_error(), 1.6 * estimated.parameters[0].scatter_error());
+  const FittedParameter& modulus = stated.parameters[0];
+  const double all = std::hypot(modulus.noise_error, modulus.misfit_error);
+  EXPECT_GT(all, 0.6 * estimated.parameters[0].noise_error);
+  EXPECT_LT(all, 1.6 * estimated.parameters[0].noise_error);
   ASSERT_FALSE(stated.warnings.empty());
   EXPECT_TRUE(has(stated.warnings[0], "a noise of 0.03 is stated, but the residuals are of"))
       << stated.warnings[0];

@@ -123,7 +123,7 @@ TEST(Compare, TakesTheRmsOfCurves) {
 
 // A reference that goes on is taken as far as the case goes.
 TEST(Compare, TakesAStoredCurveUpToTheCasesEnd) {
-  Made made(segments_axis("[4]") + against("finest"), {-2.0});
+  Made made(segments_axis("[4]") + kTipError, {-2.0});
   made.sweep.against = {
       .kind = AgainstKind::File, .time = {0.0, 1.0, 3.0}, .curve = {0.0, -1.0, -5.0}};
   made.results[0].last_time = 1.5;
