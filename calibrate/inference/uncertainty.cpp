@@ -218,7 +218,8 @@ StressErrors stress_errors(const Misfit::Details& d, std::span<const double> act
   of_stress.covariance = sizes.asDiagonal() * c * sizes.asDiagonal();
   if (!std::isinf(of_stress.degrees_of_freedom)) {
     const FitInfluence fit = influence_of(d, of_stress);
-    if (are_noise(fit.residual, stress) && is_noise_unequal(fit)) {
+    // The cheap question first: hardly a curve says yes.
+    if (is_noise_unequal(fit) && are_noise(fit.residual, stress)) {
       of_stress.own = own_variances(fit);
       of_stress.influence = sizes.asDiagonal() * fit.influence;
       of_stress.covariance =
