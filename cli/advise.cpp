@@ -58,10 +58,10 @@ sweeps::Advice advise_with_progress(const Setup& setup, sweeps::AdviceOptions op
 }
 
 /// The scene with lengths of graded segments, as fractions of the beam's.
-std::string with_lengths(const std::string& text, const std::string& output,
-                         const std::vector<double>& fractions) {
+std::string with_lengths(const std::string& text, const io::SceneFile& file,
+                         const std::vector<double>& fractions, const std::string& output) {
   if (fractions.empty()) return text;
-  const auto refusal = InputError({}, "beam.segment_lengths", "",
+  const auto refusal = InputError({file.path, 0}, "beam.segment_lengths", "",
                                   "cannot be written into the scene's file: do it by hand");
   std::string written;
   try {
@@ -89,8 +89,8 @@ std::string advised_scene(const io::SceneFile& file, const sweeps::Advice& advic
       if (value != field->get(file.setup)) values.emplace_back(field, value);
     }
   }
-  return with_lengths(sweeps::scene_with_values(file.text, values, wanted, file.path, output),
-                      output, advice.fractions);
+  return with_lengths(sweeps::scene_with_values(file.text, values, wanted, file.path, output), file,
+                      advice.fractions, output);
 }
 
 /// Fills in what is asked for: an error or a time.

@@ -53,6 +53,13 @@ TEST(SceneResult, ExportsTheTableThatSimulateWrites) {
   const CommandResult joints = place.run({"export", "beam.h5", "--what", "joints"});
   EXPECT_EQ(joints.code, 0) << joints.err;
   EXPECT_EQ(lines_of(joints.out), 6U);
+  EXPECT_EQ(joints.err, "");
+  // Between two frames it says which one it is.
+  const CommandResult between =
+      place.run({"export", "beam.h5", "--what", "joints", "--time", "987 ms"});
+  EXPECT_EQ(between.out, joints.out);
+  EXPECT_TRUE(between.err.starts_with("the joints are those at 1 s, the frame next to 0.987 s"))
+      << between.err;
 }
 
 TEST(SceneResult, HasASummaryForScripts) {

@@ -12,7 +12,7 @@
 namespace plastica {
 namespace {
 
-/// Of the largest reaction, that is no figure of it yet.
+/// Of the largest reaction: rounding below this part of it is not seen in its figures.
 constexpr double kSmall = 1e-6;
 
 /// Force and moment.
@@ -40,12 +40,12 @@ std::vector<std::string> rounding_warnings(const Scene& scene, const Response& r
   const double moment = std::max(largest.moment, largest.force * length);
   std::vector<std::string> all;
   if (!(moment > 0.0)) return all;
-  const auto note = [&](std::size_t support, double rounding, double largest_of, const char* unit) {
-    if (!(rounding > kSmall * largest_of)) return;
+  const auto note = [&](std::size_t support, double rounding, double reaction, const char* unit) {
+    if (!(rounding > kSmall * reaction)) return;
     all.push_back(fmt::format(
         "support {}: its stiffness makes some {} {} of the rounding of double precision, where the "
         "largest reaction is {} {}: support it rigidly there, or by a softer spring",
-        support + 1, model_detail::figure(rounding), unit, model_detail::figure(largest_of), unit));
+        support + 1, model_detail::figure(rounding), unit, model_detail::figure(reaction), unit));
   };
   for (std::size_t k = 0; k < scene.supports.size(); ++k) {
     const Support& support = scene.supports[k];

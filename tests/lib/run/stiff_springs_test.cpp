@@ -1,8 +1,5 @@
 #include <gtest/gtest.h>
 
-#include <array>
-#include <cmath>
-
 #include "plastica/run/rounding_warning.hpp"
 #include "tests/support/chain_scene.hpp"
 

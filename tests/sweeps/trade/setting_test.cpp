@@ -2,15 +2,13 @@
 
 #include <gtest/gtest.h>
 
-#include <unistd.h>
-
 #include <cmath>
 #include <filesystem>
-#include <fstream>
 
 #include "plastica/io/scene_file.hpp"
 #include "sweeps/run/sweep_run.hpp"
 #include "sweeps/trade/recommend_text.hpp"
+#include "tests/lib/io/scratch_folder.hpp"
 #include "tests/support/message.hpp"
 #include "tests/sweeps/sweep_text.hpp"
 
@@ -85,27 +83,23 @@ TEST(SceneWithSetting, ChangesValuesOfNamedMaterialsAndInlineSections) {
 
 // A history that is a table beside the scene is that table from the output's folder, too.
 TEST(SceneWithSetting, NamesTablesFromTheOutputsFolder) {
-  const auto folder =
-      std::filesystem::path(::testing::TempDir()) / ("plastica_tables_" + std::to_string(getpid()));
-  const auto write = [&](const std::string& name, const std::string& content) {
-    std::filesystem::create_directories((folder / name).parent_path());
-    std::ofstream(folder / name) << content;
-  };
-  write("record.csv", "t [s],a [1]\n0,0\n1,1\n");
-  write("sub/record.csv", "t [s],a [1]\n0,0\n1,2\n");
+  const io::ScratchFolder folder;
+  std::filesystem::create_directory(folder.file("sub"));
+  folder.write("record.csv", "t [s],a [1]\n0,0\n1,1\n");
+  folder.write("sub/record.csv", "t [s],a [1]\n0,0\n1,2\n");
   SweepRecord record = record_of(kSegments + kTipError);
   std::string& scene = record.inputs[1].text;
   const std::string table = "history = { table = 'record.csv', time = 't', factor = 'a' }";
   scene.insert(scene.find("[[load]]") + std::string("[[load]]").size(), "\n" + table);
   scene.erase(scene.find("history = \"ramp\""), std::string("history = \"ramp\"").size());
-  const std::string output = folder / "sub/best.toml";
-  const std::string text = scene_with_setting(record, 1, folder, output);
+  const std::string beside = folder.file("");
+  const std::string output = folder.file("sub/best.toml");
+  const std::string text = scene_with_setting(record, 1, beside, output);
   EXPECT_NE(text.find("table = \"../record.csv\""), std::string::npos) << text;
   const History history = io::parse_scene_file(text, output).setup.scene.loads[0].history;
   EXPECT_EQ(history.at(1.0), 1.0);
-  EXPECT_EQ(scene_with_setting(record, 1, folder, folder / "best.toml").find("../"),
+  EXPECT_EQ(scene_with_setting(record, 1, beside, folder.file("best.toml")).find("../"),
             std::string::npos);
-  std::filesystem::remove_all(folder);
 }
 
 TEST(SceneWithSetting, TakesANamedMaterial) {
