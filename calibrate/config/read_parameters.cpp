@@ -79,12 +79,8 @@ void refuse(const std::optional<TomlValue>& value, std::string_view rule) {
 }
 
 /// { mean = ..., standard_deviation = ... }
-Prior read_prior(const TomlValue& value, const Field& field, ParameterScope scope) {
-  if (scope != ParameterScope::Scene) {
-    throw value.error(
-        "goes with targets that name a scene: a fit of curves alone weighs Young's modulus by "
-        "the slope, and nothing by a prior");
-  }
+Prior read_prior(const TomlValue& value, const Field& field) {
+  if (is_break(field)) throw value.error("is none of a break strain, which is set, not searched");
   const TomlTable table = value.table();
   const TomlValue deviation = table.at("standard_deviation");
   const Prior prior{table.at("mean").quantity(field.dimension),
@@ -93,7 +89,7 @@ Prior read_prior(const TomlValue& value, const Field& field, ParameterScope scop
   return prior;
 }
 
-void read_free(const Keys& keys, ParameterScope scope, Parameter& parameter) {
+void read_free(const Keys& keys, Parameter& parameter) {
   refuse(keys.value, "needs fixed = true beside it; a free parameter's first value is its start");
   refuse(keys.factor, "belongs to a tie");
   if (keys.bounds) read_bounds(*keys.bounds, parameter);
@@ -103,7 +99,7 @@ void read_free(const Keys& keys, ParameterScope scope, Parameter& parameter) {
     const bool above = parameter.upper && *parameter.value > *parameter.upper;
     if (below || above) throw keys.start->error("must be within the bounds");
   }
-  if (keys.prior) parameter.prior = read_prior(*keys.prior, *parameter.field, scope);
+  if (keys.prior) parameter.prior = read_prior(*keys.prior, *parameter.field);
   if (!keys.scale) return;
   parameter.scale = scale_of(*keys.scale);
   const bool logarithmic = parameter.scale == ParameterScale::Logarithmic;
@@ -167,7 +163,7 @@ Parameter read_parameter(const TomlValue& value, const Field& field, ParameterSc
   } else if (keys.fixed && keys.fixed->boolean()) {
     read_fixed(keys, table, parameter);
   } else {
-    read_free(keys, scope, parameter);
+    read_free(keys, parameter);
   }
   return parameter;
 }

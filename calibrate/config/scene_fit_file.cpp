@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <filesystem>
 #include <limits>
@@ -18,6 +19,7 @@
 #include "calibrate/config/unique_names.hpp"
 #include "calibrate/fit/choose_segments.hpp"
 #include "calibrate/fit/scene_laws.hpp"
+#include "calibrate/search/optimizer.hpp"
 #include "calibrate/trial/scene_drive.hpp"
 #include "plastica/io/read_input.hpp"
 #include "plastica/io/scene_file.hpp"
@@ -129,6 +131,14 @@ class Reader {
     SceneFitOptions& options = file_.options;
     (void)fit.at("parameters");
     options.parameters = read_parameters(fit, ParameterScope::Scene);
+    read_objective(fit);
+    if (const auto algorithm = fit.find("algorithm")) {
+      options.algorithm = algorithm_names()[algorithm->word(algorithm_names())];
+      for (const std::string_view key : {"starts", "screen"}) {
+        const auto given = options.algorithm != "auto" ? fit.find(key) : std::nullopt;
+        if (given) throw given->error("goes with algorithm = \"auto\": any other one goes alone");
+      }
+    }
     const auto read_integer = [&](std::string_view key, int low, int high, int& value) {
       if (const auto found = fit.find(key)) value = static_cast<int>(found->integer(low, high));
     };
@@ -154,6 +164,13 @@ class Reader {
         throw confidence->error("must be above 0 % and below 100 %");
       }
     }
+  }
+
+  void read_objective(const TomlTable& fit) {
+    static constexpr std::array<std::string_view, 2> kObjectives{"path", "least-squares"};
+    const auto objective = fit.find("objective");
+    if (!objective) return;
+    file_.options.objective = static_cast<Objective>(objective->word(kObjectives));
   }
 
   /// `segments` of all beams of the fit, a number or "auto", and what they may do to its values.

@@ -36,6 +36,7 @@ youngs_modulus = {}               # free, bounds from the curve; or { value = "2
 yield_stress   = { bounds = ["10 MPa", "2 GPa"] }
 break_strain   = { bounds = ["0.1 %", "100 %"] }       # the permanent strain at break
 # shear_yield_stress = { tie = "yield_stress", factor = 0.577 }
+# tangent_modulus = { prior = { mean = "2 GPa", standard_deviation = "0.5 GPa" } }
 
 # What the parameters do not say of the material. `material = "6061-T6"` above [fit] names one.
 [material]
@@ -70,6 +71,8 @@ constexpr std::string_view kSceneFit =
 # `#` begins a comment. Quantities stand in quotes with their unit: "355 MPa", "0.2 %".
 
 [fit]
+# objective = "path"              # samples count by the displacement that they stand for
+# algorithm = "bobyqa"            # one of NLopt's alone, from the start, in place of what follows
 # starts = 10                     # searches from the best of `screen` points; 1: from the scene's
 # screen = 64                     # own values alone, a tenth of the work, where they are near
 # seed   = 1                      # of the points

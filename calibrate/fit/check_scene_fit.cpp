@@ -7,6 +7,7 @@
 
 #include "calibrate/fit/require.hpp"
 #include "calibrate/inference/scene_errors.hpp"
+#include "calibrate/search/optimizer.hpp"
 
 namespace plastica::calibrate {
 namespace {
@@ -40,16 +41,6 @@ void check_tie(const Parameter& p, const std::vector<Parameter>& all) {
   }
   if (base == all.end() || base->role == ParameterRole::Tied) {
     refuse(p, "", "must be tied to a parameter of the fit that is not tied itself");
-  }
-}
-
-void check_prior(const Parameter& p) {
-  if (!p.prior) return;
-  if (is_break(p)) refuse(p, "", "cannot have a prior: a break strain is set, not searched");
-  if (!std::isfinite(p.prior->mean) || !(p.prior->standard_deviation > 0.0) ||
-      !std::isfinite(p.prior->standard_deviation)) {
-    refuse(p, fmt::format("{:g}", p.prior->standard_deviation),
-           "the prior's standard deviation must be above 0");
   }
 }
 
@@ -145,6 +136,9 @@ void check_scene_fit(std::span<const WeightedTarget> targets, const SceneFitOpti
   if (!any_free) throw InputError({}, "fit.parameters", "", "at least one must be free");
   check_law_parameters(options.parameters, targets.front().setup.scene.material, options.laws);
   require(options.evaluations >= 1, "evaluations", options.evaluations, "must be at least 1");
+  if (std::ranges::find(algorithm_names(), options.algorithm) == algorithm_names().end()) {
+    throw InputError({}, "fit.algorithm", options.algorithm, "is not the name of an algorithm");
+  }
   require(options.starts >= 1, "starts", options.starts, "must be at least 1");
   require(options.screen >= 0, "screen", options.screen, "must be at least 0");
   require(options.tolerance > 0.0, "tolerance", options.tolerance, "must be above 0");
@@ -155,6 +149,12 @@ void check_scene_fit(std::span<const WeightedTarget> targets, const SceneFitOpti
     check_target(weighted.target);
     require(weighted.weight > 0.0 && std::isfinite(weighted.weight), "weight", weighted.weight,
             "must be above 0");
+    const std::vector<double>& x = weighted.target.abscissa;
+    if (options.objective == Objective::Path &&
+        std::ranges::minmax(x).min == std::ranges::minmax(x).max) {
+      throw InputError({}, "fit.objective", "path",
+                       weighted.target.name + ": its abscissa never changes, so there is no path");
+    }
   }
 }
 

@@ -62,8 +62,20 @@ void set_errors(const Uncertainty& u, std::size_t k, double confidence, const Fi
   set_material_interval(confidence, {&half, 1}, {}, p);
 }
 
+void warn_of_prior(const Prior& prior, const Uncertainty& u, std::size_t k,
+                   const FittedParameter& p, FitResult& result) {
+  const double fraction = u.prior_fraction[k];
+  std::string warning = contradicts_prior({.name = p.name(),
+                                           .value = p.value,
+                                           .mean = prior.mean,
+                                           .standard_deviation = prior.standard_deviation,
+                                           .fraction = fraction,
+                                           .error_alone = u.residual_error[k] / (1.0 - fraction)});
+  if (!warning.empty()) result.warnings.push_back(std::move(warning));
+}
+
 void add_parameters(const ParameterSet& set, std::span<const double> active, const Uncertainty& u,
-                    double confidence, FitResult& result) {
+                    const FitOptions& options, FitResult& result) {
   std::vector<double> values(set.size());
   set.expand(active, values);
   std::size_t next = 0;
@@ -92,16 +104,18 @@ void add_parameters(const ParameterSet& set, std::span<const double> active, con
       p.identified = u.identified[k];
       // What is held by a bound has no scatter about it.
       if (p.identified && !p.at_bound()) {
-        set_errors(u, k, confidence, result, p);
+        set_errors(u, k, options.confidence, result, p);
       }
-      p.judgement =
-          judge({.value = p.value,
-                 .lower = p.lower,
-                 .upper = p.upper,
-                 .at_bound = p.identified && p.at_bound(),
-                 .noise_error = p.has_error() ? p.model_error() : u.noise_error[k],
-                 .half = u.sampling[k],
-                 .standard_error = p.has_error() ? p.standard_error : u.standard_error[k]});
+      const std::optional<Prior>& prior = options.parameters[i].prior;
+      if (prior && p.has_error()) warn_of_prior(*prior, u, k, p, result);
+      p.judgement = judge({.value = p.value,
+                           .lower = p.lower,
+                           .upper = p.upper,
+                           .at_bound = p.identified && p.at_bound(),
+                           .noise_error = p.has_error() ? p.model_error() : u.noise_error[k],
+                           .half = u.sampling[k],
+                           .standard_error = p.has_error() ? p.standard_error : u.standard_error[k],
+                           .prior = u.prior_fraction[k]});
     }
     result.parameters.push_back(p);
   }
@@ -151,8 +165,8 @@ std::string unequal_noise(const Uncertainty& u) {
 
 void add_warnings(const Target& target, FitResult& result) {
   for (const FittedParameter& p : result.parameters) {
-    const bool no_break = p.role == ParameterRole::Free && !target.characteristics.observed_break &&
-                          (p.name() == "break_strain" || p.name() == "break_shear_strain");
+    const bool no_break =
+        p.role == ParameterRole::Free && !target.characteristics.observed_break && p.is_break();
     if (no_break) {
       result.warnings.push_back(p.name() + " is not identified: " + why_no_break(target.corrected));
     } else if (p.judgement) {
@@ -207,8 +221,7 @@ void add_fitted_curve(const Target& target, const FitOptions& options, FitResult
   for (const FittedParameter& p : result.parameters) {
     // A break limit that the curve does not show would break the fitted beam at a guess. All else
     // is what the optimizer compared with the curve, determined by it or not.
-    const bool limit = p.name() == "break_strain" || p.name() == "break_shear_strain";
-    if (p.identified || !limit) set_field(setup, find_field(p.path), p.value);
+    if (p.identified || !p.is_break()) set_field(setup, find_field(p.path), p.value);
   }
   Scene& scene = setup.scene;
   take_test(target, scene);
@@ -265,7 +278,7 @@ void explain_fit(const Target& target, const FitOptions& options, const Paramete
   details.by_shift = shift_slopes(target, options, set, active);
   const Uncertainty u = uncertainty(details, active, set, target, options, misfit.break_factor());
   describe_misfit(details, target, options, result);
-  add_parameters(set, active, u, options.confidence, result);
+  add_parameters(set, active, u, options, result);
   add_tied_errors(set, result);
   result.correlation = u.correlation;
   std::string unequal = unequal_noise(u);

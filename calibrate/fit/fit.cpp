@@ -56,7 +56,7 @@ FitResult fit_target(const Target& target, const FitOptions& options,
                      std::span<const StartPoint> further) {
   if (target.status == TargetStatus::Ready) check_options(options);
   FitResult result = search_target(target, options, further);
-  weigh_modulus(target, options, result);
+  weigh_priors(target, options, result);
   add_intervals(target, options, result);
   return result;
 }

@@ -78,7 +78,7 @@ FitOptions options_of(Law law, const FitOptions& options, Loading loading) {
 
 namespace {
 
-/// As `fit_law`, without the prior of E.
+/// As `fit_law`, without priors.
 /// @param warning  is set where a simpler law that it contains ends with a smaller misfit
 FitResult search_law(const Target& target, const FitOptions& options, Law law,
                      std::string& warning) {
@@ -120,7 +120,7 @@ FitResult search_law(const Target& target, const FitOptions& options, Law law,
 FitResult fit_law(const Target& target, const FitOptions& options, Law law) {
   std::string warning;
   FitResult result = search_law(target, options, law, warning);
-  weigh_modulus(target, options_of(law, options, target.loading), result);
+  weigh_priors(target, options_of(law, options, target.loading), result);
   if (!warning.empty()) result.warnings.push_back(std::move(warning));
   return result;
 }

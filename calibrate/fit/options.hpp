@@ -7,21 +7,12 @@
 
 #include "calibrate/inference/intervals.hpp"
 #include "calibrate/problem/law.hpp"
+#include "calibrate/problem/objective.hpp"
 #include "calibrate/problem/parameter.hpp"
 #include "plastica/base/stop_flag.hpp"
 #include "plastica/model/field.hpp"
 
 namespace plastica::calibrate {
-
-/// How the misfit between model and curve is counted; r = model stress - measured stress.
-enum class Objective {
-  /// f = sum |de_i| (r_i^2 + r_{i-1}^2)/2 / sum |de_i| over the measured strain path: does not
-  /// depend on how densely the curve is sampled.
-  StrainPath,
-  /// f = sum w_i r_i^2 / sum w_i over the samples; w_i = weight_i/noise^2, where a weight or a
-  /// noise that is not given is 1.
-  LeastSquares,
-};
 
 /// When an optimizer stage ends: at the first of these.
 struct StoppingRules {
@@ -49,7 +40,7 @@ struct WeightStep {
 struct FitOptions {
   Setup setup;  ///< material, section and rules of the beam; the target sets drive and probes
   std::vector<Parameter> parameters;
-  Objective objective = Objective::StrainPath;
+  Objective objective = Objective::Path;
   std::optional<double> noise;  ///< standard deviation of the stress [Pa], LeastSquares
   /// Given weights by |strain|, LeastSquares; `from` rises strictly from step to step. They say how
   /// much a part of the curve matters, not how noisy it is: see uncertainty.hpp. A target whose

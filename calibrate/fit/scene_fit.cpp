@@ -115,7 +115,16 @@ class SceneFit {
       add_warning(p, segments_of(i), result_.warnings);
       const auto has = [&](const Parameter& each) { return each.field->path == p.path; };
       const auto& prior = std::ranges::find_if(options_.parameters, has)->prior;
-      if (prior) warn_of_prior(*prior, prior_fractions_[i], p, result_.warnings);
+      if (!prior) continue;
+      const double of_curves = 1.0 - prior_fractions_[i];
+      std::string warning =
+          contradicts_prior({.name = p.name(),
+                             .value = p.value,
+                             .mean = prior->mean,
+                             .standard_deviation = prior->standard_deviation,
+                             .fraction = prior_fractions_[i],
+                             .error_alone = p.noise_error / std::sqrt(of_curves)});
+      if (!warning.empty()) result_.warnings.push_back(std::move(warning));
     }
     const std::string next = laws_to_try(result_.law, loading_of(targets_), options_.laws);
     for (const TargetFit& of_target : result_.targets) {
@@ -200,10 +209,10 @@ class SceneFit {
     const SceneTarget& target = targets_[t].target;
     const std::size_t n = search_.best().x.size(), first = problem_.first_residual(t);
     const std::size_t samples = target.ordinate.size();
-    const double unit = problem_.scale(t) / std::sqrt(targets_[t].weight);
-    const SharedOffset offset =
-        shared_offset(slopes.subspan(first * n, n == 0 ? 0 : samples * n),
-                      std::span(search_.best().residual).subspan(first, samples));
+    const double unit = problem_.scale(t);
+    const SharedOffset offset = shared_offset(
+        slopes.subspan(first * n, n == 0 ? 0 : samples * n),
+        std::span(search_.best().residual).subspan(first, samples), problem_.weights(t));
     constexpr double kMatters = 1e-3;  // of the largest ordinate
     const bool matters = unit * std::abs(offset.value) > kMatters * largest_size(target.ordinate);
     if (!offset.stands_out() || !matters) return;
@@ -244,11 +253,9 @@ class SceneFit {
     const double largest = largest_size(target.ordinate);
     const double rms = std::sqrt(of_target.cost / static_cast<double>(of_target.samples));
     of_target.misfit_fraction = largest > 0.0 ? rms / largest : 0.0;
-    const double unit = problem_.scale(index) / std::sqrt(targets_[index].weight);
-    std::vector<double> residual;
+    const std::vector<double> residual = problem_.unscaled(index, search_.best().residual);
     for (std::size_t i = 0; i < of_target.samples; ++i) {
-      residual.push_back(unit * search_.best().residual[problem_.first_residual(index) + i]);
-      of_target.fitted.push_back(target.ordinate[i] + residual.back());
+      of_target.fitted.push_back(target.ordinate[i] + residual[i]);
     }
     of_target.runs_test_p = runs_test_p(residual);
     in_runs_ = in_runs_ || are_in_runs(of_target.runs_test_p, autocorrelation(residual));
@@ -289,12 +296,13 @@ class SceneFit {
       } else {
         fitted.value = searched.value(next, search_.best().x[next]);
         fitted.start = searched.value(next, 0.0);
-        fitted.logarithmic = searched.is_logarithmic(next);
-        const bool low = std::abs(search_.best().x[next] - searched.lower(next)) <
-                         std::abs(search_.best().x[next] - searched.upper(next));
+        const Coordinate& coordinate = searched.coordinate(next);
+        fitted.logarithmic = coordinate.logarithmic;
+        const bool low = std::abs(search_.best().x[next] - coordinate.at(coordinate.lower)) <
+                         std::abs(search_.best().x[next] - coordinate.at(coordinate.upper));
         fitted.at_lower = errors.at_bound(next) && low;
         fitted.at_upper = errors.at_bound(next) && !low;
-        slope[static_cast<Eigen::Index>(next)] = std::abs(searched.slope(next, fitted.value));
+        slope[static_cast<Eigen::Index>(next)] = std::abs(coordinate.slope(fitted.value));
         ++next;
       }
       fitted.degrees_of_freedom = errors.degrees_of_freedom(slope);

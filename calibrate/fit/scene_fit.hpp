@@ -2,11 +2,13 @@
 
 #include <cstdint>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "calibrate/fit/scene_fit_hooks.hpp"
 #include "calibrate/inference/intervals.hpp"
 #include "calibrate/problem/law.hpp"
+#include "calibrate/problem/objective.hpp"
 #include "calibrate/problem/parameter.hpp"
 #include "calibrate/result/scene_fit_result.hpp"
 #include "calibrate/search/ladder.hpp"
@@ -34,6 +36,11 @@ struct SceneFitOptions {
   /// which curves do not depend on, is fitted to the break in its place, where the break strain is
   /// known and hinges do not harden (a hardening one spreads as far as its joint).
   std::vector<Parameter> parameters;
+  /// Path: each sample counts by the abscissa that it stands for, its mean 1 (objective.hpp).
+  Objective objective = Objective::LeastSquares;
+  /// "auto": screening, starts and Gauss and Newton's steps, as said below. Any other name of
+  /// `algorithm_names()`: that algorithm alone, from the first start.
+  std::string algorithm = "auto";
   int evaluations = 200;    ///< largest number of points of a search, >= 1
   double tolerance = 1e-9;  ///< a step that moves no scaled parameter by more is the last [1], > 0
   /// Points of the global stage: Sobol's, within the bounds, of which the best that lie apart are
@@ -60,7 +67,8 @@ struct SceneFitOptions {
 
 /// Fits fields of one or several scenes to measured curves, by least squares of the ordinates.
 ///
-/// Targets are weighted by their noise: sum over targets of weight/noise^2 sum r_i^2. If a target
+/// Targets are weighted by their noise: sum over targets of weight/noise^2 sum w_i r_i^2, w_i 1 or
+/// the sample's part of the path. If a target
 /// states none, the largest ordinate stands for it at first. Then the noise is estimated from the
 /// residuals, with the degrees of freedom that the fit leaves to the target, and the fit is
 /// repeated, four times at most, until the noise changes by less than 5 %. A target with fewer than
@@ -68,12 +76,12 @@ struct SceneFitOptions {
 /// ordinate.
 ///
 /// Errors are those of Gauss and Newton: C = A^-1 B A^-1 with A = J^T W J, B = J^T W^2 J, J the
-/// residuals' slopes over the noise by central differences and W the given weights (for weights
-/// of 1: A^-1). A prior counts as a residual. A break strain has g^T C g + (a - b)^2/12, with g its
-/// slope by the parameters and a, b its values at both ends of the sampling interval of the break;
-/// of several broken targets the mean, weighted by these. Where the model cannot follow a curve the
-/// residuals are no noise and the errors are too small; what steps and fibres do to the
-/// values is not in them, nor is what segments do: see `SceneSegments`.
+/// residuals' slopes over the noise by central differences and W the weights, given or of the path
+/// (for weights of 1: A^-1). A prior counts as a residual. A break strain has g^T C g + (a -
+/// b)^2/12, with g its slope by the parameters and a, b its values at both ends of the sampling
+/// interval of the break; of several broken targets the mean, weighted by these. Where the model
+/// cannot follow a curve the residuals are no noise and the errors are too small; what steps and
+/// fibres do to the values is not in them, nor is what segments do: see `SceneSegments`.
 /// @throws InputError for a scene, target or parameter that is bad input, and if the probe of an
 ///         abscissa turns round on the path from the start values; FitInterrupted by the hooks
 SceneFitResult fit(std::span<const WeightedTarget> targets, const SceneFitOptions& options);

@@ -13,6 +13,7 @@
 #include "calibrate/problem/misfit.hpp"
 #include "calibrate/problem/modulus_prior.hpp"
 #include "calibrate/problem/parameter_set.hpp"
+#include "calibrate/problem/weighed_priors.hpp"
 #include "calibrate/search/minimize_misfit.hpp"
 
 namespace plastica::calibrate {
@@ -53,6 +54,11 @@ FitOptions from_values_of(const FitResult& result, FitOptions options) {
   return options;
 }
 
+FitOptions without_priors(FitOptions options) {
+  for (Parameter& p : options.parameters) p.prior.reset();
+  return options;
+}
+
 void take_values(const ParameterSet& set, std::span<const double> active, FitOptions& options) {
   for (std::size_t k = 0; k < active.size(); ++k) {
     options.parameters[set.active()[k]].value = active[k];
@@ -64,6 +70,18 @@ void append(Solution&& further, FitResult& result) {
   add(further.stages, result.stages);
   add(further.trace.values, result.trace.values);
   add(further.trace.costs, result.trace.costs);
+}
+
+/// How far the solution is from the priors that parameters state.
+void add_stated_priors(const FitOptions& options, double variance, FitResult& result) {
+  for (std::size_t i = 0; i < options.parameters.size(); ++i) {
+    const Parameter& p = options.parameters[i];
+    if (p.role != ParameterRole::Free || !p.prior) continue;
+    if (!result.stated_priors) result.stated_priors = StatedPriors{variance, 0.0};
+    const FittedParameter& fitted = result.parameters[i];
+    result.stated_priors->squared +=
+        std::pow((fitted.value - p.prior->mean) / p.prior->standard_deviation, 2);
+  }
 }
 
 }  // namespace
@@ -82,14 +100,15 @@ FitResult search_target(const Target& target, const FitOptions& options,
     result.reason = "the given weight is 0 at every sample";
   }
   if (!result.reason.empty()) return result;
-  const ParameterSet set(target, options);
-  Misfit misfit(target, options, set);
+  const FitOptions bare = without_priors(options);
+  const ParameterSet set(target, bare);
+  Misfit misfit(target, bare, set);
   result.samples = misfit.samples();
   if (set.active().empty()) {
     result.reason = "the curve determines none of the free parameters";
     return result;
   }
-  Solution solution = minimize_misfit(misfit, set, options, result.seed, further);
+  Solution solution = minimize_misfit(misfit, set, bare, result.seed, further);
   result.stages = std::move(solution.stages);
   result.trace = std::move(solution.trace);
   if (!solution.usable) {
@@ -97,56 +116,67 @@ FitResult search_target(const Target& target, const FitOptions& options,
     result.reason = solution.reason;
     return result;
   }
-  explain_fit(target, options, set, misfit, solution.active, result);
+  explain_fit(target, bare, set, misfit, solution.active, result);
   return result;
 }
 
-void weigh_modulus(const Target& target, const FitOptions& options, FitResult& result) {
+void weigh_priors(const Target& target, const FitOptions& options, FitResult& result) {
   constexpr int kRepetitions = 8;
   constexpr double kSettled = 1e-3;
   if (result.status != FitStatus::Fitted) return;
-  std::optional<ModulusPrior> prior = modulus_prior(target, options);
-  if (!prior) return;
+  std::optional<ModulusPrior> slope = modulus_prior(target, options);
+  WeighedPriors priors = priors_of(options, slope);
+  if (priors.all.empty()) return;
   const double worth =
       std::max(1.0, samples_worth(result.effective_samples, result.autocorrelation));
   const bool is_stated = options.objective == Objective::LeastSquares && options.noise;
-  const double least = is_stated ? *options.noise * *options.noise : 0.0;
+  double least = is_stated ? *options.noise * *options.noise : 0.0;
+  // A curve without any noise has this much: it must not leave what it cannot tell to no one.
+  constexpr double kExact = 1e-6;
+  const auto states = [](const WeighedPriors::One& one) { return one.stated; };
+  if (std::ranges::any_of(priors.all, states)) {
+    least = std::max(least, std::pow(kExact * largest_magnitude(target.corrected.stress), 2));
+  }
   double squares = result.misfit_rms * result.misfit_rms;
   FitOptions from = from_values_of(result, options);
   for (int i = 0; i < kRepetitions; ++i) {
-    const double before = prior->variance;
-    prior->variance = std::max(squares, least) / worth;
-    if (std::abs(prior->variance - before) <= kSettled * before) {
-      prior->variance = before;  // what the last search had
+    const double before = priors.variance;
+    // What a prior pulls the fit away by is no doubt of a noise that is stated.
+    if (i == 0 || !is_stated) priors.variance = std::max(squares, least) / worth;
+    if (std::abs(priors.variance - before) <= kSettled * before) {
+      priors.variance = before;  // what the last search had
       break;
     }
     const ParameterSet set(target, from);
     Misfit misfit(target, from, set);
-    misfit.set_prior(*prior);
+    misfit.set_priors(priors);
     Solution solution = descend_misfit(misfit, set, from);
     if (!solution.usable) {
       result.warnings.emplace_back(
-          "Young's modulus is not weighed with the elastic slope: no search with it has ended");
+          "the fit is not weighed with its priors (a stated one, or the elastic slope): no search "
+          "with them has ended");
       return;
     }
     squares = misfit.details(solution.active).stress_cost;
     take_values(set, solution.active, from);
     append(std::move(solution), result);
   }
-  result.modulus_prior = prior;
+  if (slope) slope->variance = priors.variance;
+  result.modulus_prior = slope;
   const ParameterSet set(target, from);
   Misfit misfit(target, from, set);
-  misfit.set_prior(*prior);
+  misfit.set_priors(priors);
   std::vector<double> active;
   for (const std::size_t i : set.active()) active.push_back(set.all()[i].start);
   const std::vector<FittedParameter> searched = result.parameters;
   explain_fit(target, from, set, misfit, active, result);
+  add_stated_priors(options, priors.variance, result);
   constexpr double kHardlyKnown = 0.04;
-  if (prior->standard_deviation > kHardlyKnown * prior->mean) {
+  if (slope && slope->standard_deviation > kHardlyKnown * slope->mean) {
     result.warnings.push_back(fmt::format(
         "youngs_modulus leans on an elastic slope that is known to {:.2g} % only: its quarters "
         "differ (a slip, or yielding), or the part is short or noisy",
-        100.0 * prior->standard_deviation / prior->mean));
+        100.0 * slope->standard_deviation / slope->mean));
   }
   // The search began where it did.
   for (std::size_t i = 0; i < searched.size(); ++i) result.parameters[i].start = searched[i].start;

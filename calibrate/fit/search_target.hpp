@@ -9,15 +9,15 @@
 
 namespace plastica::calibrate {
 
-/// Fits one target, without the prior of E and without what the options ask for beside a fit
+/// Fits one target, without priors and without what the options ask for beside a fit
 /// (IntervalOptions). Parameters and errors as `fit_target`, whose options are checked.
 FitResult search_target(const Target& target, const FitOptions& options,
                         std::span<const StartPoint> further = {});
 
-/// Weighs a fit with the elastic slope of its curve (modulus_prior.hpp): searches on from its
-/// values with the prior, until the variance of that no longer changes. Leaves a result that is not
-/// Fitted, or has no prior, as it is.
+/// Weighs a fit with its priors, those that parameters state and that of the elastic slope of its
+/// curve (weighed_priors.hpp): searches on from its values with them, until their variance no
+/// longer changes. Leaves a result that is not Fitted, or has no prior, as it is.
 /// @param options  those that it was searched with
-void weigh_modulus(const Target& target, const FitOptions& options, FitResult& result);
+void weigh_priors(const Target& target, const FitOptions& options, FitResult& result);
 
 }  // namespace plastica::calibrate

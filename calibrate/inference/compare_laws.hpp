@@ -20,7 +20,7 @@ struct CurveResidual {
   double samples = 0.0;          ///< effective number by the weights, see `effective_samples`
   double autocorrelation = 0.0;  ///< of neighbouring residuals, see `autocorrelation`
   std::optional<double> noise;   ///< standard deviation, if it is known [SI]
-  /// z^2 of a prior that the fit was weighed with (modulus_prior.hpp); 0 without one.
+  /// z^2 of the priors that the fit was weighed with (weighed_priors.hpp); 0 without any.
   double prior = 0.0;
 };
 

@@ -30,9 +30,10 @@ std::vector<double> drawn_shift(const CouponProblem& problem, const std::vector<
                                         ? drawn_residuals(residual, inflation, block, draws)
                                         : drawn_signs(problem.own_variance(), block, draws);
   std::vector<double> shift(problem.squares().residuals, 0.0);
-  // The prior's mean is drawn about the fitted value that it stands for.
-  if (problem.prior_size() > 0.0) {
-    shift.back() = problem.prior_size() * draws.normal() - problem.prior_residual();
+  // A prior's mean is drawn about the fitted value that it stands for.
+  const std::span<const double> priors = problem.prior_residuals();
+  for (std::size_t k = 0; k < priors.size(); ++k) {
+    shift[shift.size() - priors.size() + k] = problem.prior_size() * draws.normal() - priors[k];
   }
   for (std::size_t i = 0; i < drawn.size(); ++i) {
     const std::size_t s = problem.entered()[i];

@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "calibrate/inference/identifiable_yield.hpp"
+#include "calibrate/problem/weighed_priors.hpp"
 
 namespace plastica::calibrate {
 namespace {
@@ -41,7 +42,10 @@ CouponProblem::CouponProblem(const Target& target, const FitOptions& options,
     active_index.push_back(p.idle ? std::nullopt : std::optional(k++));
     free_.push_back(free);
   }
-  if (result.modulus_prior) misfit_.set_prior(*result.modulus_prior);
+  WeighedPriors priors = priors_of(options, result.modulus_prior);
+  if (result.modulus_prior) priors.variance = result.modulus_prior->variance;
+  if (result.stated_priors) priors.variance = result.stated_priors->variance;
+  misfit_.set_priors(priors);
   details_ = misfit_.details(active_);
   drop_unidentifiable_yield(misfit_, set_, active_, options, details_);
   details_.by_shift = shift_slopes(target, options, set_, active_);
@@ -68,7 +72,7 @@ CouponProblem::CouponProblem(const Target& target, const FitOptions& options,
     scale_.push_back(std::sqrt(unit * weights[s]));
     if (weights[s] > 0.0) entered_.push_back(s);
   }
-  squares_.residuals = weights.size() + 2;
+  squares_.residuals = weights.size() + 1 + misfit_.priors();
   squares_.evaluate = one_by_one([this](std::span<const double> x, std::span<double> residual) {
     return residuals(x, residual);
   });
@@ -77,7 +81,8 @@ CouponProblem::CouponProblem(const Target& target, const FitOptions& options,
     cost_ = std::numeric_limits<double>::quiet_NaN();
     return;
   }
-  prior_residual_ = residual.back();
+  prior_residuals_.assign(residual.end() - static_cast<std::ptrdiff_t>(misfit_.priors()),
+                          residual.end());
   cost_ = std::inner_product(residual.begin(), residual.end(), residual.begin(), 0.0);
 }
 
@@ -91,7 +96,8 @@ bool CouponProblem::residuals(std::span<const double> x, std::span<double> resid
   if (!misfit_.residuals(active_of(x), residual.first(samples))) return false;
   for (std::size_t s = 0; s < samples; ++s) residual[s] *= scale_[s];
   residual[samples] = break_scale_ * misfit_.break_residual();
-  residual[samples + 1] = break_scale_ * misfit_.prior_residual();
+  std::size_t next = samples + 1;
+  for (const double prior : misfit_.prior_residuals()) residual[next++] = break_scale_ * prior;
   return true;
 }
 
@@ -125,7 +131,7 @@ std::optional<CouponProblem::Moments> CouponProblem::moments(
            (slope[i] * slope[j] * weight_unit_);
   };
   Moments all;
-  double of_residuals = 0.0, of_prior = 0.0;
+  double of_residuals = 0.0, of_prior = 0.0, of_stated = 0.0;
   all.along.assign(n, 0.0);
   for (std::size_t i = 0; i < n; ++i) {
     if (!uncertainty_.identified[searched_[i]]) {
@@ -139,13 +145,15 @@ std::optional<CouponProblem::Moments> CouponProblem::moments(
       const double both = gradient[i] * gradient[j] / (slope[i] * slope[j]);
       of_residuals += both * noise_ * noise_ * spread_.spread[entry];
       of_prior += both * spread_.prior[entry];
+      of_stated += both * spread_.stated[entry];
       all.inverse += gradient[i] * gradient[j] * inverse(i, j);
       all.along[i] += inverse(i, j) * gradient[j];
     }
   }
-  // The errors add up, see uncertainty.hpp.
+  // The errors of residuals and slope add up, see uncertainty.hpp.
   all.squared_error =
-      std::pow(std::sqrt(std::max(0.0, of_residuals)) + std::sqrt(std::max(0.0, of_prior)), 2);
+      std::pow(std::sqrt(std::max(0.0, of_residuals)) + std::sqrt(std::max(0.0, of_prior)), 2) +
+      std::max(0.0, of_stated);
   if (!(all.squared_error > 0.0) || !(all.inverse > 0.0)) return std::nullopt;
   for (double& a : all.along) a /= all.inverse;
   return all;

@@ -20,7 +20,7 @@ namespace plastica::calibrate {
 /// where the search may end below (`ResolvedParameter::search_upper`).
 ///
 /// Residuals are r_i sqrt(w_i W/sum w^2)/s with W = sum w, so that equal weights give r_i/s; the
-/// last two are what the break term and the prior of E add.
+/// last are what the break term and the priors add.
 class CouponProblem {
  public:
   /// @param result  Fitted, with these options; all must outlive this
@@ -47,7 +47,8 @@ class CouponProblem {
   double scale(std::size_t sample) const { return scale_[sample]; }
   /// The last residual where E is off its prior's mean by one standard deviation.
   double prior_size() const { return break_scale_ * misfit_.prior_size(); }
-  double prior_residual() const { return prior_residual_; }  ///< at the solution
+  /// Of the priors, the last residuals, at the solution (n_priors).
+  std::span<const double> prior_residuals() const { return prior_residuals_; }
 
   /// g^T C g and g^T A^-1 g, A of the squares, over what the curve determines; and C, A^-1 times g.
   struct Moments {
@@ -92,7 +93,7 @@ class CouponProblem {
   Spread spread_;
   double noise_ = 0.0;
   double limit_half_ = 0.0;
-  double prior_residual_ = 0.0;
+  std::vector<double> prior_residuals_;
   double weight_unit_ = 1.0;   ///< squares over the weighted ones of the details [1/Pa^2]
   std::vector<double> scale_;  ///< (n_samples) [1/Pa]
   double break_scale_ = 0.0;

@@ -41,9 +41,10 @@ std::vector<double> degrees_left(const SceneProblem& problem, const Identifiable
     left.push_back(static_cast<double>(weighted.target.ordinate.size()));
   }
   if (slopes.slopes().cols() == 0) return left;
-  // The targets, and the priors as one more.
-  std::vector<MatrixXd> by_target;
-  std::vector<double> weights;
+  // The targets, and the priors as one more: A^-1 times what they put into J^T J over and times the
+  // weights of their samples.
+  std::vector<MatrixXd> by_target, unweighted;
+  MatrixXd squared = MatrixXd::Zero(slopes.inverse().rows(), slopes.inverse().cols());
   for (std::size_t t = 0; t <= problem.targets().size(); ++t) {
     const bool priors = t == problem.targets().size();
     const std::size_t first = priors ? problem.samples() : problem.first_residual(t);
@@ -51,13 +52,16 @@ std::vector<double> degrees_left(const SceneProblem& problem, const Identifiable
         priors ? problem.squares().residuals - first : problem.targets()[t].target.ordinate.size();
     const auto rows =
         slopes.slopes().middleRows(static_cast<Index>(first), static_cast<Index>(count));
+    VectorXd w = VectorXd::Ones(static_cast<Index>(count));
+    if (!priors) w = Eigen::Map<const VectorXd>(problem.weights(t).data(), w.size());
     by_target.emplace_back(slopes.inverse() * (rows.transpose() * rows));
-    weights.push_back(priors ? 1.0 : problem.targets()[t].weight);
+    unweighted.emplace_back(slopes.inverse() *
+                            (rows.transpose() * w.cwiseInverse().asDiagonal() * rows));
+    squared += slopes.inverse() * (rows.transpose() * w.asDiagonal() * rows);
   }
   for (std::size_t p = 0; p < left.size(); ++p) {
-    for (std::size_t q = 0; q < by_target.size(); ++q) {
-      left[p] += (weights[q] / weights[p] - 2.0) * (by_target[p] * by_target[q]).trace();
-    }
+    // Of r = (1 - H) e the sum of variances: n - 2 tr(H) + tr(H H^T), H = J A^-1 J^T W.
+    left[p] += (unweighted[p] * squared).trace() - 2.0 * (by_target[p]).trace();
     left[p] = std::max(left[p], 0.0);
   }
   return left;

@@ -35,13 +35,13 @@ class IdentifiableSlopes {
 ///
 /// With H = J (J^T J)^-1 J^T the residuals of the solution are (1 - H) e, e the errors over the
 /// scales times the root of the weights. If each target's scale is its noise, the expected sum of
-/// squares of target p, over its weight w_p, is
+/// squares of target p, each over the weight of its sample, is
 ///
-///   m_p - 2 h_p + sum over q of (w_q/w_p) h_pq,   h_pq = sum of H_ij^2 over i of p, j of q
+///   m_p - 2 sum of H_ii over i of p + sum of (w_j/w_i) H_ij^2 over i of p and all j
 ///
-/// with h_p the sum of h_pq over all q, which is the trace of H over p: for equal weights m_p -
-/// h_p. A prior is a target of its own, of weight 1. A target that determines a parameter by itself
-/// loses one, one beside which others determine it far better loses none.
+/// for equal weights m_p less the trace of H over p. A prior is a target of its own, of weight 1. A
+/// target that determines a parameter by itself loses one, one beside which others determine it far
+/// better loses none.
 /// @param problem  its weights count
 /// @return (n_targets), >= 0
 std::vector<double> degrees_left(const SceneProblem& problem, const IdentifiableSlopes& slopes);

@@ -34,7 +34,7 @@ class WithoutYield {
       problem_.start.push_back(std::clamp(parameters.coordinate(i, active[i]),
                                           problem_.lower.back(), problem_.upper.back()));
     }
-    problem_.residuals = misfit.weights().size() + 2;
+    problem_.residuals = misfit.weights().size() + 1 + misfit.priors();
     problem_.evaluate = one_by_one([this](std::span<const double> x, std::span<double> residual) {
       return residuals(x, residual);
     });
@@ -58,7 +58,8 @@ class WithoutYield {
     if (!misfit_.residuals(active_, residual.first(weights.size()))) return false;
     for (std::size_t s = 0; s < weights.size(); ++s) residual[s] *= std::sqrt(weights[s]);
     residual[weights.size()] = misfit_.break_residual();
-    residual[weights.size() + 1] = misfit_.prior_residual();
+    std::ranges::copy(misfit_.prior_residuals(),
+                      residual.begin() + static_cast<std::ptrdiff_t>(weights.size()) + 1);
     return true;
   }
 

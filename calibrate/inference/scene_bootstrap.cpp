@@ -113,15 +113,17 @@ BootstrapResult bootstrap_residuals(const FittedScenes& fitted, SceneWork& work)
       std::vector<double> drawn;
       if (noise.is_from_elsewhere()) {
         // Its own residuals are too few to estimate its noise.
-        const double deviation = std::sqrt(problem.targets()[t].weight);
-        for (std::size_t i = 0; i < samples; ++i) drawn.push_back(deviation * draws.normal());
+        for (std::size_t i = 0; i < samples; ++i) {
+          drawn.push_back(problem.scale(t) * draws.normal());
+        }
       } else {
         // Parameters took their part of them.
         const double inflation = std::sqrt(static_cast<double>(samples) / noise.degrees_left);
-        drawn = drawn_residuals(std::span(residual).subspan(problem.first_residual(t), samples),
-                                inflation, block, draws);
+        drawn = drawn_residuals(problem.unscaled(t, residual), inflation, block, draws);
       }
-      resample.shift.insert(resample.shift.end(), drawn.begin(), drawn.end());
+      for (std::size_t i = 0; i < samples; ++i) {
+        resample.shift.push_back(std::sqrt(problem.weights(t)[i]) / problem.scale(t) * drawn[i]);
+      }
       resample.place.push_back(draws.uniform());
     }
     const std::size_t breaks = problem.known_breaks().size();

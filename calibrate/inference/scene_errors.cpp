@@ -16,10 +16,6 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 using Slopes = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
-/// Of the central differences at the solution, in scaled parameters: fibres that yield one after
-/// the other, and Newton's tolerance, are smooth over it.
-constexpr double kErrorStep = 1e-4;
-
 /// Drops coordinates that only combinations determine: the largest of each direction that is not
 /// identifiable.
 void drop_unidentifiable(const MatrixXd& normal, std::vector<Index>& kept) {
@@ -83,9 +79,9 @@ SceneErrors::SceneErrors(SceneProblem& problem, std::span<const double> x,
 VectorXd SceneErrors::weights() const {
   VectorXd w = VectorXd::Ones(static_cast<Index>(problem_.squares().residuals));
   for (std::size_t t = 0; t < problem_.targets().size(); ++t) {
-    const auto first = static_cast<Index>(problem_.first_residual(t));
-    const auto count = static_cast<Index>(problem_.targets()[t].target.ordinate.size());
-    w.segment(first, count).setConstant(problem_.targets()[t].weight);
+    const std::span<const double> own = problem_.weights(t);
+    w.segment(static_cast<Index>(problem_.first_residual(t)), static_cast<Index>(own.size())) =
+        Eigen::Map<const VectorXd>(own.data(), static_cast<Index>(own.size()));
   }
   return w;
 }
@@ -106,17 +102,18 @@ void SceneErrors::set_covariance(std::span<const double> residual) {
   }
   drop_unidentifiable(normal, kept);
   if (kept.empty()) return;
-  const MatrixXd weighted = j.transpose() * weights().asDiagonal() * j;
+  const VectorXd w = weights();
+  const MatrixXd weighted = j.transpose() * w.asDiagonal() * j;
   const MatrixXd a = normal(kept, kept);
   const MatrixXd inverse = a.ldlt().solve(MatrixXd::Identity(a.rows(), a.cols()));
   const MatrixXd b = weighted(kept, kept);
   covariance_(kept, kept) = inverse * b * inverse;
   inverse_(kept, kept) = inverse;
   for (std::size_t t = 0; t < problem_.targets().size(); ++t) {
-    const auto rows =
-        j.middleRows(static_cast<Index>(problem_.first_residual(t)),
-                     static_cast<Index>(problem_.targets()[t].target.ordinate.size()));
-    const MatrixXd scores = problem_.targets()[t].weight * rows.transpose() * rows;
+    const auto first = static_cast<Index>(problem_.first_residual(t));
+    const auto count = static_cast<Index>(problem_.weights(t).size());
+    const auto rows = j.middleRows(first, count);
+    const MatrixXd scores = rows.transpose() * w.segment(first, count).asDiagonal() * rows;
     by_target_.emplace_back(MatrixXd::Constant(n, n, kNan));
     by_target_.back()(kept, kept) = inverse * scores(kept, kept) * inverse;
   }
@@ -171,10 +168,10 @@ std::vector<double> SceneErrors::fitted_errors(std::size_t t) const {
   const MatrixXd covariance = identifiable_.inverse() *
                               (j.transpose() * weights().asDiagonal() * j) *
                               identifiable_.inverse();
-  const double unit = problem_.scale(t) / std::sqrt(problem_.targets()[t].weight);
   const auto first = static_cast<Index>(problem_.first_residual(t));
   for (std::size_t i = 0; i < samples; ++i) {
     const VectorXd row = j.row(first + static_cast<Index>(i));
+    const double unit = problem_.scale(t) / std::sqrt(problem_.weights(t)[i]);
     errors[i] = unit * std::sqrt(std::max(row.dot(covariance * row), 0.0));
   }
   return errors;

@@ -106,22 +106,6 @@ void warn_of_specimens(std::span<const WeightedTarget> targets, std::span<const 
   }
 }
 
-void warn_of_prior(const Prior& prior, double fraction, const FittedParameter& p,
-                   std::vector<std::string>& warnings) {
-  constexpr double kErrors = 3.0, kNothing = 1e-6;  // of what is known, by the curves
-  const double curves = 1.0 - fraction;
-  if (!(curves > kNothing) || !(p.noise_error > 0.0)) return;
-  const double alone = prior.mean + (p.value - prior.mean) / curves;
-  const double error = p.noise_error / std::sqrt(curves);
-  const double both = std::hypot(prior.standard_deviation, error);
-  const double apart = std::abs(alone - prior.mean);
-  if (!(apart > kErrors * both)) return;
-  warnings.push_back(fmt::format(
-      "the curves contradict the prior of {}: {:.4g} ± {:.2g} without it, {:.4g} ± {:.2g} by it "
-      "(SI), {:.1f} standard errors apart: the value is a mean of unlike ones",
-      p.name(), alone, error, prior.mean, prior.standard_deviation, apart / both));
-}
-
 void warn_of_survived(const SceneProblem& problem, const SceneFitOptions& options,
                       std::span<const FittedParameter> parameters,
                       std::span<const std::vector<SceneCurve>> curves,

@@ -29,14 +29,6 @@ void add_warning(const TargetFit& of_target, Law law, std::string_view try_next,
 void warn_of_specimens(std::span<const WeightedTarget> targets, std::span<const TargetFit> fits,
                        std::vector<std::string>& warnings);
 
-/// Of a prior that the curves contradict: what they say of the parameter without it, d, is further
-/// from the prior's mean than three standard errors of both. With v the squared noise error of the
-/// value x and f = v/sd^2 the prior's fraction, d = mean + (x - mean)/(1 - f) with the variance
-/// v/(1 - f). What residuals in runs add does not count: the prior itself may make them.
-/// @param fraction  f [1]
-void warn_of_prior(const Prior& prior, double fraction, const FittedParameter& parameter,
-                   std::vector<std::string>& warnings);
-
 /// Of targets that bore more than a break limit, fitted or held, while they were intact.
 /// @param parameters  fitted; one of the break counts with three of its standard errors
 /// @param curves  of the targets at the solution (n_targets, >= 1)

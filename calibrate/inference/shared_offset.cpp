@@ -5,7 +5,8 @@
 
 namespace plastica::calibrate {
 
-SharedOffset shared_offset(std::span<const double> slopes, std::span<const double> residual) {
+SharedOffset shared_offset(std::span<const double> slopes, std::span<const double> residual,
+                           std::span<const double> weights) {
   using Eigen::Index;
   using Eigen::VectorXd;
   using SlopeRows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
@@ -14,6 +15,7 @@ SharedOffset shared_offset(std::span<const double> slopes, std::span<const doubl
   if (n == 0) return found;
   const auto parameters = static_cast<Index>(slopes.size()) / n;
   VectorXd u = VectorXd::Ones(n);
+  if (!weights.empty()) u = Eigen::Map<const VectorXd>(weights.data(), n).cwiseSqrt();
   VectorXd r = Eigen::Map<const VectorXd>(residual.data(), n);
   if (parameters > 0) {
     const Eigen::Map<const SlopeRows> j(slopes.data(), n, parameters);

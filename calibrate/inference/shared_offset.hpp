@@ -7,7 +7,7 @@ namespace plastica::calibrate {
 /// A constant that all ordinates of a curve have too much, as of a sensor that was set to zero
 /// under load, as far as the residuals show it.
 struct SharedOffset {
-  double value = 0.0;       ///< what to take off the measured ordinates, in the residuals' unit
+  double value = 0.0;       ///< what to take off the measured ordinates, in residuals of weight 1
   double of_squares = 0.0;  ///< fraction of the squared residuals that it explains [0, 1]
   double errors = 0.0;      ///< its size over its standard error (Student's t)
 
@@ -20,7 +20,9 @@ struct SharedOffset {
 /// fall by (u.r)^2/u.u (added-variable regression; Cook & Weisberg, Residuals and Influence in
 /// Regression (1982), 2.3). Of a constant that the parameters make up for it finds nothing.
 /// @param slopes    d residual / d parameter (n x n_parameters), row by row
-/// @param residual  fitted minus measured (n)
-SharedOffset shared_offset(std::span<const double> slopes, std::span<const double> residual);
+/// @param residual  fitted minus measured, times the root of its weight (n)
+/// @param weights   (n); empty: all 1. The vector of ones is one of their roots
+SharedOffset shared_offset(std::span<const double> slopes, std::span<const double> residual,
+                           std::span<const double> weights = {});
 
 }  // namespace plastica::calibrate

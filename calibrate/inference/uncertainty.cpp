@@ -25,9 +25,11 @@ constexpr double kRankTolerance = 1e-12;
 /// Parameters that shape the stress (not the break strain), and what the curve says of them.
 struct StressErrors {
   std::vector<std::size_t> columns;  ///< active indices that are identified
-  MatrixXd covariance, of_prior;     ///< of those, from residuals and from the prior, SI
-  /// A^-1, J^T W^2 J and P of those, over the sizes of both.
-  MatrixXd inverse, weighted, prior;
+  /// Of those, from residuals, from the slope's prior and from stated ones, SI.
+  MatrixXd covariance, of_prior, of_stated;
+  /// A^-1, J^T W^2 J, P of the slope's prior and of stated ones, over the sizes of both.
+  MatrixXd inverse, weighted, prior, stated;
+  VectorXd stated_in_a;      ///< the stated priors' part of the diagonal of A
   VectorXd of_shift;         ///< g, SI; empty where the strain was not shifted
   std::vector<double> size;  ///< of the active parameters, SI (n)
   double variance = 0.0;     ///< of the noise [Pa^2]
@@ -37,20 +39,23 @@ struct StressErrors {
   VectorXd own;
 };
 
-/// A, with the prior's, B = J^T W^2 J and the prior's B_p of some columns, scaled by `size`.
+/// A, with the priors', B = J^T W^2 J and B_p of the slope's prior and of stated ones, of some
+/// columns, scaled by `size`.
 struct Normal {
-  MatrixXd a, b, prior;
+  MatrixXd a, b, prior, stated;
+  VectorXd stated_in_a;  ///< their part of A's diagonal
 
   /// The rows and columns of those that are kept.
   Normal of(const std::vector<Eigen::Index>& kept) const {
-    return {a(kept, kept), b(kept, kept), prior(kept, kept)};
+    return {a(kept, kept), b(kept, kept), prior(kept, kept), stated(kept, kept), stated_in_a(kept)};
   }
 };
 
 Normal normal_matrices(const Misfit::Details& d, const std::vector<std::size_t>& columns,
                        const std::vector<double>& size) {
   const auto m = static_cast<Eigen::Index>(columns.size());
-  Normal normal{MatrixXd::Zero(m, m), MatrixXd::Zero(m, m), MatrixXd::Zero(m, m)};
+  const MatrixXd none = MatrixXd::Zero(m, m);
+  Normal normal{none, none, none, none, VectorXd::Zero(m)};
   std::vector<double> squared_weight(d.weight);
   for (double& w : squared_weight) w *= w;
   const std::size_t samples = d.residual.size();
@@ -67,11 +72,16 @@ Normal normal_matrices(const Misfit::Details& d, const std::vector<std::size_t>&
     }
   }
   const double total = std::accumulate(d.weight.begin(), d.weight.end(), 0.0);
-  for (Eigen::Index k = 0; d.prior && k < m; ++k) {
-    if (columns[static_cast<std::size_t>(k)] != d.prior_column) continue;
-    const double per_deviation = size_of(k) / d.prior->standard_deviation;
-    normal.a(k, k) += total * d.prior->variance * per_deviation * per_deviation;
-    normal.prior(k, k) = std::pow(total * d.prior->variance * per_deviation, 2);
+  for (const Misfit::Details::ActivePrior& prior : d.priors) {
+    for (Eigen::Index k = 0; k < m; ++k) {
+      if (columns[static_cast<std::size_t>(k)] != prior.column) continue;
+      const double per_deviation = size_of(k) / prior.standard_deviation;
+      const double in_a = total * d.prior_variance * per_deviation * per_deviation;
+      normal.a(k, k) += in_a;
+      (prior.stated ? normal.stated : normal.prior)(k, k) +=
+          std::pow(total * d.prior_variance * per_deviation, 2);
+      if (prior.stated) normal.stated_in_a(k) += in_a;
+    }
   }
   normal.a.triangularView<Eigen::StrictlyUpper>() = normal.a.transpose();
   normal.b.triangularView<Eigen::StrictlyUpper>() = normal.b.transpose();
@@ -191,7 +201,7 @@ StressErrors stress_errors(const Misfit::Details& d, std::span<const double> act
   const Normal normal = keep_identified(d, size, stress, of_stress.columns);
 
   const auto m = static_cast<Eigen::Index>(of_stress.columns.size());
-  of_stress.covariance = of_stress.of_prior = MatrixXd::Zero(m, m);
+  of_stress.covariance = of_stress.of_prior = of_stress.of_stated = MatrixXd::Zero(m, m);
   double squares = 0.0;
   double counted = 0.0;
   for (std::size_t s = 0; s < d.residual.size(); ++s) {
@@ -209,6 +219,8 @@ StressErrors stress_errors(const Misfit::Details& d, std::span<const double> act
   of_stress.inverse = normal.a.ldlt().solve(MatrixXd::Identity(m, m));
   of_stress.weighted = normal.b;
   of_stress.prior = of_stress.inverse * normal.prior * of_stress.inverse;
+  of_stress.stated = of_stress.inverse * normal.stated * of_stress.inverse;
+  of_stress.stated_in_a = normal.stated_in_a;
   if (!d.by_shift.empty()) of_stress.of_shift = shift_effect(d, target.shift_error, of_stress);
   VectorXd sizes(m);
   for (Eigen::Index i = 0; i < m; ++i) {
@@ -227,6 +239,7 @@ StressErrors stress_errors(const Misfit::Details& d, std::span<const double> act
     }
   }
   of_stress.of_prior = sizes.asDiagonal() * of_stress.prior * sizes.asDiagonal();
+  of_stress.of_stated = sizes.asDiagonal() * of_stress.stated * sizes.asDiagonal();
   return of_stress;
 }
 
@@ -261,10 +274,12 @@ Uncertainty uncertainty(const Misfit::Details& details, std::span<const double> 
   VectorXd sampling = VectorXd::Zero(static_cast<Eigen::Index>(n));
   Uncertainty u;
   u.identified.assign(n, false);
+  u.prior_fraction.assign(n, 0.0);
   for (Eigen::Index k = 0; k < m; ++k) {
     const std::size_t column = of_stress.columns[static_cast<std::size_t>(k)];
     map(static_cast<Eigen::Index>(column), k) = 1.0;
     u.identified[column] = true;
+    u.prior_fraction[column] = of_stress.stated_in_a(k) * of_stress.inverse(k, k);
   }
   for (std::size_t i = 0; i < n; ++i) {
     if (!parameters.all()[parameters.active()[i]].is_break) continue;
@@ -278,9 +293,10 @@ Uncertainty uncertainty(const Misfit::Details& details, std::span<const double> 
   }
   const MatrixXd of_residuals = map * of_stress.covariance * map.transpose();
   const MatrixXd of_prior = map * of_stress.of_prior * map.transpose();
+  const MatrixXd of_stated = map * of_stress.of_stated * map.transpose();
   VectorXd of_shift = VectorXd::Zero(static_cast<Eigen::Index>(n));
   if (of_stress.of_shift.size() > 0) of_shift = map * of_stress.of_shift;
-  const MatrixXd covariance = of_residuals + of_prior + of_shift * of_shift.transpose();
+  const MatrixXd covariance = of_residuals + of_prior + of_stated + of_shift * of_shift.transpose();
   u.standard_error.assign(n, kNan);
   u.noise_error.assign(n, kNan);
   u.residual_error.assign(n, kNan);
@@ -292,7 +308,8 @@ Uncertainty uncertainty(const Misfit::Details& details, std::span<const double> 
     const double half = std::fabs(sampling(row));
     u.residual_error[i] = std::sqrt(std::max(0.0, of_residuals(row, row)));
     const double of_curve = u.residual_error[i] + std::sqrt(std::max(0.0, of_prior(row, row)));
-    u.noise_error[i] = std::hypot(of_curve, of_shift(row));
+    u.noise_error[i] =
+        std::hypot(of_curve, of_shift(row), std::sqrt(std::max(0.0, of_stated(row, row))));
     u.sampling[i] = half;
     u.standard_error[i] = std::hypot(u.noise_error[i], half / std::sqrt(3.0));
   }
@@ -326,6 +343,7 @@ Spread spread_of(const Misfit::Details& details, std::span<const double> active,
   all.inverse.assign(n * n, kNan);
   all.spread.assign(n * n, kNan);
   all.prior.assign(n * n, kNan);
+  all.stated.assign(n * n, kNan);
   if (of_stress.columns.empty()) return all;
   const MatrixXd spread = of_stress.inverse * of_stress.weighted * of_stress.inverse;
   for (std::size_t i = 0; i < of_stress.columns.size(); ++i) {
@@ -338,6 +356,7 @@ Spread spread_of(const Misfit::Details& details, std::span<const double> active,
                                   ? of_stress.covariance(row, column) / of_stress.variance
                                   : unit * spread(row, column);
       all.prior[a * n + b] = unit * of_stress.prior(row, column);
+      all.stated[a * n + b] = unit * of_stress.stated(row, column);
     }
   }
   return all;

@@ -53,6 +53,8 @@ struct Uncertainty {
   double noise = 0.0;               ///< s [Pa]
   /// Of the residuals' part of the errors (n); infinite if s is given.
   std::vector<double> degrees_of_freedom;
+  /// Of what is known of a parameter, the fraction that its stated prior knows (n) [1].
+  std::vector<double> prior_fraction;
   /// Of unequal noise: v of the samples with a weight [Pa^2]; else empty.
   std::vector<double> own_variance;
 };
@@ -73,7 +75,8 @@ Uncertainty uncertainty(const Misfit::Details& details, std::span<const double> 
 struct Spread {
   std::vector<double> inverse;  ///< A^-1, with the weights of the details
   std::vector<double> spread;   ///< A^-1 (J^T W^2 J) A^-1; of unequal noise C over s^2
-  std::vector<double> prior;    ///< P, with the noise that it has
+  std::vector<double> prior;    ///< P of the slope's, with the noise that it has
+  std::vector<double> stated;   ///< and of the stated ones
 };
 Spread spread_of(const Misfit::Details& details, std::span<const double> active,
                  const ParameterSet& parameters, const Target& target, const FitOptions& options);

@@ -39,6 +39,20 @@ double as_few_of_a_sign(int few, int all) {
 
 }  // namespace
 
+std::string contradicts_prior(const PriorEvidence& e) {
+  constexpr double kErrors = 3.0, kNothing = 1e-6;  // of what is known, by the curves
+  const double curves = 1.0 - e.fraction;
+  if (!(curves > kNothing) || !(e.error_alone > 0.0)) return {};
+  const double alone = e.mean + (e.value - e.mean) / curves;
+  const double both = std::hypot(e.standard_deviation, e.error_alone);
+  const double apart = std::abs(alone - e.mean);
+  if (!(apart > kErrors * both)) return {};
+  return fmt::format(
+      "the curves contradict the prior of {}: {:.4g} ± {:.2g} without it, {:.4g} ± {:.2g} by it "
+      "(SI), {:.1f} standard errors apart: the value is a mean of unlike ones",
+      e.name, alone, e.error_alone, e.mean, e.standard_deviation, apart / both);
+}
+
 std::string_view name_of(Verdict verdict) {
   switch (verdict) {
     case Verdict::Identified: return "identified";

@@ -55,6 +55,22 @@ Judgement judge(const Evidence& evidence);
 /// one that is identified, and of segments.
 std::string warning_of(std::string_view name, const Judgement& judgement, double lower);
 
+/// A value and the prior that it was fitted with; SI.
+struct PriorEvidence {
+  std::string name;
+  double value = 0.0;
+  double mean = 0.0;                ///< of the prior
+  double standard_deviation = 0.0;  ///< of the prior
+  double fraction = 0.0;     ///< of what is known of the parameter, f, that is the prior's [1]
+  double error_alone = 0.0;  ///< standard error of what the curves say without it
+};
+
+/// A warning of a prior that the curves contradict: what they say of the parameter without it, d,
+/// is further from the prior's mean than three standard errors of both. With x the value, d = mean
+/// + (x - mean)/(1 - f). What residuals in runs add does not count: the prior itself may make them.
+/// Empty where they agree, or where there is next to nothing but the prior.
+std::string contradicts_prior(const PriorEvidence& evidence);
+
 /// Probability of as few runs of one sign as these residuals have, or fewer, if all orders of their
 /// signs were alike. Where fewer than 10 have one of the signs, which leaves few orders, twice the
 /// lesser of this and of the probability of so few. NaN for fewer than 20 in all.

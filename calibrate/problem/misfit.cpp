@@ -16,18 +16,8 @@ namespace {
 /// How far a break limit may be from the measured permanent strain at no cost, as a factor.
 constexpr double kLikelyReach = 30.0;
 
-std::vector<double> path_weights(const std::vector<double>& strain) {
-  std::vector<double> weight(strain.size(), 0.0);
-  for (std::size_t i = 1; i < strain.size(); ++i) {
-    const double half = 0.5 * std::fabs(strain[i] - strain[i - 1]);
-    weight[i - 1] += half;
-    weight[i] += half;
-  }
-  return weight;
-}
-
 std::vector<double> sample_weights(const std::vector<double>& strain, const FitOptions& options) {
-  if (options.objective == Objective::StrainPath) return path_weights(strain);
+  if (options.objective == Objective::Path) return path_weights(strain);
   const double unit = options.noise ? 1.0 / (*options.noise * *options.noise) : 1.0;
   std::vector<double> weight;
   weight.reserve(strain.size());
@@ -110,20 +100,31 @@ Misfit::Misfit(const Target& target, const FitOptions& options, const ParameterS
   stress_slope_.resize(paths.size());
 }
 
-void Misfit::set_prior(const ModulusPrior& prior) {
-  const auto all = parameters_.all();
-  const auto is_modulus = [](const ResolvedParameter& p) {
-    return p.role == ParameterRole::Free && p.field->material == MaterialField::YoungsModulus;
-  };
-  const auto found = std::ranges::find_if(all, is_modulus);
-  if (found == all.end()) return;
-  prior_index_ = static_cast<std::size_t>(found - all.begin());
-  prior_ = prior;
+void Misfit::set_priors(const WeighedPriors& priors) {
+  priors_.clear();
+  prior_variance_ = priors.variance;
+  for (const std::size_t i : parameters_.active()) {
+    for (const WeighedPriors::One& one : priors.all) {
+      if (one.field == parameters_.all()[i].field) priors_.push_back({i, one.prior, one.stated});
+    }
+  }
 }
 
-double Misfit::prior_residual() const {
-  if (!prior_) return 0.0;
-  return prior_size() * (all_values_[prior_index_] - prior_->mean) / prior_->standard_deviation;
+double Misfit::prior_residual(const SetPrior& one) const {
+  return prior_size() * (all_values_[one.index] - one.prior.mean) / one.prior.standard_deviation;
+}
+
+std::vector<double> Misfit::prior_residuals() const {
+  std::vector<double> residuals;
+  residuals.reserve(priors_.size());
+  for (const SetPrior& one : priors_) residuals.push_back(prior_residual(one));
+  return residuals;
+}
+
+double Misfit::prior_cost() const {
+  double sum = 0.0;
+  for (const SetPrior& one : priors_) sum += prior_residual(one) * prior_residual(one);
+  return sum;
 }
 
 std::size_t Misfit::samples() const {
@@ -190,9 +191,11 @@ double Misfit::search_squares(std::span<const double> active, std::span<double> 
       }
     }
   }
-  for (std::size_t i = 0; prior_ && i < width; ++i) {
-    const double slope = prior_size() / prior_->standard_deviation;
-    if (model_index_[i] == prior_index_) model_normal_[i * width + i] += slope * slope;
+  for (const SetPrior& one : priors_) {
+    const double slope = prior_size() / one.prior.standard_deviation;
+    for (std::size_t i = 0; i < width; ++i) {
+      if (model_index_[i] == one.index) model_normal_[i * width + i] += slope * slope;
+    }
   }
   // J by the active parameters is J by the model's times the map of ties.
   const std::vector<double> map = model_by_active(n);
@@ -235,8 +238,9 @@ double Misfit::evaluate(std::span<const double> active, std::span<double> gradie
     by_all_[model_index_[i]] += stress_slope_[i];
   }
   break_cost(with_break ? limit() : likely_limit(), by_all_, with_break);
-  if (prior_ && !with_break) {
-    by_all_[prior_index_] += 2.0 * prior_residual() * prior_size() / prior_->standard_deviation;
+  for (const SetPrior& one : priors_) {
+    if (with_break) break;  // the cost itself is without priors
+    by_all_[one.index] += 2.0 * prior_residual(one) * prior_size() / one.prior.standard_deviation;
   }
   parameters_.contract(by_all_, gradient);
   return stress_cost_;
@@ -339,10 +343,11 @@ Misfit::Details Misfit::details(std::span<const double> active) {
   for (std::size_t k = 0; k < n; ++k) {
     stress_slopes(map, k, std::span(d.jacobian).subspan(k * samples_, samples_));
   }
-  const auto prior = std::ranges::find(parameters_.active(), prior_index_);
-  if (prior_ && prior != parameters_.active().end()) {
-    d.prior = prior_;
-    d.prior_column = static_cast<std::size_t>(prior - parameters_.active().begin());
+  d.prior_variance = prior_variance_;
+  for (const SetPrior& one : priors_) {
+    const auto column = std::ranges::find(parameters_.active(), one.index);
+    d.priors.push_back({static_cast<std::size_t>(column - parameters_.active().begin()),
+                        one.prior.standard_deviation, one.stated});
   }
   d.permanent = response_.permanent_strain;
   d.permanent_gradient.resize(n);

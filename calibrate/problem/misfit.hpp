@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "calibrate/fit/options.hpp"
-#include "calibrate/problem/modulus_prior.hpp"
 #include "calibrate/problem/parameter_set.hpp"
+#include "calibrate/problem/weighed_priors.hpp"
 #include "calibrate/target/target.hpp"
 #include "plastica/run/simulate.hpp"
 
@@ -46,9 +46,9 @@ class Misfit {
   /// @throws InputError if the scene or a parameter does not suit the test
   Misfit(const Target& target, const FitOptions& options, const ParameterSet& parameters);
 
-  /// Adds variance ((E - mean)/standard_deviation)^2 to the search's cost, where E is free; in
-  /// place of an earlier one.
-  void set_prior(const ModulusPrior& prior);
+  /// Adds variance ((value - mean)/standard_deviation)^2 of each prior to the search's cost, where
+  /// its parameter is searched; in place of earlier ones.
+  void set_priors(const WeighedPriors& priors);
 
   /// How many samples enter the cost: those of weight above 0.
   std::size_t samples() const;
@@ -60,11 +60,11 @@ class Misfit {
   double cost(std::span<const double> active, std::span<double> gradient);
 
   /// The cost with the likely limit in place of the break parameter's, whose value does not count,
-  /// and with the prior; else as `cost`.
+  /// and with the priors; else as `cost`.
   double search_cost(std::span<const double> active, std::span<double> gradient);
 
   /// The cost of `search_cost` as a sum of squares |r|^2 of sqrt(w_i/sum w) (model - measured), the
-  /// break's residual and the prior's, J their slopes by the active parameters [SI].
+  /// break's residual and the priors', J their slopes by the active parameters [SI].
   /// @param gradient  J^T r, half the gradient of the cost (n_active) [Pa^2/SI]
   /// @param normal  J^T J (n_active x n_active) [Pa^2/SI^2]
   double search_squares(std::span<const double> active, std::span<double> gradient,
@@ -75,16 +75,18 @@ class Misfit {
   bool residuals(std::span<const double> active, std::span<double> residual);
 
   /// w_i over their sum (n_samples): the search's cost is sum w_i r_i^2 + `break_residual`^2 +
-  /// `prior_residual`^2.
+  /// the squares of `prior_residuals`.
   std::span<const double> weights() const { return weight_; }
 
   /// What the break term adds to the search's cost at the last evaluation, as a residual [Pa]: 0
   /// within the likely limits.
   double break_residual() const;
-  /// What the prior adds, as a residual [Pa]; 0 without one.
-  double prior_residual() const;
-  /// The same for a Young's modulus off by one standard deviation.
-  double prior_size() const { return prior_ ? std::sqrt(prior_->variance) : 0.0; }
+  /// How many priors there are.
+  std::size_t priors() const { return priors_.size(); }
+  /// What each of them adds at the last evaluation, as a residual [Pa] (n_priors).
+  std::vector<double> prior_residuals() const;
+  /// The same of any of them for a value that is off by one standard deviation.
+  double prior_size() const { return std::sqrt(prior_variance_); }
 
   /// Whether the last evaluation ran the model: one at the point before it does not.
   bool was_run() const { return was_run_; }
@@ -112,8 +114,13 @@ class Misfit {
     std::vector<double> by_shift;
     double permanent = 0.0;                  ///< p above [1]
     std::vector<double> permanent_gradient;  ///< dp / d active (n_active)
-    std::optional<ModulusPrior> prior;       ///< of E
-    std::size_t prior_column = 0;            ///< active index of E, if there is a prior
+    struct ActivePrior {
+      std::size_t column = 0;  ///< active index
+      double standard_deviation = 0.0;
+      bool stated = true;  ///< as in `WeighedPriors`
+    };
+    std::vector<ActivePrior> priors;
+    double prior_variance = 0.0;  ///< what z^2 of each counts in the cost [Pa^2]
   };
   Details details(std::span<const double> active);
 
@@ -132,7 +139,14 @@ class Misfit {
   /// @param map  `model_by_active`
   void stress_slopes(std::span<const double> map, std::size_t parameter,
                      std::span<double> slopes) const;
-  double prior_cost() const { return prior_residual() * prior_residual(); }
+  /// Of a prior, where its parameter has a value [Pa].
+  struct SetPrior {
+    std::size_t index = 0;  ///< of its parameter in the set
+    Prior prior;
+    bool stated = true;
+  };
+  double prior_residual(const SetPrior& one) const;
+  double prior_cost() const;
   /// f_stress; the gradient is that of `cost` if `with_break`, else of `search_cost`.
   double evaluate(std::span<const double> active, std::span<double> gradient, bool with_break);
   double limit() const;
@@ -151,8 +165,8 @@ class Misfit {
   double break_size_ = 1.0;   ///< P
   double break_factor_ = 1.0;
   std::size_t break_index_ = 0;  ///< of the break parameter in the set
-  std::optional<ModulusPrior> prior_;
-  std::size_t prior_index_ = 0;           ///< of E in the set
+  std::vector<SetPrior> priors_;
+  double prior_variance_ = 0.0;
   std::vector<std::size_t> model_index_;  ///< set index of each model parameter
   Model model_;
   Workspace workspace_;

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace plastica::calibrate {
 namespace {
@@ -37,6 +38,26 @@ void check_bounds(const Parameter& p) {
 
 std::string Parameter::name() const { return std::string(last_part(field->path)); }
 
+bool is_break(const Field& field) {
+  return field.material == MaterialField::BreakStrain ||
+         field.material == MaterialField::BreakShearStrain;
+}
+
+void check_prior(const Parameter& p) {
+  if (!p.prior) return;
+  const auto refuse_prior = [&](std::string_view value, std::string_view rule) {
+    throw InputError(p.where, p.field->path, value, rule);
+  };
+  if (is_break(p)) refuse_prior("", "cannot have a prior: a break strain is set, not searched");
+  if (!std::isfinite(p.prior->mean)) {
+    refuse_prior(text(p.prior->mean), "the prior's mean must be a finite number");
+  }
+  if (!(p.prior->standard_deviation > 0.0) || !std::isfinite(p.prior->standard_deviation)) {
+    refuse_prior(text(p.prior->standard_deviation),
+                 "the prior's standard deviation must be above 0");
+  }
+}
+
 void check_parameters(const std::vector<Parameter>& parameters) {
   bool any_free = false;
   for (const Parameter& p : parameters) {
@@ -49,6 +70,7 @@ void check_parameters(const std::vector<Parameter>& parameters) {
       case ParameterRole::Free:
         any_free = true;
         check_bounds(p);
+        check_prior(p);
         break;
       case ParameterRole::Fixed:
         if (!p.value) refuse(p, "", "is fixed and needs a value");

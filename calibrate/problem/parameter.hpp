@@ -39,12 +39,20 @@ struct Parameter {
   ParameterScale scale = ParameterScale::Auto;
   const Field* tied_to = nullptr;  ///< Tied: value = factor * value of that parameter
   double factor = 1.0;
-  std::optional<Prior> prior;  ///< Free, of a fit through scenes
+  std::optional<Prior> prior;  ///< Free, and no break strain
   SourceLocation where;        ///< for error lines
 
   /// The last part of its path: the name that reports use.
   std::string name() const;
 };
+
+/// Whether a field is a break strain, in tension or in torsion: a limit, which fits set rather than
+/// search.
+bool is_break(const Field& field);
+inline bool is_break(const Parameter& p) { return is_break(*p.field); }
+
+/// @throws InputError for a prior that is no normal distribution, or of a break strain
+void check_prior(const Parameter& p);
 
 /// Checks a fit's parameters: no field twice, values and bounds in range, lower below upper, start
 /// between the bounds, ties to a parameter of the fit that is not tied itself, at least one free.

@@ -8,17 +8,11 @@
 #include <string>
 
 #include "calibrate/search/start_values.hpp"
-#include "plastica/base/scalar.hpp"
 
 namespace plastica::calibrate {
 namespace {
 
 constexpr std::size_t kNone = std::numeric_limits<std::size_t>::max();
-
-bool is_break(const Field& field) {
-  return field.material == MaterialField::BreakStrain ||
-         field.material == MaterialField::BreakShearStrain;
-}
 
 /// A lower bound that leaves room below an upper one that is given alone.
 double room_below(double upper) { return upper > 0.0 ? upper / 30.0 : upper * 30.0; }
@@ -55,7 +49,8 @@ ResolvedParameter resolve(const Parameter& p, const CurveSizes& sizes, const Tar
   }
   r.start = std::clamp(p.value.value_or(found.start), r.lower, r.upper);
   const double useful = largest_useful_value(*p.field, target, options);
-  r.search_upper = useful > r.lower ? std::min(r.upper, useful) : r.upper;
+  const bool stops = !p.prior && useful > r.lower;  // a prior calls back
+  r.search_upper = stops ? std::min(r.upper, useful) : r.upper;
   r.logarithmic =
       p.scale == ParameterScale::Logarithmic || (p.scale == ParameterScale::Auto && r.lower > 0.0);
   return r;
@@ -79,7 +74,8 @@ ParameterSet::ParameterSet(const Target& target, const FitOptions& options) {
     active_of_.push_back(moves ? active_.size() : kNone);
     if (!moves) continue;
     active_.push_back(i);
-    size_.push_back(r.start != 0.0 ? std::fabs(r.start) : r.upper - r.lower);
+    const double size = r.start != 0.0 ? std::fabs(r.start) : r.upper - r.lower;
+    coordinates_.push_back({r.start, r.lower, r.upper, r.logarithmic, size});
   }
 }
 
@@ -119,23 +115,6 @@ double ParameterSet::lower(std::size_t i) const { return coordinate(i, active_pa
 
 double ParameterSet::upper(std::size_t i) const {
   return coordinate(i, active_parameter(i).search_upper);
-}
-
-double ParameterSet::coordinate(std::size_t i, double value) const {
-  using plastica::log;
-  const ResolvedParameter& p = active_parameter(i);
-  return p.logarithmic ? log(value / p.start) : (value - p.start) / size_[i];
-}
-
-double ParameterSet::value(std::size_t i, double coordinate) const {
-  const ResolvedParameter& p = active_parameter(i);
-  using plastica::exp;
-  const double value = p.logarithmic ? p.start * exp(coordinate) : p.start + size_[i] * coordinate;
-  return std::clamp(value, p.lower, p.upper);
-}
-
-double ParameterSet::slope(std::size_t i, double value) const {
-  return active_parameter(i).logarithmic ? value : size_[i];
 }
 
 void ParameterSet::expand(std::span<const double> active_values,

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "calibrate/fit/options.hpp"
+#include "calibrate/problem/coordinate.hpp"
 #include "calibrate/target/target.hpp"
 
 namespace plastica::calibrate {
@@ -56,10 +57,16 @@ class ParameterSet {
   /// Coordinates between which an active parameter is searched.
   double lower(std::size_t active_index) const;
   double upper(std::size_t active_index) const;
-  double coordinate(std::size_t active_index, double value) const;
-  double value(std::size_t active_index, double coordinate) const;
+  double coordinate(std::size_t active_index, double value) const {
+    return coordinates_[active_index].at(value);
+  }
+  double value(std::size_t active_index, double coordinate) const {
+    return coordinates_[active_index].value(coordinate);
+  }
   /// d value / d coordinate.
-  double slope(std::size_t active_index, double value) const;
+  double slope(std::size_t active_index, double value) const {
+    return coordinates_[active_index].slope(value);
+  }
 
   /// Values of all parameters [SI] (n_all) from those of the active ones (n_active).
   void expand(std::span<const double> active_values, std::span<double> all_values) const;
@@ -74,8 +81,8 @@ class ParameterSet {
   std::vector<ResolvedParameter> all_;
   std::optional<BreakParameter> break_parameter_;
   std::vector<std::size_t> active_;
-  std::vector<double> size_;            ///< typical size of each active parameter, linear scale
-  std::vector<std::size_t> active_of_;  ///< index into `active_` of each, or npos
+  std::vector<Coordinate> coordinates_;  ///< of the active ones
+  std::vector<std::size_t> active_of_;   ///< index into `active_` of each, or npos
 };
 
 }  // namespace plastica::calibrate

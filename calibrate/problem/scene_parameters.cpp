@@ -6,27 +6,21 @@
 
 namespace plastica::calibrate {
 
-bool is_break(const Parameter& p) {
-  return p.field->material == MaterialField::BreakStrain ||
-         p.field->material == MaterialField::BreakShearStrain;
-}
-
 bool is_hinge_length(const Parameter& p) { return p.field->path == "rules.hinge_length"; }
 
 SceneParameters::SceneParameters(std::span<const Parameter> parameters, const Setup& setup) {
   for (const Parameter& p : parameters) {
     if (p.role != ParameterRole::Free || is_break(p)) continue;
-    Searched s;
-    s.parameter = &p;
-    s.logarithmic = p.scale == ParameterScale::Logarithmic ||
+    Coordinate c{.lower = *p.lower, .upper = *p.upper, .size = *p.upper - *p.lower};
+    c.logarithmic = p.scale == ParameterScale::Logarithmic ||
                     (p.scale == ParameterScale::Auto && *p.lower > 0.0);
     const FieldValue scene = p.field->get(setup);
     const double middle =
-        s.logarithmic ? std::sqrt(*p.lower * *p.upper) : 0.5 * (*p.lower + *p.upper);
+        c.logarithmic ? std::sqrt(*p.lower * *p.upper) : 0.5 * (*p.lower + *p.upper);
     const double* given = std::get_if<double>(&scene);
     const double start = p.value ? *p.value : given != nullptr ? *given : middle;
-    s.start = std::clamp(start, *p.lower, *p.upper);
-    searched_.push_back(s);
+    c.start = std::clamp(start, *p.lower, *p.upper);
+    searched_.push_back({&p, c});
     fields_.push_back(p.field);
   }
   for (const Parameter& p : parameters) {
@@ -40,34 +34,12 @@ SceneParameters::SceneParameters(std::span<const Parameter> parameters, const Se
   }
 }
 
-double SceneParameters::lower(std::size_t i) const { return coordinate(i, *parameter(i).lower); }
-double SceneParameters::upper(std::size_t i) const { return coordinate(i, *parameter(i).upper); }
-
-double SceneParameters::coordinate(std::size_t i, double value) const {
-  const Searched& s = searched_[i];
-  return s.logarithmic ? std::log(value / s.start)
-                       : (value - s.start) / (*s.parameter->upper - *s.parameter->lower);
-}
-
-double SceneParameters::value(std::size_t i, double coordinate) const {
-  const Searched& s = searched_[i];
-  const double value = s.logarithmic
-                           ? s.start * std::exp(coordinate)
-                           : s.start + coordinate * (*s.parameter->upper - *s.parameter->lower);
-  return std::clamp(value, *s.parameter->lower, *s.parameter->upper);
-}
-
-double SceneParameters::slope(std::size_t i, double value) const {
-  const Searched& s = searched_[i];
-  return s.logarithmic ? value : *s.parameter->upper - *s.parameter->lower;
-}
-
 std::vector<double> SceneParameters::point_at(const StartPoint& values) const {
   std::vector<double> x(size(), 0.0);
   for (std::size_t i = 0; i < size(); ++i) {
     const Parameter& p = parameter(i);
     for (const auto& [field, value] : values) {
-      if (field == p.field) x[i] = coordinate(i, std::clamp(value, *p.lower, *p.upper));
+      if (field == p.field) x[i] = coordinate(i).at(std::clamp(value, *p.lower, *p.upper));
     }
   }
   return x;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <optional>
 
 #include "plastica/base/parallel_for.hpp"
@@ -29,6 +30,20 @@ RunCounters counters_of(const SceneCurve& curve) {
   return {curve.is_extended ? 2 : 1, curve.usable ? 0 : 1, curve.segment_iterations};
 }
 
+/// Of the samples of one target.
+std::vector<double> weights_of(const WeightedTarget& weighted, Objective objective) {
+  const std::vector<double>& x = weighted.target.abscissa;
+  std::vector<double> weights(x.size(), weighted.weight);
+  if (objective != Objective::Path) return weights;
+  // A sample that stands still counts next to nothing, but has a residual to be told from it.
+  constexpr double kMin = 1e-6;
+  const std::vector<double> along = path_weights(x);
+  const double mean =
+      std::accumulate(along.begin(), along.end(), 0.0) / static_cast<double>(along.size());
+  for (std::size_t i = 0; i < x.size(); ++i) weights[i] *= std::max(along[i] / mean, kMin);
+  return weights;
+}
+
 }  // namespace
 
 SceneProblem::SceneProblem(std::span<const WeightedTarget> targets, const SceneFitOptions& options)
@@ -39,12 +54,14 @@ SceneProblem::SceneProblem(std::span<const WeightedTarget> targets, const SceneF
   for (const WeightedTarget& weighted : targets) {
     models_.emplace_back(with_fixed(weighted.setup, options), weighted.target,
                          parameters_.fields());
+    weights_.push_back(weights_of(weighted, options.objective));
     first_.push_back(squares_.residuals);
     squares_.residuals += weighted.target.ordinate.size();
   }
   for (std::size_t i = 0; i < parameters_.size(); ++i) {
-    squares_.lower.push_back(parameters_.lower(i));
-    squares_.upper.push_back(parameters_.upper(i));
+    const Coordinate& coordinate = parameters_.coordinate(i);
+    squares_.lower.push_back(coordinate.at(coordinate.lower));
+    squares_.upper.push_back(coordinate.at(coordinate.upper));
     squares_.start.push_back(0.0);
     if (!parameters_.parameter(i).prior) continue;
     priors_.push_back(i);
@@ -210,10 +227,19 @@ void SceneProblem::add_priors(std::span<const double> x, std::span<double> resid
 void SceneProblem::add_residuals(std::size_t t, const SceneCurve& curve,
                                  std::span<double> residuals) const {
   const std::vector<double>& measured = targets_[t].target.ordinate;
-  const double factor = std::sqrt(targets_[t].weight) / scale(t);
   for (std::size_t i = 0; i < measured.size(); ++i) {
-    residuals[first_[t] + i] = factor * (curve.ordinate[i] - measured[i]);
+    residuals[first_[t] + i] =
+        std::sqrt(weights_[t][i]) / scale(t) * (curve.ordinate[i] - measured[i]);
   }
+}
+
+std::vector<double> SceneProblem::unscaled(std::size_t t, std::span<const double> residuals) const {
+  std::vector<double> unscaled;
+  unscaled.reserve(weights_[t].size());
+  for (std::size_t i = 0; i < weights_[t].size(); ++i) {
+    unscaled.push_back(scale(t) / std::sqrt(weights_[t][i]) * residuals[first_[t] + i]);
+  }
+  return unscaled;
 }
 
 }  // namespace plastica::calibrate

@@ -40,12 +40,12 @@ struct PointRun {
   RunCounters runs;
 };
 
-/// The sum of squares of a fit through scenes: for each target sqrt(weight) (model -
-/// measured)/scale at its samples, one target after the other, then (value - mean)/standard
-/// deviation of each prior. Where the hinge length is free, the break strain is known, and each
-/// target that broke in bending has a residual more: what its permanent strain is off at the break,
-/// over the standard deviation of a break that is anywhere within its sampling interval, or 0.1 %
-/// of the strain if that is more.
+/// The sum of squares of a fit through scenes: for each target sqrt(weight w_i) (model -
+/// measured)/scale at its samples, w_i 1 or, along the path, the sample's part of it, one target
+/// after the other, then (value - mean)/standard deviation of each prior. Where the hinge length is
+/// free, the break strain is known, and each target that broke in bending has a residual more: what
+/// its permanent strain is off at the break, over the standard deviation of a break that is
+/// anywhere within its sampling interval, or 0.1 % of the strain if that is more.
 class SceneProblem {
  public:
   /// @param targets, options  checked; must outlive this
@@ -75,6 +75,11 @@ class SceneProblem {
   const std::vector<TargetNoise>& noise() const { return noise_; }
   void set_noise(std::vector<TargetNoise> noise) { noise_ = std::move(noise); }
   double scale(std::size_t t) const { return noise_[t].deviation; }  ///< [SI]
+  /// Of the squares of a target's samples: the target's weight times the sample's (n_samples).
+  std::span<const double> weights(std::size_t t) const { return weights_[t]; }
+  /// Model - measured of a target's samples [SI] (n_samples).
+  /// @param residuals  of the problem at a point, over weights and scales (m)
+  std::vector<double> unscaled(std::size_t t, std::span<const double> residuals) const;
 
   /// The curves of all targets at several points, run in parallel; what was run there lately is not
   /// run again.
@@ -116,7 +121,8 @@ class SceneProblem {
   std::vector<SceneModel> models_;
   std::vector<std::size_t> first_;
   std::vector<TargetNoise> noise_;
-  std::vector<std::size_t> priors_;  ///< parameters that have one
+  std::vector<std::vector<double>> weights_;  ///< by target and sample
+  std::vector<std::size_t> priors_;           ///< parameters that have one
   std::vector<KnownBreak> known_breaks_;
   LeastSquaresProblem squares_;
   static constexpr std::size_t kMaxKnown = 64;

@@ -28,8 +28,7 @@ LawFit law_fit_of(const FitRecord& record) {
                         .autocorrelation = result.autocorrelation,
                         .noise = result.noise});
   for (const FittedParameter& p : result.parameters) {
-    const bool limit = p.name() == "break_strain" || p.name() == "break_shear_strain";
-    if (p.role != ParameterRole::Free || limit || !p.judgement) continue;
+    if (p.role != ParameterRole::Free || p.is_break() || !p.judgement) continue;
     fit.parameters.push_back(p.name());
     fit.verdicts.push_back(p.judgement->verdict);
   }
@@ -37,9 +36,11 @@ LawFit law_fit_of(const FitRecord& record) {
   fit.misfit_fraction = result.misfit_fraction;
   fit.lacks_fit = lacks_fit(result.misfit_fraction, result.runs_test_p);
   const FittedParameter* modulus = result.find_parameter("material.youngs_modulus");
+  double& squared = fit.curves.back().prior;
+  if (result.stated_priors) squared = result.stated_priors->squared;
   if (const auto& prior = result.modulus_prior; prior && modulus != nullptr) {
     const double off = modulus->value - prior->mean;
-    fit.curves.back().prior = std::pow(off / prior->standard_deviation, 2);
+    squared += std::pow(off / prior->standard_deviation, 2);
   }
   fit.parts = result.held_out;
   if (result.unseen) fit.specimens.push_back(*result.unseen);

@@ -166,7 +166,7 @@ std::vector<std::string> notes_on(const FittedParameter& parameter, const FitRec
         "weighed with the elastic slope, {} {}",
         with_error(prior->mean / unit.scale, prior->standard_deviation / unit.scale), unit.name));
   }
-  if (parameter.name() == "break_strain" || parameter.name() == "break_shear_strain") {
+  if (parameter.is_break()) {
     std::string note = "permanent strain";
     if (record.result.break_strain_total) {
       note += fmt::format("; the fitted model breaks at {} % in total",

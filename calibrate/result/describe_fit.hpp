@@ -22,6 +22,14 @@ inline constexpr auto kDescribeModulusPrior = [](auto& d) {
     "what the slope's squared distance over its error counts in the cost");
 };
 
+/// Of StatedPriors.
+inline constexpr auto kDescribeStatedPriors = [](auto& d) {
+  d("stated_prior_variance", "Pa^2", PLASTICA_MEMBER(variance),
+    "what the square of a value's distance from its prior's mean, over its standard deviation, "
+    "counts in the cost");
+  d("stated_prior_squared", "1", PLASTICA_MEMBER(squared), "the sum of these squares");
+};
+
 /// Of a SceneStart, but for its points.
 inline constexpr auto kDescribeStart = [](auto& d) {
   d("cost", "1", PLASTICA_MEMBER(cost), "sum of the weighted squares where the search ended");
@@ -94,6 +102,9 @@ inline constexpr auto kDescribeFit = [](auto& d) {
     later.optional("weighed_modulus", PLASTICA_MEMBER(modulus_prior), kDescribeModulusPrior);
     later("unseen_squared", "1", PLASTICA_MEMBER(unseen),
           "square of the misfit by fits of other specimens, over the largest stress");
+  });
+  d.since(8, [](auto& later) {
+    later.optional("stated_priors", PLASTICA_MEMBER(stated_priors), kDescribeStatedPriors);
   });
 };
 

@@ -6,6 +6,11 @@ namespace plastica::calibrate {
 
 std::string FittedParameter::name() const { return std::string(last_part(path)); }
 
+bool FittedParameter::is_break() const {
+  const Field* field = find_field_or_null(path);
+  return field != nullptr && calibrate::is_break(*field);
+}
+
 double FittedParameter::scatter_error() const { return std::hypot(noise_error, sampling_error); }
 
 double FittedParameter::model_error() const {

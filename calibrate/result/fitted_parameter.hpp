@@ -50,6 +50,8 @@ struct FittedParameter {
   std::optional<Judgement> judgement;
 
   std::string name() const;  ///< "yield_stress" of "material.yield_stress"
+  /// Whether it is a break strain, in tension or in torsion.
+  bool is_break() const;
   bool at_bound() const { return at_lower || at_upper; }
   /// How far the value would move in another test of the same specimen: noise and sampling.
   double scatter_error() const;

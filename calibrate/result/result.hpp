@@ -31,6 +31,12 @@ struct Trace {
   std::vector<double> costs;   ///< (n_evaluations) [Pa^2]
 };
 
+/// What the priors that parameters state did to a fit (weighed_priors.hpp).
+struct StatedPriors {
+  double variance = 0.0;  ///< what z^2 of each counts in the cost [Pa^2]
+  double squared = 0.0;   ///< the sum of z^2 at the solution [1]
+};
+
 /// The result of the fit of one specimen's curve.
 struct FitResult : FitOutcome {
   FitResult() { status = FitStatus::Rejected; }
@@ -51,6 +57,8 @@ struct FitResult : FitOutcome {
   std::optional<double> break_strain_total;  ///< total strain at which the fitted model breaks [1]
   /// Of Young's modulus by the elastic slope, with which it was weighed.
   std::optional<ModulusPrior> modulus_prior;
+  /// Where parameters state priors.
+  std::optional<StatedPriors> stated_priors;
   /// Where laws are compared: what the fits of other specimens leave of this curve, as a fraction
   /// squared (unseen.hpp) [1].
   std::optional<double> unseen;

@@ -5,6 +5,8 @@
 #include <string_view>
 #include <utility>
 
+#include "calibrate/search/vector_of.hpp"
+
 namespace plastica::calibrate {
 namespace {
 
@@ -25,10 +27,6 @@ std::string_view outcome_of(LeastSquaresOutcome outcome) {
     case LeastSquaresOutcome::SetAside: break;
   }
   return "failure";
-}
-
-Eigen::VectorXd vector_of(const std::vector<double>& v) {
-  return Eigen::Map<const Eigen::VectorXd>(v.data(), static_cast<Eigen::Index>(v.size()));
 }
 
 }  // namespace

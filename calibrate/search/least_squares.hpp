@@ -65,6 +65,10 @@ struct LeastSquares {
 LeastSquares minimize_squares(const LeastSquaresProblem& problem,
                               const LeastSquaresOptions& options);
 
+/// Of the central differences at a solution, in scaled parameters: fibres that yield one after the
+/// other, and Newton's tolerance, are smooth over it.
+inline constexpr double kErrorStep = 1e-4;
+
 /// d residual / d x at a point by central differences, one-sided at bounds and where residuals are
 /// missing on one side (m x n), row by row; NaN of a coordinate that has none on either.
 /// @param at  residuals at x (m)

@@ -6,16 +6,14 @@
 #include <numeric>
 #include <utility>
 
+#include "calibrate/search/vector_of.hpp"
+
 namespace plastica::calibrate {
 namespace {
 
 using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
-
-VectorXd vector_of(std::span<const double> v) {
-  return Eigen::Map<const VectorXd>(v.data(), static_cast<Index>(v.size()));
-}
 
 double cost_of(const VectorXd& r) {
   const double cost = r.squaredNorm();

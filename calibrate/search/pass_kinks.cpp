@@ -4,6 +4,7 @@
 #include <string>
 #include <utility>
 
+#include "calibrate/search/vector_of.hpp"
 #include "calibrate/search/whitened.hpp"
 
 namespace plastica::calibrate {
@@ -17,8 +18,6 @@ constexpr std::size_t kFewParameters = 2;
 constexpr double kSimplexSize = 0.1;
 /// How far SLSQP may go, beyond all that the squares could gain: costs are of order one.
 constexpr double kFar = 1e3;
-
-bool promises(double decrease, double cost) { return decrease > kWorthwhile * cost + kNoiseFloor; }
 
 class Descent {
  public:
@@ -41,6 +40,10 @@ class Descent {
   }
 
  private:
+  bool promises(double decrease, double cost) const {
+    return decrease > kinks_.worthwhile * cost + kNoiseFloor;
+  }
+
   /// @return whether a stage of NLopt from the best point, where the slopes promise a decrease, has
   /// brought one
   bool improve(const char* algorithm, double reach) {
@@ -71,10 +74,6 @@ class Descent {
     model.cost =
         problem_.squares(best_.x, {model.gradient.data(), n}, {model.normal.data(), n * n});
     return model;
-  }
-
-  static Eigen::VectorXd vector_of(const std::vector<double>& v) {
-    return Eigen::Map<const Eigen::VectorXd>(v.data(), static_cast<Eigen::Index>(v.size()));
   }
 
   const Problem& problem_;

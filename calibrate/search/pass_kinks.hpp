@@ -15,7 +15,8 @@ inline constexpr double kWorthwhile = 1e-10;
 
 /// How a search gets past kinks.
 struct KinkOptions {
-  int rounds = 5;  ///< of SLSQP at most, >= 0
+  int rounds = 5;                   ///< of SLSQP at most, >= 0
+  double worthwhile = kWorthwhile;  ///< a promise of less, as a fraction of the cost, is none
 };
 
 /// Goes on from where "gauss-newton" has stopped, to the bottom of the basin.

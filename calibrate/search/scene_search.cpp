@@ -10,6 +10,7 @@
 #include "calibrate/inference/scene_errors.hpp"
 #include "calibrate/problem/target_noise.hpp"
 #include "calibrate/search/least_squares_search.hpp"
+#include "calibrate/search/optimizer.hpp"
 #include "calibrate/search/screening.hpp"
 #include "plastica/theory/sampling.hpp"
 
@@ -25,16 +26,6 @@ constexpr int kShortSteps = 6;
 constexpr std::size_t kPolished = 2;
 /// Searches side by side: as many points at once as fill lanes and threads.
 constexpr std::size_t kTogether = 16;
-
-/// What a search is kept by.
-std::string name_of(std::string_view stage, std::size_t index) {
-  return std::string(stage) + " " + std::to_string(index);
-}
-
-double cost_of_search(const LeastSquares& found) {
-  return found.outcome == LeastSquaresOutcome::NoStart ? std::numeric_limits<double>::infinity()
-                                                       : found.cost;
-}
 
 /// From the least cost on; of ties the first comes first.
 std::vector<std::size_t> ranked(const std::vector<SearchRecord>& records) {
@@ -142,7 +133,7 @@ std::vector<SearchRecord> SceneSearch::search_from(std::string_view stage, const
   std::vector<std::size_t> missing;
   for (std::size_t k = 0; k < starts.size(); ++k) {
     const auto& find = options_.hooks.find;
-    const std::vector<std::byte>* kept = find ? find(name_of(stage, k)) : nullptr;
+    const std::vector<std::byte>* kept = find ? find(kept_name(stage, k)) : nullptr;
     if (kept == nullptr) {
       missing.push_back(k);
       continue;
@@ -196,7 +187,7 @@ void SceneSearch::search_together(std::string_view stage, const Points& starts, 
       if (!searches[s].done()) continue;
       ++done;
       record.found = searches[s].result();
-      if (options_.hooks.keep) options_.hooks.keep(name_of(stage, which[s]), bytes_of(record));
+      if (options_.hooks.keep) options_.hooks.keep(kept_name(stage, which[s]), bytes_of(record));
     }
     tell(stage, done, starts.size());
   }
@@ -230,7 +221,8 @@ void SceneSearch::search() {
   for (const StartPoint& further : options_.further_starts) {
     starts.push_back(problem_.parameters().point_at(further));
   }
-  const bool several = n > 0 && options_.starts > 1;
+  const bool alone = options_.algorithm != "auto";
+  const bool several = !alone && n > 0 && options_.starts > 1;
   const bool screens = several && options_.screen > 0;
   if (several) {
     const int others = options_.starts - 1;
@@ -238,11 +230,20 @@ void SceneSearch::search() {
     starts.insert(starts.end(), more.begin(), more.end());
   }
   const int few = kShortSteps * static_cast<int>(n + 1) + 1;
-  std::vector<SearchRecord> records = search_from(
-      "search", starts, screens ? std::min(few, options_.evaluations) : options_.evaluations);
+  if (alone) starts.resize(1);
+  std::vector<SearchRecord> records =
+      alone && options_.algorithm != kGaussNewton && n > 0
+          ? std::vector<SearchRecord>{search_alone()}
+          : search_from("search", starts,
+                        screens ? std::min(few, options_.evaluations) : options_.evaluations);
   first_reason_ = records.front().start.reason;
   start_reverses_ = records.front().start.reversed;
   if (screens) polish(records);
+  const std::size_t best = ranked(records).front();
+  best_ = records[best].found;
+  search_around();
+  pass_kinks("kinks");
+  records[best].found = best_;
   for (std::size_t k = 0; k < records.size(); ++k) {
     const LeastSquares& found = records[k].found;
     const bool any = found.outcome != LeastSquaresOutcome::NoStart;
@@ -253,17 +254,12 @@ void SceneSearch::search() {
     start.outcome = found.outcome;
     start.evaluations = found.evaluations;
   }
-  best_ = std::move(records[ranked(records).front()].found);
 }
 
 double SceneSearch::cost_of(std::size_t t) const {
-  const std::size_t first = problem_.first_residual(t);
   double sum = 0.0;
-  for (std::size_t i = 0; i < problem_.targets()[t].target.ordinate.size(); ++i) {
-    sum += best_.residual[first + i] * best_.residual[first + i];
-  }
-  const double scale = problem_.scale(t);
-  return sum * scale * scale / problem_.targets()[t].weight;
+  for (const double r : problem_.unscaled(t, best_.residual)) sum += r * r;
+  return sum;
 }
 
 std::vector<double> SceneSearch::costs() const {
@@ -313,7 +309,9 @@ void SceneSearch::settle_noise() {
     if (knows_noise_ || alone || change < kSameNoise || round == kMaxRounds) return;
     const std::string stage = "weights " + std::to_string(round);
     LeastSquares again = search_from(stage, {best_.x}, options_.evaluations).front().found;
-    if (again.outcome != LeastSquaresOutcome::NoStart) best_ = std::move(again);
+    if (again.outcome == LeastSquaresOutcome::NoStart) continue;
+    best_ = std::move(again);
+    pass_kinks("kinks of " + stage);
   }
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -13,11 +14,18 @@
 
 namespace plastica::calibrate {
 
+/// What a search is kept by: "polish 2".
+std::string kept_name(std::string_view stage, std::size_t index);
+
+/// Infinite of a search that has found no curve.
+double cost_of_search(const LeastSquares& found);
+
 /// The search for the least sum of squares of a fit through scenes, and for the noise that weights
 /// its targets.
 ///
 /// Sobol's points within the bounds are screened; from the start and from the best of them that lie
-/// apart go short searches side by side, and the best of these go on to their ends.
+/// apart go short searches side by side, the best of these go on to their ends, and the best of all
+/// past kinks. An algorithm that the options name searches alone, from the start.
 class SceneSearch {
  public:
   /// Sets the problem's scales: the noise of targets that state theirs, else their largest
@@ -57,6 +65,10 @@ class SceneSearch {
   void search_together(std::string_view stage, const Points& starts, int evaluations,
                        std::span<const std::size_t> which, std::vector<SearchRecord>& records);
   void polish(std::vector<SearchRecord>& records);
+  SearchRecord made_once(std::string_view stage, const std::function<SearchRecord()>& make);
+  SearchRecord search_alone();
+  void search_around();
+  void pass_kinks(std::string_view stage);
   void search();
   void settle_noise();
   std::vector<double> costs() const;

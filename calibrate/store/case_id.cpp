@@ -26,7 +26,8 @@ void put_setup(ByteWriter& writer, const Setup& setup) {
 void put_parameter(ByteWriter& writer, const Parameter& p) {
   writer.put(old_path(p.field->path)).put(p.role).put(p.value).put(p.lower).put(p.upper);
   writer.put(p.scale).put(p.tied_to != nullptr ? old_path(p.tied_to->path) : std::string());
-  writer.put(p.factor);
+  writer.put(p.factor).put(p.prior.has_value());
+  if (p.prior) writer.put(p.prior->mean).put(p.prior->standard_deviation);
 }
 
 /// Those parts of a target that can decide its fit: where it comes from, its raw curve, what was

@@ -37,6 +37,7 @@ void add_to(io::Digest& digest, const SceneFitOptions& options) {
   for (const Law law : options.laws) digest.text(name_of(law));
   digest.real(options.confidence).integer(options.segments_error ? 1 : 0);
   if (options.segments_within > 0.0) digest.real(options.segments_within);
+  digest.integer(static_cast<std::uint64_t>(options.objective)).text(options.algorithm);
   const IntervalOptions& intervals = options.intervals;
   digest.integer(intervals.profile ? 1 : 0);
   for (const int number : {intervals.bootstrap, intervals.block, intervals.specimens}) {

@@ -23,6 +23,7 @@ struct ParameterRow {
   std::string tied_to;
   double factor = 1.0;
   std::string units;
+  std::optional<Prior> prior;
 };
 
 constexpr auto kParameterColumns = [](auto& columns) {
@@ -35,6 +36,12 @@ constexpr auto kParameterColumns = [](auto& columns) {
   columns("scale", "", PLASTICA_MEMBER(scale));
   columns("tied_to", "", PLASTICA_MEMBER(tied_to));
   columns("factor", "1", PLASTICA_MEMBER(factor));
+  columns.since(8, [](auto& later) {
+    later.optional("has_prior", PLASTICA_MEMBER(prior), [](auto& prior) {
+      prior("prior_mean", "", PLASTICA_MEMBER(mean));
+      prior("prior_standard_deviation", "", PLASTICA_MEMBER(standard_deviation));
+    });
+  });
 };
 
 void write_parameters(io::Hdf5Group& group, const std::vector<Parameter>& parameters) {
@@ -43,15 +50,15 @@ void write_parameters(io::Hdf5Group& group, const std::vector<Parameter>& parame
   for (const Parameter& p : parameters) {
     rows.push_back({std::string(p.field->path), p.role, p.value, p.lower, p.upper, p.scale,
                     p.tied_to != nullptr ? std::string(p.tied_to->path) : "", p.factor,
-                    std::string(si_unit(p.field->dimension))});
+                    std::string(si_unit(p.field->dimension)), p.prior});
   }
   ColumnWriter<ParameterRow> columns(group, pointers_to(std::span(std::as_const(rows))));
   kParameterColumns(columns);
 }
 
-std::vector<Parameter> read_parameters(const io::Hdf5Group& group) {
+std::vector<Parameter> read_parameters(const io::Hdf5Group& group, int version) {
   std::vector<ParameterRow> rows(group.read_texts("path").size());
-  ColumnReader<ParameterRow> columns(group, pointers_to(std::span(rows)), kFitRules, kNewest);
+  ColumnReader<ParameterRow> columns(group, pointers_to(std::span(rows)), kFitRules, version);
   kParameterColumns(columns);
   const SourceLocation where{group.file(), 0};
   std::vector<Parameter> parameters;
@@ -65,6 +72,7 @@ std::vector<Parameter> read_parameters(const io::Hdf5Group& group) {
     p.scale = row.scale;
     if (!row.tied_to.empty()) p.tied_to = &find_field(row.tied_to, where);
     p.factor = row.factor;
+    p.prior = row.prior;
     p.where = where;
   }
   check_parameters(parameters);
@@ -148,7 +156,7 @@ FitOptions read_options(const io::Hdf5Group& group, int version) {
   options.confidence = real("confidence");
   options.intervals = {count("profile") != 0, count("bootstrap"), count("bootstrap_block"),
                        count("bootstrap_specimens")};
-  options.parameters = read_parameters(group.open_group("parameters"));
+  options.parameters = read_parameters(group.open_group("parameters"), version);
   io::read_setup(group, options.setup);
   return options;
 }

@@ -111,6 +111,17 @@ class OlderFiles(unittest.TestCase):
         self.assertEqual(run(self.folder, "show", "older.h5", "--all"), now)
         self.assertGreater(numpy.nanmax(errors["break_strain"]), 0.0)
 
+    def test_of_coupons_before_priors(self):
+        run(self.folder, "calibrate", str(DATA / "fits/demo.toml"), "-o", "fit.h5", "--quiet")
+        now = run(self.folder, "show", "fit.h5", "--all")
+        with copy_of(self.folder) as file:
+            file.attrs["version"] = 7
+            for name in ("stated_priors", "stated_prior_variance", "stated_prior_squared"):
+                del file["fits"][name]
+            for name in ("has_prior", "prior_mean", "prior_standard_deviation"):
+                del file["options/parameters"][name]
+        self.assertEqual(run(self.folder, "show", "older.h5", "--all"), now)
+
     def test_through_scenes(self):
         run(self.folder, "calibrate", str(DATA / "fits/bend_test.toml"), "-o", "fit.h5", "--quiet")
         now = run(self.folder, "show", "fit.h5")
@@ -218,7 +229,7 @@ class OlderFiles(unittest.TestCase):
         done = subprocess.run([COMMAND, "show", "older.h5"], cwd=self.folder, capture_output=True,
                               text=True)
         self.assertEqual(done.returncode, 2)
-        self.assertIn("older.h5: version = 2: must be 3 to 7, which this Plastica reads", done.stderr)
+        self.assertIn("older.h5: version = 2: must be 3 to 8, which this Plastica reads", done.stderr)
 
 
 if __name__ == "__main__":

@@ -339,8 +339,15 @@ INSTANTIATE_TEST_SUITE_P(
         bad_fit("NoBound", "{ bounds = [\"50 GPa\", \"500 GPa\"] }", "{ start = \"50 GPa\" }",
                 "fit.toml:4: material.youngs_modulus: needs a lower and an upper bound to be "
                 "fitted"),
-        bad_fit("UnknownKey", "[fit]\n", "[fit]\nobjective = \"least-squares\"\n",
-                "fit.toml:2: fit.objective…"),
+        bad_fit("UnknownKey", "[fit]\n", "[fit]\nobjektive = \"path\"\n",
+                "fit.toml:2: fit.objektive…"),
+        bad_fit("UnknownObjective", "[fit]\n", "[fit]\nobjective = \"strain-path\"\n",
+                "fit.toml:2: fit.objective = strain-path: must be one of \"path\", "
+                "\"least-squares\""),
+        bad_fit("AlgorithmBesideStarts", "[fit]\n",
+                "[fit]\nalgorithm = \"bobyqa\"\nstarts = 3\n",
+                "fit.toml:3: fit.starts = 3: goes with algorithm = \"auto\": any other one goes "
+                "alone"),
         bad_fit("NoBreak", "[fit.parameters]\n",
                 "[fit.parameters]\nbreak_strain = { bounds = [\"1 %\", \"9 %\"] }\n",
                 "fit.toml:4: material.break_strain: cannot be fitted: the target does not say "

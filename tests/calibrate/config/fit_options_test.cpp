@@ -132,6 +132,21 @@ poisson_ratio = 0.25
   EXPECT_NO_THROW(check_parameters(parameters));
 }
 
+TEST(FitOptionsFile, ReadsPriors) {
+  const auto parameters = read(
+                              "[fit.parameters]\nyield_stress = { prior = { mean = '300 MPa', "
+                              "standard_deviation = '20 MPa' } }\n")
+                              .parameters;
+  ASSERT_TRUE(parameters.at(0).prior);
+  EXPECT_EQ(parameters[0].prior->mean, 300e6);
+  EXPECT_EQ(parameters[0].prior->standard_deviation, 20e6);
+  EXPECT_EQ(parameter_error("break_strain = { prior = { mean = 0.1, standard_deviation = 0.01 } }"),
+            "f.toml:2: fit.parameters.break_strain.prior: is none of a break strain, which is set, "
+            "not searched");
+  EXPECT_EQ(parameter_error("yield_stress = { prior = { mean = '300 MPa' } }"),
+            "f.toml:2: fit.parameters.yield_stress.prior.standard_deviation: is missing");
+}
+
 TEST(FitOptionsFile, TakesAPathForAName) {
   const auto parameters = read(
                               "[fit.parameters]\n\"material.yield_stress\" = {}\n"

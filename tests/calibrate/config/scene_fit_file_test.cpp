@@ -103,6 +103,15 @@ TEST_F(SceneFitFileTest, ReadsCurvesAsItSays) {
   EXPECT_EQ(target.repairs[0].kind, "abscissa-reversals");
 }
 
+TEST_F(SceneFitFileTest, ReadsObjectiveAndAlgorithm) {
+  const SceneFitFile usual = parse(kFit + kTarget);
+  EXPECT_EQ(usual.options.objective, Objective::LeastSquares);
+  EXPECT_EQ(usual.options.algorithm, "auto");
+  const SceneFitFile file = parse(kFit + "objective = \"path\"\nalgorithm = \"sbplx\"\n" + kTarget);
+  EXPECT_EQ(file.options.objective, Objective::Path);
+  EXPECT_EQ(file.options.algorithm, "sbplx");
+}
+
 TEST_F(SceneFitFileTest, ReadsFitsOfTheirOwn) {
   const SceneFitFile file =
       parse(kFit + "shared = false\nstarts = 5\nsegments_error = false\n" + kTarget);

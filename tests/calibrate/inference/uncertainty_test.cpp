@@ -136,10 +136,10 @@ TEST(Uncertainty, MatchesTheSpreadOfFitsByLeastSquares) {
 // more than that, by a fifth.
 TEST(Uncertainty, MatchesTheSpreadOfFitsWithNoiseOfTheStrain) {
   FitOptions options = fit_of({free_parameter("youngs_modulus"), free_parameter("yield_stress")});
-  for (const Objective objective : {Objective::LeastSquares, Objective::StrainPath}) {
+  for (const Objective objective : {Objective::LeastSquares, Objective::Path}) {
     options.objective = objective;
     const Spread spread = spread_of(options, 4e-5, 2);
-    const double beyond = objective == Objective::StrainPath ? 0.2 : 0.0;
+    const double beyond = objective == Objective::Path ? 0.2 : 0.0;
     EXPECT_LE(spread.young, 1.0 + tolerance(kChance));
     EXPECT_GE(spread.young, 1.0 - beyond - tolerance(kChance));
     EXPECT_NEAR(spread.yield, 1.0, tolerance(kChance));

@@ -131,7 +131,7 @@ TEST(GivenWeights, ThatBreakARuleAreRefused) {
   EXPECT_EQ(refusal({{0.1, 1.0}, {0.1, 2.0}}),
             "fit.weights[2].from = 0.1: must be above that of the step before");
   FitOptions options = weighted({{0.0, 1.0}});
-  options.objective = Objective::StrainPath;
+  options.objective = Objective::Path;
   EXPECT_EQ(message_of([&] { fit_target(two_branches(), options); }),
             "fit.weights: go with the objective least squares alone");
 }

@@ -72,6 +72,12 @@ TEST(OptionsDigest, ChangesWithEveryOption) {
       [](FitOptions& o) { o.parameters[0].scale = ParameterScale::Linear; },
       [](FitOptions& o) { o.parameters[0].tied_to = o.parameters[1].field; },
       [](FitOptions& o) { o.parameters[0].factor = 2.0; },
+      [](FitOptions& o) {
+        o.parameters[0].prior = Prior{2e11, 1e9};
+      },
+      [](FitOptions& o) {
+        o.parameters[0].prior = Prior{2e11, 2e9};
+      },
       [](FitOptions& o) { o.objective = Objective::LeastSquares; },
       [](FitOptions& o) { o.noise = 1e6; },
       [](FitOptions& o) {

@@ -96,6 +96,7 @@ TEST(FitStore, GivesBackTheOptions) {
   o.parameters[1].lower = 1e6;
   o.parameters[1].upper = 1e9;
   o.parameters[1].scale = ParameterScale::Linear;
+  o.parameters[1].prior = Prior{3e8, 2e7};
   o.parameters[2].role = ParameterRole::Tied;
   o.parameters[2].tied_to = o.parameters[1].field;
   o.parameters[2].factor = 1e-9;
@@ -133,6 +134,11 @@ TEST(FitStore, GivesBackTheOptions) {
     EXPECT_EQ(p.lower, q.lower);
     EXPECT_EQ(p.upper, q.upper);
     EXPECT_EQ(p.scale, q.scale);
+    ASSERT_EQ(p.prior.has_value(), q.prior.has_value());
+    if (q.prior) {
+      EXPECT_EQ(p.prior->mean, q.prior->mean);
+      EXPECT_EQ(p.prior->standard_deviation, q.prior->standard_deviation);
+    }
     EXPECT_EQ(p.tied_to, q.tied_to);
     EXPECT_EQ(p.factor, q.factor);
   }
@@ -190,6 +196,8 @@ TEST(FitStore, GivesEveryRealColumnAUnitOrSaysThatItIsMixed) {
                                        "/options/parameters/value",
                                        "/options/parameters/lower",
                                        "/options/parameters/upper",
+                                       "/options/parameters/prior_mean",
+                                       "/options/parameters/prior_standard_deviation",
                                        "/parameters/youngs_modulus/verdict_number",
                                        "/parameters/yield_stress/verdict_number",
                                        "/parameters/break_strain/verdict_number",

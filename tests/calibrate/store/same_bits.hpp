@@ -80,13 +80,17 @@ inline auto members(const ModulusPrior& v) {
   const auto& [a, b, c] = v;
   return std::tie(a, b, c);
 }
+inline auto members(const StatedPriors& v) {
+  const auto& [a, b] = v;
+  return std::tie(a, b);
+}
 inline auto members(const FitResult& v) {
   // No binding takes a class apart whose base has members, too.
-  static_assert(sizeof(FitResult) == sizeof(FitOutcome) + 328, "all members are compared here");
+  static_assert(sizeof(FitResult) == sizeof(FitOutcome) + 352, "all members are compared here");
   return std::tie(static_cast<const FitOutcome&>(v), v.cost, v.misfit_rms, v.misfit_fraction,
                   v.misfit_word, v.runs_test_p, v.autocorrelation, v.effective_samples, v.samples,
                   v.noise, v.simpler_evaluations, v.break_strain_total, v.seed, v.stages, v.trace,
-                  v.fitted, v.modulus_prior, v.unseen);
+                  v.fitted, v.modulus_prior, v.stated_priors, v.unseen);
 }
 inline auto members(const FitRecord& v) {
   const auto& [a, b] = v;

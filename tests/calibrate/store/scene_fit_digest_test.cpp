@@ -26,5 +26,20 @@ TEST(SceneFitDigest, TellsRepairsAndWarningsApart) {
   EXPECT_NE(digest_of(target), clean);
 }
 
+TEST(SceneFitDigest, TellsObjectivesAndAlgorithmsApart) {
+  const auto of = [](const SceneFitOptions& options) {
+    io::Digest digest;
+    add_to(digest, options);
+    return digest.value();
+  };
+  SceneFitOptions options;
+  const std::uint64_t usual = of(options);
+  options.objective = Objective::Path;
+  EXPECT_NE(of(options), usual);
+  options = {};
+  options.algorithm = "bobyqa";
+  EXPECT_NE(of(options), usual);
+}
+
 }  // namespace
 }  // namespace plastica::calibrate

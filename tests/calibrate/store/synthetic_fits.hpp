@@ -120,6 +120,7 @@ inline FitRecord filled_record(const std::string& name) {
   r.samples = 7;
   r.break_strain_total = 0.0201;
   r.modulus_prior = {{193e9, 3e9, 2e12}};
+  r.stated_priors = {{2e12, 1.7}};
   r.held_out = {1e-6, 0.0, 3e-5, 1e-310, 2e-6};
   r.unseen = 4e-5;
   r.seed = 0xfedcba9876543210U;
