@@ -141,7 +141,8 @@ TEST(FitOptionsFile, ReadsPriors) {
   EXPECT_EQ(parameters[0].prior->mean, 300e6);
   EXPECT_EQ(parameters[0].prior->standard_deviation, 20e6);
   EXPECT_EQ(parameter_error("break_strain = { prior = { mean = 0.1, standard_deviation = 0.01 } }"),
-            "f.toml:2: fit.parameters.break_strain.prior: is none of a break strain, which is set, "
+            "f.toml:2: fit.parameters.break_strain.prior = { mean = 0.1, standard_deviation = 0.01 "
+            "}: is none of a break strain, which is set, "
             "not searched");
   EXPECT_EQ(parameter_error("yield_stress = { prior = { mean = '300 MPa' } }"),
             "f.toml:2: fit.parameters.yield_stress.prior.standard_deviation: is missing");
