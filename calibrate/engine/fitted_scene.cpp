@@ -40,7 +40,7 @@ std::optional<double> held_value(const Parameter& held, const SceneFitRecord& re
                                  std::span<const Parameter> parameters) {
   if (held.role == ParameterRole::Fixed) return held.value;
   for (const FittedParameter& base : record.result.parameters) {
-    if (base.path != held.tied_to->path) continue;
+    if (base.path != held.tied_to->path || base.role != ParameterRole::Free) continue;
     if (base.verdict() == Verdict::NotIdentified) return std::nullopt;
     return held.factor * base.value;
   }
@@ -123,6 +123,7 @@ FittedSetup fitted_setup(const Setup& setup, const SceneFitRecord& record, std::
             : "the fit's targets have several laws: the scene keeps its own");
   }
   for (const FittedParameter& parameter : record.result.parameters) {
+    if (parameter.role != ParameterRole::Free) continue;  // may be of another law: below
     if (parameter.verdict() == Verdict::NotIdentified) {
       fitted.notes.push_back(
           fmt::format("{} is not identified by the fit: the scene's own stays", parameter.path));
@@ -139,9 +140,8 @@ FittedSetup fitted_setup(const Setup& setup, const SceneFitRecord& record, std::
   const auto own = parameters_of(held_by, Loading::Cyclic, parameters, parameters);
   for (const Parameter& held : parameters) {
     const bool of_the_law = std::ranges::find(own, held.field, &Parameter::field) != own.end();
-    const bool searched =
-        std::ranges::find(record.result.parameters, held.field->path, &FittedParameter::path) !=
-        record.result.parameters.end();
+    const FittedParameter* made = record.result.find_parameter(held.field->path);
+    const bool searched = made != nullptr && made->role == ParameterRole::Free;
     if (!of_the_law || searched || held.role == ParameterRole::Free) continue;
     const std::string path(held.field->path);
     const auto value = held_value(held, record, parameters);

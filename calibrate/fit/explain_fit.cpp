@@ -121,23 +121,11 @@ void add_parameters(const ParameterSet& set, std::span<const double> active, con
   }
 }
 
-/// A tied parameter has its base's error, scaled.
 void add_tied_errors(const ParameterSet& set, FitResult& result) {
   for (std::size_t i = 0; i < set.size(); ++i) {
     const ResolvedParameter& r = set.all()[i];
     if (r.role != ParameterRole::Tied) continue;
-    FittedParameter& tied = result.parameters[i];
-    const FittedParameter& base = result.parameters[r.base];
-    tied.identified = base.identified;
-    if (!base.has_error()) continue;
-    const double half = std::fabs(r.factor) * (base.interval_high - base.value);
-    tied.standard_error = std::fabs(r.factor) * base.standard_error;
-    tied.noise_error = std::fabs(r.factor) * base.noise_error;
-    tied.sampling_error = std::fabs(r.factor) * base.sampling_error;
-    tied.misfit_error = std::fabs(r.factor) * base.misfit_error;
-    tied.degrees_of_freedom = base.degrees_of_freedom;
-    tied.interval_low = tied.value - half;
-    tied.interval_high = tied.value + half;
+    result.parameters[i].follow(result.parameters[r.base], r.factor);
   }
 }
 

@@ -135,6 +135,31 @@ class SceneFit {
     const FittedScenes fitted(problem_, options_, search_.best(), errors);
     result_.intervals = find_intervals(fitted, work_, result_.warnings);
     if (options_.laws.size() > 1) result_.held_out = held_out(fitted, work_);
+    add_held();
+  }
+
+  /// Those that were not searched stand behind the free ones.
+  void add_held() {
+    for (const Parameter& p : options_.parameters) {
+      if (p.role == ParameterRole::Free) continue;
+      FittedParameter held;
+      held.path = p.field->path;
+      held.dimension = p.field->dimension;
+      held.role = p.role;
+      if (p.role == ParameterRole::Fixed) {
+        held.value = *p.value;
+      } else {
+        const auto is_base = [&](const Parameter& other) { return other.field == p.tied_to; };
+        const Parameter& base = *std::ranges::find_if(options_.parameters, is_base);
+        const FittedParameter* fitted = result_.find_parameter(base.field->path);
+        const bool fixed = base.role == ParameterRole::Fixed;
+        held.value = p.factor * (fixed ? *base.value : fitted->value);
+        if (!fixed) held.follow(*fitted, p.factor);
+        if (!fixed) held.identified = fitted->verdict() != Verdict::NotIdentified;
+      }
+      held.start = held.lower = held.upper = held.value;
+      result_.parameters.push_back(std::move(held));
+    }
   }
 
   void add_segments() {

@@ -195,7 +195,7 @@ LawFit law_fit_of(const SceneFitRecord& record) {
     fit.lacks_fit = fit.lacks_fit || lacks_fit(of_target.misfit_fraction, of_target.runs_test_p);
   }
   for (const FittedParameter& p : result.parameters) {
-    if (p.path == "material.break_strain" || p.path == "material.break_shear_strain") continue;
+    if (p.role != ParameterRole::Free || p.is_break()) continue;
     fit.parameters.push_back(p.name());
     fit.verdicts.push_back(p.verdict());
   }

@@ -14,7 +14,7 @@ SegmentsTrial moved_by_segments(const SceneFitResult& result) {
   }
   trial.segments = result.segments->segments;
   trial.moved = -1.0;
-  for (std::size_t i = 0; i < result.parameters.size(); ++i) {
+  for (std::size_t i = 0; i < result.segments->parameters.size(); ++i) {
     const FittedParameter& parameter = result.parameters[i];
     if (parameter.at_bound() || !std::isfinite(parameter.noise_error)) continue;
     const SegmentsError& error = result.segments->parameters[i];

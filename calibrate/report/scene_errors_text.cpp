@@ -77,7 +77,7 @@ std::string errors_text(const SceneFitRecord& record, const Ink& ink) {
   for (const ErrorColumn& source : sources) columns.push_back({source.name, Align::Right});
   columns.push_back({"", Align::Left});
   Table table(std::move(columns));
-  for (std::size_t i = 0; i < result.parameters.size(); ++i) {
+  for (std::size_t i = 0; i < result.free_count(); ++i) {
     const FittedParameter& parameter = result.parameters[i];
     const DisplayUnit unit = display_unit(parameter);
     std::vector<std::string> cells = {short_name(parameter.path)};
@@ -90,7 +90,7 @@ std::string errors_text(const SceneFitRecord& record, const Ink& ink) {
 
 std::string segments_text(const SceneFitRecord& record, const Ink& ink) {
   const SceneFitResult& result = record.result;
-  if (!result.segments || result.parameters.size() != result.segments->parameters.size()) return {};
+  if (!result.segments || result.free_count() != result.segments->parameters.size()) return {};
   const SceneSegments& segments = *result.segments;
   Table table({{"", Align::Left},
                {"N/2", Align::Right},
@@ -99,7 +99,7 @@ std::string segments_text(const SceneFitRecord& record, const Ink& ink) {
                {"order", Align::Left},
                {"extrapolated", Align::PlusMinus},
                {"", Align::Left}});
-  for (std::size_t i = 0; i < result.parameters.size(); ++i) {
+  for (std::size_t i = 0; i < result.free_count(); ++i) {
     const FittedParameter& parameter = result.parameters[i];
     const SegmentsError& error = segments.parameters[i];
     const DisplayUnit unit = display_unit(parameter);

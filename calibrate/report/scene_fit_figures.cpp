@@ -251,7 +251,7 @@ Figure population_figure(std::span<const SceneFitRecord> records) {
 
 PlotScript correlation_plot(const SceneFitRecord& record, bool terminal) {
   const SceneFitResult& result = record.result;
-  const std::size_t n = result.parameters.size();
+  const std::size_t n = result.free_count();
   if (n == 0 || result.correlation.size() != n * n) {
     throw InputError({}, "--what", "correlation", record.name + " has no correlations");
   }

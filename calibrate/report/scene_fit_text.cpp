@@ -73,16 +73,16 @@ std::string header(const SceneFitRecord& record, const Ink& ink) {
 
 /// Targets of a joint fit differ in how well their noise is known, and so do the parameters.
 std::string noise_text(const SceneFitResult& result) {
-  double least = std::numeric_limits<double>::infinity(), most = 0.0;
-  for (const FittedParameter& p : result.parameters) {
-    least = std::min(least, p.degrees_of_freedom);
-    most = std::max(most, p.degrees_of_freedom);
+  double min = std::numeric_limits<double>::infinity(), max = 0.0;
+  for (const FittedParameter* p : result.free_parameters()) {
+    min = std::min(min, p->degrees_of_freedom);
+    max = std::max(max, p->degrees_of_freedom);
   }
-  if (std::isinf(least)) return "noise as the targets state it";
-  std::string degrees = significant(least, 3);
-  if (significant(most, 3) != degrees) {
-    degrees = std::isinf(most) ? fmt::format("at least {}", degrees)
-                               : fmt::format("{} to {}", degrees, significant(most, 3));
+  if (std::isinf(min)) return "noise as the targets state it";
+  std::string degrees = significant(min, 3);
+  if (significant(max, 3) != degrees) {
+    degrees = std::isinf(max) ? fmt::format("at least {}", degrees)
+                              : fmt::format("{} to {}", degrees, significant(max, 3));
   }
   return fmt::format("noise estimated from residuals, {} degrees of freedom", degrees);
 }
@@ -96,10 +96,10 @@ std::string break_text(const SceneTarget& target) {
 }
 
 bool has_material_intervals(const SceneFitResult& result) {
-  if (!result.segments || result.segments->parameters.size() != result.parameters.size()) {
+  if (!result.segments || result.segments->parameters.size() != result.free_count()) {
     return false;
   }
-  for (std::size_t i = 0; i < result.parameters.size(); ++i) {
+  for (std::size_t i = 0; i < result.segments->parameters.size(); ++i) {
     if (is_of_material(result.parameters[i], result.segments->parameters[i])) return true;
   }
   return false;
@@ -119,7 +119,7 @@ std::string targets_text(const SceneFitRecord& record, const Ink& ink) {
                                         {"noise", Align::Right},
                                         {"", Align::Left},
                                         {"misfit", Align::Right, "% of largest"},
-                                        {"runs", Align::Right, "probability"}};
+                                        {"runs test", Align::Right, "p"}};
   const bool several_laws = has_several_laws(record.result);
   if (several_laws) columns.insert(columns.begin() + 1, {"law", Align::Left});
   if (weighted) columns.push_back({"weight"});
@@ -134,7 +134,7 @@ std::string targets_text(const SceneFitRecord& record, const Ink& ink) {
         std::string(word_of(of_target.level)),
         std::to_string(of_target.samples),
         significant(of_target.noise / unit.scale, 3),
-        std::string(unit.name) + (target.noise ? " (given)" : ""),
+        std::string(unit.name) + (target.noise ? " (stated)" : ""),
         significant(100.0 * of_target.misfit_fraction, 2),
         std::isnan(of_target.runs_test_p) ? "-" : fmt::format("{:.2g}", of_target.runs_test_p)};
     if (several_laws) cells.insert(cells.begin() + 1, std::string(name_of(of_target.law)));

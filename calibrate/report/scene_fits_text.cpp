@@ -45,8 +45,8 @@ constexpr std::array<SceneFitFlag, 9> kSceneFitFlags = {{{'u', "no usable fit"},
 
 std::string flags_of(const SceneFitResult& result) {
   const auto any = [&](Verdict verdict) {
-    return std::ranges::any_of(result.parameters,
-                               [&](const FittedParameter& p) { return p.verdict() == verdict; });
+    return std::ranges::any_of(result.free_parameters(),
+                               [&](const FittedParameter* p) { return p->verdict() == verdict; });
   };
   std::string flags;
   if (!why_unusable(result).empty()) flags += 'u';

@@ -67,7 +67,7 @@ class Fits {
       material_.push_back(material.value_or(kNan));
       half_.push_back(material ? result.segments->parameters[*at.back()].extrapolated_error : 0.0);
     }
-    const std::size_t n = result.parameters.size();
+    const std::size_t n = result.free_count();
     const bool correlated = result.correlation.size() == n * n;
     for (const auto& i : at) {
       for (const auto& j : at) {
@@ -250,16 +250,18 @@ ScenePopulation scene_population(std::span<const SceneFitRecord> records, double
   const auto first = std::ranges::find(records, FitStatus::Fitted,
                                        [](const SceneFitRecord& r) { return r.result.status; });
   if (first == records.end()) return population;
-  const Fits fits(records, first->result.parameters);
+  std::vector<FittedParameter> free = first->result.parameters;
+  free.resize(first->result.free_count());  // they stand first
+  const Fits fits(records, free);
   std::vector<std::size_t> all(fits.size());
   std::iota(all.begin(), all.end(), std::size_t{0});
-  const std::size_t n = first->result.parameters.size();
+  const std::size_t n = free.size();
   const Resample whole = resample_of(fits, all, n);
   for (std::size_t a = 0; a < n; ++a) {
     const Moments moments = moments_of(fits, all, a, a);
     PopulationParameter p;
-    p.path = first->result.parameters[a].path;
-    p.dimension = first->result.parameters[a].dimension;
+    p.path = free[a].path;
+    p.dimension = free[a].dimension;
     p.n = moments.n;
     const auto there =
         std::ranges::count_if(all, [&](std::size_t fit) { return fits.has(fit, a); });

@@ -30,9 +30,10 @@ struct FitFlag {
   char letter;
   std::string_view meaning;
 };
-constexpr std::array<FitFlag, 6> kFitFlags = {{{'u', "no usable fit"},
+constexpr std::array<FitFlag, 7> kFitFlags = {{{'u', "no usable fit"},
                                                {'b', "a parameter at a bound"},
                                                {'n', "a parameter not identified"},
+                                               {'a', "a parameter from its prior"},
                                                {'p', "poor: the law does not describe the curve"},
                                                {'r', "curve repaired"},
                                                {'w', "warnings"}}};
@@ -51,6 +52,9 @@ std::string flags_of(const FitRecord& record) {
         return p.role == ParameterRole::Free && !p.identified;
       })) {
     flags += 'n';
+  }
+  if (any_parameter([](const FittedParameter& p) { return p.verdict() == Verdict::FromPrior; })) {
+    flags += 'a';
   }
   if (result.misfit_word == "poor") flags += 'p';
   if (!record.target.repairs.empty()) flags += 'r';

@@ -1,5 +1,6 @@
 #include "calibrate/result/fit_outcome.hpp"
 
+#include <algorithm>
 #include <stdexcept>
 
 #include "calibrate/inference/compare_laws.hpp"
@@ -36,6 +37,11 @@ std::vector<const FittedParameter*> FitOutcome::free_parameters() const {
     if (parameter.role == ParameterRole::Free) free.push_back(&parameter);
   }
   return free;
+}
+
+std::size_t FitOutcome::free_count() const {
+  return static_cast<std::size_t>(
+      std::ranges::count(parameters, ParameterRole::Free, &FittedParameter::role));
 }
 
 std::vector<const FittedParameter*> FitResult::correlated_parameters() const {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -43,6 +44,7 @@ struct FitOutcome {
   const FittedParameter* find_parameter(std::string_view name) const;
   /// The free ones, in their order: the rows of `intervals` (n_free).
   std::vector<const FittedParameter*> free_parameters() const;
+  std::size_t free_count() const;  ///< n_free
 };
 
 }  // namespace plastica::calibrate

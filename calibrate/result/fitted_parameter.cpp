@@ -11,6 +11,19 @@ bool FittedParameter::is_break() const {
   return field != nullptr && calibrate::is_break(*field);
 }
 
+void FittedParameter::follow(const FittedParameter& base, double factor) {
+  identified = base.identified;
+  if (!base.has_error()) return;
+  const double size = std::abs(factor);
+  standard_error = size * base.standard_error;
+  noise_error = size * base.noise_error;
+  sampling_error = size * base.sampling_error;
+  misfit_error = size * base.misfit_error;
+  degrees_of_freedom = base.degrees_of_freedom;
+  interval_low = factor * (factor > 0.0 ? base.interval_low : base.interval_high);
+  interval_high = factor * (factor > 0.0 ? base.interval_high : base.interval_low);
+}
+
 double FittedParameter::scatter_error() const { return std::hypot(noise_error, sampling_error); }
 
 double FittedParameter::model_error() const {

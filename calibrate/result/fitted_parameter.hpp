@@ -53,6 +53,8 @@ struct FittedParameter {
   /// Whether it is a break strain, in tension or in torsion.
   bool is_break() const;
   bool at_bound() const { return at_lower || at_upper; }
+  /// Takes errors and interval of the one that it is tied to, times the factor.
+  void follow(const FittedParameter& base, double factor);
   /// How far the value would move in another test of the same specimen: noise and sampling.
   double scatter_error() const;
   /// What noise and lack of fit make of it; of the noise alone where the other is not known.

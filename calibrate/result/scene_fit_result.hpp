@@ -48,8 +48,8 @@ struct SceneStart {
   int evaluations = 0;
 };
 
-/// The result of a fit through scenes: Fitted or Failed. Its parameters are the free ones, in the
-/// order of the options.
+/// The result of a fit through scenes: Fitted or Failed. Its parameters are the free ones in the
+/// order of the options, and then those that are fixed or tied.
 struct SceneFitResult : FitOutcome {
   std::vector<TargetFit> targets;
   double degrees_of_freedom = 0.0;  ///< of an estimated noise; infinite if all targets have theirs

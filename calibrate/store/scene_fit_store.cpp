@@ -69,7 +69,7 @@ void check_what_was_read(const io::Hdf5Group& root, const SceneFitRecord& record
   if (made != 0 && made != record.targets.size()) {
     refuse("targets/present", "must be the same for all targets of a fit");
   }
-  if (result.segments && result.segments->parameters.size() != result.parameters.size()) {
+  if (result.segments && result.segments->parameters.size() != result.free_count()) {
     refuse("segments/fit", "must have a row for each parameter of a fit");
   }
   for (const SceneStart& start : result.starts) {
@@ -77,7 +77,13 @@ void check_what_was_read(const io::Hdf5Group& root, const SceneFitRecord& record
       refuse("starts/to", "must have a value for each parameter that is searched");
     }
   }
-  store::check_outcome(root, result, result.parameters.size());
+  const auto held_before_free = [](const FittedParameter& a, const FittedParameter& b) {
+    return a.role != ParameterRole::Free && b.role == ParameterRole::Free;
+  };
+  if (std::ranges::adjacent_find(result.parameters, held_before_free) != result.parameters.end()) {
+    refuse("parameters", "must have the free ones of a fit before the others");
+  }
+  store::check_outcome(root, result, result.free_count());
 }
 
 constexpr auto kSeconds = [](auto& columns) {

@@ -171,6 +171,36 @@ TEST(SceneAlgorithm, NoneFindsALowerMinimum) {
   }
 }
 
+/// What was not searched stands behind what was: a tied value with the errors of what it follows.
+TEST(SceneParametersHeld, AreInTheResultWithTheirErrors) {
+  SceneFitOptions options;
+  Parameter tied;
+  tied.field = &find_field("material.yield_stress");
+  tied.role = ParameterRole::Tied;
+  tied.tied_to = &find_field("material.youngs_modulus");
+  tied.factor = 0.1;
+  Parameter fixed;
+  fixed.field = &find_field("material.hardening.tangent_modulus");
+  fixed.role = ParameterRole::Fixed;
+  fixed.value = Bilinear{}.tangent_modulus;
+  options.parameters = {tied, fixed, bounded("material.youngs_modulus", 0.5, 4.5)};
+  const SceneFitResult fit =
+      fit_scene(bilinear_coupon(), noisy_bilinear(Bilinear{}, 0.002, 3), options);
+  ASSERT_EQ(fit.status, FitStatus::Fitted) << fit.reason;
+  ASSERT_EQ(fit.parameters.size(), 3u);
+  EXPECT_EQ(fit.free_count(), 1u);
+  EXPECT_EQ(fit.correlation.size(), 1u);
+  const FittedParameter& modulus = fit.parameters[0];
+  EXPECT_NEAR(modulus.value, kBilinearModulus, tolerance(5e-3));
+  EXPECT_EQ(fit.parameters[1].role, ParameterRole::Tied);
+  EXPECT_DOUBLE_EQ(fit.parameters[1].value, 0.1 * modulus.value);
+  EXPECT_DOUBLE_EQ(fit.parameters[1].standard_error, 0.1 * modulus.standard_error);
+  EXPECT_DOUBLE_EQ(fit.parameters[1].interval_high, 0.1 * modulus.interval_high);
+  EXPECT_EQ(fit.parameters[2].role, ParameterRole::Fixed);
+  EXPECT_EQ(fit.parameters[2].value, Bilinear{}.tangent_modulus);
+  EXPECT_FALSE(fit.parameters[2].has_error());
+}
+
 TEST(SceneAlgorithm, KeepsToItsEvaluations) {
   for (const char* name : {"slsqp", "bobyqa"}) {
     SceneFitOptions options = both(Objective::LeastSquares);

@@ -112,7 +112,7 @@ TEST(SceneFitText, ShowsEachTargetWithNoiseMisfitAndBreak) {
   const std::string text = scene_fit_report(scene_record());
   EXPECT_TRUE(has_line(text, "           broke at support 2 0.06050 ± 0.00050 m"));
   EXPECT_TRUE(has(text, "  bent     planar       30   5.00  N "));
-  EXPECT_TRUE(has(text, "  twisted  twist        20   3.00  N m (given) "));
+  EXPECT_TRUE(has(text, "  twisted  twist        20   3.00  N m (stated) "));
   EXPECT_FALSE(has(text, "weight"));
   SceneFitRecord record = scene_record();
   record.weights[1] = 0.25;
