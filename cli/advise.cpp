@@ -210,6 +210,9 @@ void add_advise(CLI::App& app, Action& action) {
   add_threads_option(*sub, arguments->options.threads);
   add_force_option(*sub, arguments->force, "a file that is there");
   add_quiet_option(*sub, arguments->quiet, "no progress");
+  group_options(*sub, "Goal", {"--within", "--budget", "--for", "--of"});
+  group_options(*sub, "Results", {"--output", "--json", "--plot", "--force"});
+  group_options(*sub, "Limits of the search", {"--max-runs", "--max-work", "--threads"});
   sub->footer(
       "Example:\n"
       "  plastica advise scene.toml --within \"1 %\" -o advised.toml\n"

@@ -12,6 +12,11 @@
 
 namespace plastica::cli {
 
+void group_options(CLI::App& sub, const std::string& heading,
+                   std::initializer_list<std::string> names) {
+  for (const std::string& name : names) sub.get_option(name)->group(heading);
+}
+
 void add_json_option(CLI::App& sub, std::string& path) {
   sub.add_option("--json", path, "Also write the summary for scripts")->option_text("FILE");
 }

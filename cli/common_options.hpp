@@ -1,5 +1,6 @@
 #pragma once
 
+#include <initializer_list>
 #include <string>
 #include <vector>
 
@@ -10,6 +11,10 @@ class App;
 }
 
 namespace plastica::cli {
+
+/// Has the help show these options of a command under a heading of their own.
+void group_options(CLI::App& sub, const std::string& heading,
+                   std::initializer_list<std::string> names);
 
 // Options that several commands have, each said once.
 void add_json_option(CLI::App& sub, std::string& path);

@@ -138,6 +138,8 @@ void add_stability(CLI::App& app, Action& action) {
   add_threads_option(*sub, options.threads);
   add_force_option(*sub, arguments->force, "files that are there");
   add_quiet_option(*sub, arguments->quiet, "no table, no progress");
+  group_options(*sub, "What to vary, and how far", {"--vary", "--reach", "--within", "--max-work"});
+  group_options(*sub, "Results", {"--output", "--map", "--force"});
   sub->footer(
       "Example:\n"
       "  plastica stability scene.toml --vary beam.segments,beam.length --map m.svg\n"

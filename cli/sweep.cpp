@@ -193,6 +193,8 @@ void add_sweep(CLI::App& app, const std::string& command_line, Action& action) {
                 "As --resume, and run the failed cases again");
   add_force_option(*sub, arguments->force, "the output, and an interrupted run");
   add_quiet_option(*sub, arguments->quiet, "no report, no progress");
+  group_options(*sub, "Results", {"--output", "--json", "--force"});
+  group_options(*sub, "After an interruption", {"--resume", "--rerun-failed"});
   sub->footer(
       "Example:\n"
       "  plastica sweep sweep.toml -o sweep.h5\n"

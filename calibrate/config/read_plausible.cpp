@@ -35,15 +35,14 @@ void read_bound(const TomlTable& table, std::string_view key, Dimension dimensio
 
 void read_plausible(const TomlTable& table, TargetOptions& options) {
   PlausibleBounds& bounds = options.plausible;
-  read_bounds(table, "youngs_modulus", Dimension::Stress, bounds.least_modulus,
-              bounds.most_modulus);
-  read_bounds(table, "yield_strain", Dimension::Strain, bounds.least_yield_strain,
-              bounds.most_yield_strain);
-  read_bound(table, "elastic_strain", Dimension::Strain, bounds.most_elastic_strain);
-  read_bound(table, "soft_yield_strain", Dimension::Strain, bounds.least_soft_yield_strain);
-  read_bound(table, "strain", Dimension::Strain, bounds.most_strain);
-  read_bound(table, "strong_strain", Dimension::Strain, bounds.most_strong_strain);
-  read_bound(table, "ductile_modulus", Dimension::Stress, bounds.most_ductile_modulus);
+  read_bounds(table, "youngs_modulus", Dimension::Stress, bounds.min_modulus, bounds.max_modulus);
+  read_bounds(table, "yield_strain", Dimension::Strain, bounds.min_yield_strain,
+              bounds.max_yield_strain);
+  read_bound(table, "elastic_strain", Dimension::Strain, bounds.max_elastic_strain);
+  read_bound(table, "soft_yield_strain", Dimension::Strain, bounds.min_soft_yield_strain);
+  read_bound(table, "strain", Dimension::Strain, bounds.max_strain);
+  read_bound(table, "strong_strain", Dimension::Strain, bounds.max_strong_strain);
+  read_bound(table, "ductile_modulus", Dimension::Stress, bounds.max_ductile_modulus);
   read_bound(table, "modulus_factor", Dimension::None, bounds.modulus_factor);
   read_bound(table, "group_factor", Dimension::None, bounds.group_factor);
   for (const auto& [key, factor] : {std::pair("modulus_factor", bounds.modulus_factor),

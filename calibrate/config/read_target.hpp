@@ -7,9 +7,6 @@
 
 namespace plastica::calibrate {
 
-/// "auto", "off" or an amount. @param dimension  of the amount
-CorrectionChoice read_choice(const io::TomlValue& value, Dimension dimension = Dimension::Strain);
-
 /// The column of a table { column = "Stress", unit = "MPa" }.
 /// @throws InputError for a unit that does not fit the dimension
 ColumnSource read_column(const io::TomlTable& table, Dimension dimension);

@@ -15,6 +15,7 @@
 #include "calibrate/config/read_intervals.hpp"
 #include "calibrate/config/read_parameters.hpp"
 #include "calibrate/config/read_target.hpp"
+#include "calibrate/config/read_target_options.hpp"
 #include "calibrate/config/target_files.hpp"
 #include "calibrate/config/unique_names.hpp"
 #include "calibrate/fit/choose_segments.hpp"

@@ -9,26 +9,22 @@
 #include <utility>
 
 #include "calibrate/fit/check_scene_fit.hpp"
+#include "calibrate/fit/scene_fit_warnings.hpp"
 #include "calibrate/fit/scene_laws.hpp"
 #include "calibrate/inference/fitted_scenes.hpp"
 #include "calibrate/inference/held_out.hpp"
 #include "calibrate/inference/lack_of_fit.hpp"
 #include "calibrate/inference/material_interval.hpp"
-#include "calibrate/inference/moved_by_segments.hpp"
 #include "calibrate/inference/not_a_number.hpp"
 #include "calibrate/inference/scene_errors.hpp"
 #include "calibrate/inference/scene_segments.hpp"
 #include "calibrate/inference/scene_verdict.hpp"
 #include "calibrate/inference/scene_work.hpp"
-#include "calibrate/inference/shared_offset.hpp"
 #include "calibrate/problem/scene_problem.hpp"
 #include "calibrate/search/scene_search.hpp"
 
 namespace plastica::calibrate {
 namespace {
-
-/// Residuals and a stated noise contradict each other where one is so many times the other.
-constexpr double kContradicts = 2.0;
 
 class SceneFit {
  public:
@@ -105,10 +101,11 @@ class SceneFit {
           options_.evaluations));
     }
     for (std::size_t t = 0; t < targets_.size(); ++t) {
-      warn_of_noise(t);
-      warn_of_sign(t);
-      warn_of_offset(t, errors.slopes());
-      warn_of_path(t, curves[t][0]);
+      const SceneTarget& target = targets_[t].target;
+      warn(warning_of_noise(target, over_stated_noise(t), search_.noise_left(t)));
+      warn(warning_of_sign(target, result_.targets[t].fitted));
+      warn(warning_of_offset(problem_, t, errors.slopes(), search_.best().residual));
+      warn(warning_of_path(target, curves[t][0]));
     }
     for (std::size_t i = 0; i < result_.parameters.size(); ++i) {
       const FittedParameter& p = result_.parameters[i];
@@ -117,14 +114,12 @@ class SceneFit {
       const auto& prior = std::ranges::find_if(options_.parameters, has)->prior;
       if (!prior) continue;
       const double of_curves = 1.0 - prior_fractions_[i];
-      std::string warning =
-          contradicts_prior({.name = p.name(),
-                             .value = p.value,
-                             .mean = prior->mean,
-                             .standard_deviation = prior->standard_deviation,
-                             .fraction = prior_fractions_[i],
-                             .error_alone = p.noise_error / std::sqrt(of_curves)});
-      if (!warning.empty()) result_.warnings.push_back(std::move(warning));
+      warn(contradicts_prior({.name = p.name(),
+                              .value = p.value,
+                              .mean = prior->mean,
+                              .standard_deviation = prior->standard_deviation,
+                              .fraction = prior_fractions_[i],
+                              .error_alone = p.noise_error / std::sqrt(of_curves)}));
     }
     const std::string next = laws_to_try(result_.law, loading_of(targets_), options_.laws);
     for (const TargetFit& of_target : result_.targets) {
@@ -164,26 +159,13 @@ class SceneFit {
 
   void add_segments() {
     result_.segments =
-        divide_anew({problem_, options_, search_.best().x, result_.parameters, fractions_}, work_);
+        fit_remeshed({problem_, options_, search_.best().x, result_.parameters, fractions_}, work_);
     if (!result_.segments) return;
-    warn_of_segments();
+    warn(warning_of_segments(result_, options_.segments_within));
     const auto unknown = [](const SegmentsError& e) { return e.trend == SegmentsTrend::Unknown; };
     const SceneSegments& made = *result_.segments;
     if (made.note.empty() || !std::ranges::all_of(made.parameters, unknown)) return;
     result_.warnings.push_back("the error of the segments is not known: " + made.note);
-  }
-
-  /// More than was asked for.
-  void warn_of_segments() {
-    const SegmentsTrial trial = moved_by_segments(result_);
-    if (!(options_.segments_within > 0.0) || trial.moved <= options_.segments_within) return;
-    const std::string asked =
-        fmt::format("fit.within asks for {:.3g} %", 100.0 * options_.segments_within);
-    result_.warnings.push_back(
-        std::isfinite(trial.moved)
-            ? fmt::format("{} is moved by the segments by up to {:.2g} % of it: {}",
-                          last_part(trial.parameter), 100.0 * trial.moved, asked)
-            : fmt::format("what the segments do is not known: {}; {}", trial.reason, asked));
   }
 
   /// What the segments do to a parameter; of coupons, or if not asked for, nothing that is known.
@@ -195,65 +177,13 @@ class SceneFit {
   /// What the residuals are over a target's stated noise; 1 where none is stated, or they are too
   /// few to tell.
   double over_stated_noise(std::size_t t) const {
-    const auto& given = targets_[t].target.noise;
-    if (!given || problem_.noise()[t].is_from_elsewhere()) return 1.0;
-    return search_.noise_left(t) / *given;
+    const auto& stated = targets_[t].target.noise;
+    if (!stated || problem_.noise()[t].is_from_elsewhere()) return 1.0;
+    return search_.noise_left(t) / *stated;
   }
 
-  /// A stated noise that the residuals contradict.
-  void warn_of_noise(std::size_t t) {
-    const double over = over_stated_noise(t);
-    if (over < kContradicts && over > 1.0 / kContradicts) return;
-    const auto& given = targets_[t].target.noise;
-    const double left = search_.noise_left(t);
-    result_.warnings.push_back(
-        fmt::format("{}: a noise of {:.3g} is stated, but the residuals are of {:.3g} (SI)",
-                    targets_[t].target.name, *given, left));
-  }
-
-  /// A curve that runs against the fitted one: no value of a parameter mends it.
-  void warn_of_sign(std::size_t t) {
-    constexpr double kAgainst = -0.9;
-    const SceneTarget& target = targets_[t].target;
-    const std::vector<double>& fitted = result_.targets[t].fitted;
-    double both = 0.0, measured = 0.0, made = 0.0;
-    for (std::size_t i = 0; i < fitted.size(); ++i) {
-      both += fitted[i] * target.ordinate[i];
-      measured += target.ordinate[i] * target.ordinate[i];
-      made += fitted[i] * fitted[i];
-    }
-    if (!(both < kAgainst * std::sqrt(measured * made))) return;
-    result_.warnings.push_back(fmt::format(
-        "{}: the scene's curve runs against the measured one; if the machine counts the other way, "
-        "ordinate.factor = {:g} turns it",
-        target.name, -target.ordinate_factor));
-  }
-
-  /// A sensor that was set to zero under load: parameters make up for it as far as they can.
-  void warn_of_offset(std::size_t t, std::span<const double> slopes) {
-    const SceneTarget& target = targets_[t].target;
-    const std::size_t n = search_.best().x.size(), first = problem_.first_residual(t);
-    const std::size_t samples = target.ordinate.size();
-    const double unit = problem_.scale(t);
-    const SharedOffset offset = shared_offset(
-        slopes.subspan(first * n, n == 0 ? 0 : samples * n),
-        std::span(search_.best().residual).subspan(first, samples), problem_.weights(t));
-    constexpr double kMatters = 1e-3;  // of the largest ordinate
-    const bool matters = unit * std::abs(offset.value) > kMatters * largest_size(target.ordinate);
-    if (!offset.stands_out() || !matters) return;
-    result_.warnings.push_back(fmt::format(
-        "{}: taking {:.3g} (SI) off each measured ordinate would lower its squared residuals by "
-        "{:.0f} %: was it set to zero before the test? Parameters make up for what was not",
-        target.name, unit * offset.value, 100.0 * offset.of_squares));
-  }
-
-  /// A scene that stops short of what was measured, even with the fitted values.
-  void warn_of_path(std::size_t t, const SceneCurve& fitted) {
-    if (!fitted.is_extended) return;
-    result_.warnings.push_back(
-        fmt::format("{}: with the fitted values the scene's path ends before the measured one; it "
-                    "was compared where the ramps go on beyond the scene's end",
-                    targets_[t].target.name));
+  void warn(std::string warning) {
+    if (!warning.empty()) result_.warnings.push_back(std::move(warning));
   }
 
   void add_target(std::size_t index) {

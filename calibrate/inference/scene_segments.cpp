@@ -40,7 +40,7 @@ std::vector<WeightedTarget> divided_targets(std::span<const WeightedTarget> targ
 }
 
 /// The solution of a repetition, from that of the fit.
-LeastSquares solved(SceneProblem& problem, const DividedFit& fit) {
+LeastSquares solved(SceneProblem& problem, const FitToRemesh& fit) {
   problem.set_noise(fit.problem.noise());
   LeastSquaresProblem squares = problem.squares();
   squares.start.assign(fit.x.begin(), fit.x.end());
@@ -68,7 +68,7 @@ double break_value(const std::vector<std::vector<SceneCurve>>& curves,
   return value > parameter.lower && value < parameter.upper ? value : kNan;
 }
 
-Repetition repeated(const DividedFit& fit, Division division) {
+Repetition repeated(const FitToRemesh& fit, Division division) {
   const std::vector<WeightedTarget> targets = divided_targets(fit.problem.targets(), division);
   SceneProblem problem(targets, fit.options);
   const LeastSquares found = solved(problem, fit);
@@ -92,7 +92,7 @@ Repetition repeated(const DividedFit& fit, Division division) {
   return made;
 }
 
-Repetition attempted(const DividedFit& fit, Division division) {
+Repetition attempted(const FitToRemesh& fit, Division division) {
   try {
     return repeated(fit, division);
   } catch (const InputError& error) {
@@ -104,7 +104,7 @@ Repetition attempted(const DividedFit& fit, Division division) {
 
 }  // namespace
 
-std::optional<SceneSegments> divide_anew(const DividedFit& fit, SceneWork& work) {
+std::optional<SceneSegments> fit_remeshed(const FitToRemesh& fit, SceneWork& work) {
   const std::span<const WeightedTarget> targets = fit.problem.targets();
   SceneSegments segments;
   double order = 0.0;

@@ -11,7 +11,7 @@
 namespace plastica::calibrate {
 
 /// A fit that is done, to be repeated with other segments.
-struct DividedFit {
+struct FitToRemesh {
   const SceneProblem& problem;  ///< with the scales that the noise left
   const SceneFitOptions& options;
   std::span<const double> x;                    ///< its solution (n)
@@ -24,6 +24,6 @@ struct DividedFit {
 /// Repeats a fit with half and with twice the segments of all its chains, from its solution, with
 /// its weights and scales. A repetition that cannot be made is left out and said so.
 /// @return empty if all targets are coupons, which have no segments
-std::optional<SceneSegments> divide_anew(const DividedFit& fit, SceneWork& work);
+std::optional<SceneSegments> fit_remeshed(const FitToRemesh& fit, SceneWork& work);
 
 }  // namespace plastica::calibrate

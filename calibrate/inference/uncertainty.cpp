@@ -9,6 +9,7 @@
 
 #include "calibrate/inference/lack_of_fit.hpp"
 #include "calibrate/inference/material_interval.hpp"
+#include "calibrate/inference/normal_matrices.hpp"
 #include "calibrate/inference/not_a_number.hpp"
 #include "calibrate/inference/unequal_noise.hpp"
 #include "calibrate/inference/verdict.hpp"
@@ -19,8 +20,6 @@ namespace {
 
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
-
-constexpr double kRankTolerance = 1e-12;
 
 /// Parameters that shape the stress (not the break strain), and what the curve says of them.
 struct StressErrors {
@@ -38,93 +37,6 @@ struct StressErrors {
   MatrixXd influence;
   VectorXd own;
 };
-
-/// A, with the priors', B = J^T W^2 J and B_p of the slope's prior and of stated ones, of some
-/// columns, scaled by `size`.
-struct Normal {
-  MatrixXd a, b, prior, stated;
-  VectorXd stated_in_a;  ///< their part of A's diagonal
-
-  /// The rows and columns of those that are kept.
-  Normal of(const std::vector<Eigen::Index>& kept) const {
-    return {a(kept, kept), b(kept, kept), prior(kept, kept), stated(kept, kept), stated_in_a(kept)};
-  }
-};
-
-Normal normal_matrices(const Misfit::Details& d, const std::vector<std::size_t>& columns,
-                       const std::vector<double>& size) {
-  const auto m = static_cast<Eigen::Index>(columns.size());
-  const MatrixXd none = MatrixXd::Zero(m, m);
-  Normal normal{none, none, none, none, VectorXd::Zero(m)};
-  std::vector<double> squared_weight(d.weight);
-  for (double& w : squared_weight) w *= w;
-  const std::size_t samples = d.residual.size();
-  const auto column = [&](Eigen::Index k) {
-    const std::size_t begin = columns[static_cast<std::size_t>(k)] * samples;
-    return std::span(d.jacobian).subspan(begin, samples);
-  };
-  const auto size_of = [&](Eigen::Index k) { return size[columns[static_cast<std::size_t>(k)]]; };
-  for (Eigen::Index j = 0; j < m; ++j) {
-    for (Eigen::Index i = j; i < m; ++i) {
-      const double unit = size_of(i) * size_of(j);
-      normal.a(i, j) = unit * weighted_product(d.weight, column(i), column(j));
-      normal.b(i, j) = unit * weighted_product(squared_weight, column(i), column(j));
-    }
-  }
-  const double total = std::accumulate(d.weight.begin(), d.weight.end(), 0.0);
-  for (const Misfit::Details::ActivePrior& prior : d.priors) {
-    for (Eigen::Index k = 0; k < m; ++k) {
-      if (columns[static_cast<std::size_t>(k)] != prior.column) continue;
-      const double per_deviation = size_of(k) / prior.standard_deviation;
-      const double in_a = total * d.prior_variance * per_deviation * per_deviation;
-      normal.a(k, k) += in_a;
-      (prior.stated ? normal.stated : normal.prior)(k, k) +=
-          std::pow(total * d.prior_variance * per_deviation, 2);
-      if (prior.stated) normal.stated_in_a(k) += in_a;
-    }
-  }
-  normal.a.triangularView<Eigen::StrictlyUpper>() = normal.a.transpose();
-  normal.b.triangularView<Eigen::StrictlyUpper>() = normal.b.transpose();
-  return normal;
-}
-
-/// Drops columns that vanish or that only combinations determine.
-/// @return the normal matrices of those kept
-Normal keep_identified(const Misfit::Details& d, const std::vector<double>& size, double stress,
-                       std::vector<std::size_t>& columns) {
-  double total = 0.0;
-  for (const double w : d.weight) total += w;
-  Normal normal = normal_matrices(d, columns, size);
-  const auto keep = [&](const std::vector<Eigen::Index>& kept) {
-    std::vector<std::size_t> left;
-    left.reserve(kept.size());
-    for (const Eigen::Index k : kept) left.push_back(columns[static_cast<std::size_t>(k)]);
-    columns = left;
-    normal = normal.of(kept);
-  };
-  std::vector<Eigen::Index> identifiable;
-  for (Eigen::Index i = 0; i < normal.a.rows(); ++i) {
-    if (normal.a(i, i) > kRankTolerance * kRankTolerance * stress * stress * total) {
-      identifiable.push_back(i);
-    }
-  }
-  keep(identifiable);
-  if (columns.empty()) return normal;
-  const VectorXd scale = normal.a.diagonal().cwiseSqrt().cwiseInverse();
-  const MatrixXd unit = scale.asDiagonal() * normal.a * scale.asDiagonal();
-  const Eigen::SelfAdjointEigenSolver<MatrixXd> eigen(unit);
-  std::vector<Eigen::Index> kept;
-  for (Eigen::Index k = 0; k < unit.rows(); ++k) {
-    bool lost = false;
-    for (Eigen::Index e = 0; e < eigen.eigenvalues().size(); ++e) {
-      const bool unidentifiable = eigen.eigenvalues()(e) < kRankTolerance;
-      lost = lost || (unidentifiable && std::fabs(eigen.eigenvectors()(k, e)) > 1e-3);
-    }
-    if (!lost) kept.push_back(k);
-  }
-  keep(kept);
-  return normal;
-}
 
 /// By how much an error of the strain's shift moves the parameters. @param error  [1]
 VectorXd shift_effect(const Misfit::Details& d, double error, const StressErrors& of_stress) {
@@ -198,7 +110,7 @@ StressErrors stress_errors(const Misfit::Details& d, std::span<const double> act
     if (!parameters.all()[parameters.active()[i]].is_break) of_stress.columns.push_back(i);
   }
   const double stress = largest_magnitude(target.corrected.stress);
-  const Normal normal = keep_identified(d, size, stress, of_stress.columns);
+  const NormalMatrices normal = keep_identified(d, size, stress, of_stress.columns);
 
   const auto m = static_cast<Eigen::Index>(of_stress.columns.size());
   of_stress.covariance = of_stress.of_prior = of_stress.of_stated = MatrixXd::Zero(m, m);

@@ -117,7 +117,7 @@ inline constexpr auto kDescribeSceneFit = [](auto& d) {
   d("search_runs", "1", PLASTICA_MEMBER(search_runs), "of these, what the search took");
   d("failed_runs", "1", PLASTICA_MEMBER(failed_runs), "of all, without a curve");
   d("segment_iterations", "1", PLASTICA_MEMBER(segment_iterations), "of all runs");
-  d.optional("divided", PLASTICA_MEMBER(segments), [](auto& inner) {
+  d.optional("remeshed", PLASTICA_MEMBER(segments), [](auto& inner) {
     inner("segments", "1", PLASTICA_MEMBER(segments), "of the first beam");
     inner("segments_note", "", PLASTICA_MEMBER(note), "why a fit with other segments is missing");
   });

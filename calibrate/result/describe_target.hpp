@@ -76,7 +76,7 @@ inline constexpr auto kDescribeSceneTarget = [](auto& d) {
   d("ordinate_dimension", "", PLASTICA_MEMBER(ordinate_is), "what the ordinate measures");
   d("abscissa_factor", "1", PLASTICA_MEMBER(abscissa_factor), "measured over the scene's");
   d("ordinate_factor", "1", PLASTICA_MEMBER(ordinate_factor), "measured over the scene's");
-  d("given_noise", "", PLASTICA_MEMBER(noise), "stated standard deviation of the ordinate");
+  d("stated_noise", "", PLASTICA_MEMBER(noise), "stated standard deviation of the ordinate");
   d.optional("broke", PLASTICA_MEMBER(broke), [](auto& inner) {
     inner("break_at", "", PLASTICA_MEMBER(at), "abscissa of the break");
     inner("break_half_interval", "", PLASTICA_MEMBER(half_interval),

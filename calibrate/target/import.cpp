@@ -12,10 +12,9 @@
 #include <utility>
 
 #include "calibrate/guess/column_role.hpp"
-#include "calibrate/target/column_pattern.hpp"
+#include "calibrate/target/import_plan.hpp"
 #include "calibrate/target/kept_tables.hpp"
 #include "calibrate/target/make.hpp"
-#include "calibrate/target/named_column.hpp"
 #include "calibrate/target/samples.hpp"
 #include "calibrate/target/specimen_table.hpp"
 #include "plastica/base/parallel_for.hpp"
@@ -26,76 +25,6 @@ namespace plastica::calibrate {
 namespace {
 
 using io::CsvTable;
-
-/// The checked block: strain and stress columns and what they are divided by.
-struct Plan {
-  const ColumnSource* strain = nullptr;
-  const SpecimenValue* gauge_length = nullptr;
-  const SpecimenValue* strain_rate = nullptr;
-  const ColumnSource* stress = nullptr;
-  const SpecimenValue* area = nullptr;
-  const char* strain_field = "strain";
-  const char* stress_field = "stress";
-
-  Dimension strain_is() const { return gauge_length ? Dimension::Length : Dimension::Strain; }
-  Dimension stress_is() const { return area ? Dimension::Force : Dimension::Stress; }
-};
-
-void check_value(const TargetSource& source, const SpecimenValue& value, const char* field) {
-  if (value.value) {
-    if (value.value.value() > 0.0) return;
-    throw InputError(value.where, field, std::to_string(*value.value), "must be positive");
-  }
-  if (value.from.empty()) {
-    throw InputError(value.where, field, "", "must be a quantity or a column of the table");
-  }
-  if (!source.table) throw InputError(value.where, field, value.from, "needs a table to come from");
-}
-
-Plan plan_of(const TargetSource& source) {
-  const SourceLocation& where = source.where;
-  if (source.files.empty()) throw InputError(where, "files", "", "must name at least one file");
-  if (source.strain.has_value() == source.elongation.has_value()) {
-    throw InputError(where, "strain", "", "either strain or elongation must be given, not both");
-  }
-  if (source.stress.has_value() == source.force.has_value()) {
-    throw InputError(where, "stress", "", "either stress or force must be given, not both");
-  }
-  const bool divided = source.elongation || source.force;
-  if (divided && source.test != Test::Tension) {
-    throw InputError(where, "test", source.test == Test::Bending ? "bending" : "torsion",
-                     "elongation and force are for tension; give strain and stress");
-  }
-  Plan plan;
-  plan.strain = source.strain ? &*source.strain : &*source.elongation;
-  plan.stress = source.stress ? &*source.stress : &*source.force;
-  if (source.elongation) {
-    if (!source.gauge_length) {
-      throw InputError(where, "gauge_length", "", "is required with elongation");
-    }
-    check_value(source, *source.gauge_length, "gauge_length");
-    plan.gauge_length = &*source.gauge_length;
-    plan.strain_field = "elongation";
-  }
-  if (source.force) {
-    if (!source.area) throw InputError(where, "area", "", "is required with force");
-    check_value(source, *source.area, "area");
-    plan.area = &*source.area;
-    plan.stress_field = "force";
-  }
-  if (source.strain_rate) {
-    check_value(source, *source.strain_rate, "strain_rate");
-    plan.strain_rate = &*source.strain_rate;
-  }
-  if (plan.strain->column.find('*') != std::string::npos) {
-    throw InputError(plan.strain->where, plan.strain_field, plan.strain->column,
-                     "must name one column; only stress or force may be a pattern");
-  }
-  if (!source.group.empty() && !source.table) {
-    throw InputError(where, "group", source.group.front(), "needs a table to come from");
-  }
-  return plan;
-}
 
 /// The specimens of a file, in the order in which they come up first.
 std::vector<Part> parts_of(const TargetSource& source, const CsvTable& table,
@@ -129,63 +58,8 @@ void reject(Target& target, std::string reason) {
   target.reason = std::move(reason);
 }
 
-std::vector<io::FoundColumn> stress_columns(const CsvTable& table, const io::NamedColumn& asked,
-                                            Dimension dimension) {
-  if (asked.name.find('*') == std::string::npos) {
-    return {io::find_column(table, asked, dimension)};
-  }
-  std::vector<io::FoundColumn> columns;
-  for (std::size_t i = 0; i < table.columns(); ++i) {
-    if (!matches_column(asked.name, table.names()[i])) continue;
-    columns.push_back(io::column_at(table, i, asked, dimension));
-  }
-  if (columns.empty()) {
-    throw InputError(asked.where, asked.key, asked.name, "matches no column of " + table.file());
-  }
-  return columns;
-}
-
-struct Columns {
-  io::FoundColumn strain;
-  std::vector<io::FoundColumn> stress;
-};
-
-bool measures(const std::string& unit, Dimension dimension) {
-  try {
-    io::unit_conversion(unit, dimension);
-    return true;
-  } catch (const InputError&) {
-    return false;
-  }
-}
-
-/// Another unit may go before a file's, but not where the file's are those of each other's column.
-void refuse_swapped(const CsvTable& table, const Plan& plan, const Columns& columns) {
-  const io::FoundColumn& strain = columns.strain;
-  for (const io::FoundColumn& stress : columns.stress) {
-    if (strain.overridden.empty() || stress.overridden.empty()) continue;
-    if (!measures(strain.overridden, plan.stress_is()) ||
-        !measures(stress.overridden, plan.strain_is())) {
-      continue;
-    }
-    throw InputError(
-        {table.file(), 0}, plan.strain_field, table.names()[strain.index],
-        fmt::format("is in {} in the file, and \"{}\" for the {} in {}: the columns are swapped",
-                    strain.overridden, table.names()[stress.index], plan.stress_field,
-                    stress.overridden));
-  }
-}
-
-/// @throws InputError if the file lacks a column or its unit, or has one that does not fit
-Columns columns_of(const Plan& plan, const CsvTable& table) {
-  Columns columns{io::find_column(table, named(*plan.strain, plan.strain_field), plan.strain_is()),
-                  stress_columns(table, named(*plan.stress, plan.stress_field), plan.stress_is())};
-  refuse_swapped(table, plan, columns);
-  return columns;
-}
-
 /// Raw curve of one specimen, in SI.
-void read_curve(const Plan& plan, const CsvTable& table, const io::FoundColumn& strain,
+void read_curve(const ImportPlan& plan, const CsvTable& table, const io::FoundColumn& strain,
                 const io::FoundColumn& stress, const SpecimenTable* specimens, const Part& part,
                 Target& target) {
   double gauge_length = 1.0;
@@ -216,18 +90,6 @@ void warn_of_travel(std::string_view name, std::string_view unit,
                      "Young's modulus comes out too small and strains too large");
 }
 
-/// Units that the block itself gives, checked once, as an error of the block.
-void check_units(const Plan& plan) {
-  const auto check = [](const auto& asked, Dimension dimension, const char* field) {
-    if (asked->unit) io::unit_conversion(*asked->unit, dimension, asked->where, field);
-  };
-  check(plan.strain, plan.strain_is(), plan.strain_field);
-  check(plan.stress, plan.stress_is(), plan.stress_field);
-  if (plan.gauge_length) check(plan.gauge_length, Dimension::Length, "gauge_length");
-  if (plan.area) check(plan.area, Dimension::Area, "area");
-  if (plan.strain_rate) check(plan.strain_rate, Dimension::StrainRate, "strain_rate");
-}
-
 /// Alike names get their folder before them, and a number if that does not tell them apart.
 void make_names_unique(std::vector<Target>& targets) {
   std::map<std::string, std::size_t> count;
@@ -246,7 +108,7 @@ void make_names_unique(std::vector<Target>& targets) {
 /// What all files of a block are read by.
 struct Block {
   const TargetSource& source;
-  const Plan plan;
+  const ImportPlan plan;
   const TargetOptions options;
   const std::optional<SpecimenTable> specimens;
 };
@@ -323,7 +185,7 @@ Imported import_file(const Block& block, const std::string& file) {
     imported.targets.push_back(rejected(std::move(first), error));
     return imported;
   }
-  Columns columns;
+  ImportColumns columns;
   std::vector<Part> parts;
   try {
     columns = columns_of(block.plan, *table);
@@ -351,7 +213,7 @@ Imported import_file(const Block& block, const std::string& file) {
 
 std::vector<Target> import_targets(const TargetSource& source, const TargetOptions& options,
                                    int threads) {
-  const Plan plan = plan_of(source);
+  const ImportPlan plan = plan_of(source);
   check_units(plan);
   TargetOptions used = options;
   used.test = source.test;

@@ -20,20 +20,20 @@ enum class ModulusMethod { Regression, Chord };
 /// Beyond these a tension curve is that of no material, see plausibility.hpp. Yield strain: stress
 /// at yield over Young's modulus.
 struct PlausibleBounds {
-  double least_modulus = 1e5;         ///< [Pa] soft silicones have 0.3 MPa
-  double most_modulus = 1.3e12;       ///< [Pa] diamond has 1.2 TPa
-  double least_yield_strain = 5e-5;   ///< [1] pure copper has 2e-4
-  double most_yield_strain = 0.03;    ///< [1] of stresses above `strong_stress`: spring steel 0.01
-  double most_elastic_strain = 0.08;  ///< [1] the same of what does not yield: glass fibres 0.056
-  double strong_stress = 120e6;       ///< [Pa] plastics without fibres yield below
+  double min_modulus = 1e5;          ///< [Pa] soft silicones have 0.3 MPa
+  double max_modulus = 1.3e12;       ///< [Pa] diamond has 1.2 TPa
+  double min_yield_strain = 5e-5;    ///< [1] pure copper has 2e-4
+  double max_yield_strain = 0.03;    ///< [1] of stresses above `strong_stress`: spring steel 0.01
+  double max_elastic_strain = 0.08;  ///< [1] the same of what does not yield: glass fibres 0.056
+  double strong_stress = 120e6;      ///< [Pa] plastics without fibres yield below
   /// [1] of proof stresses below `soft_modulus`: plastics have 0.01 and more
-  double least_soft_yield_strain = 5e-3;
-  double soft_modulus = 4.5e9;          ///< [Pa] metals are stiffer, even lead as it creeps
-  double most_strain = 12.0;            ///< [1] rubbers tear at 10
-  double most_strong_strain = 1.5;      ///< [1] of stresses above `strong_stress`
-  double most_ductile_modulus = 450e9;  ///< [Pa] of what stretches by 2 %: tungsten has 410 GPa
-  double modulus_factor = 2.5;          ///< that E may be off the expected one, > 1
-  double group_factor = 10.0;  ///< that E and the strength may be off a group's median, > 1
+  double min_soft_yield_strain = 5e-3;
+  double soft_modulus = 4.5e9;         ///< [Pa] metals are stiffer, even lead as it creeps
+  double max_strain = 12.0;            ///< [1] rubbers tear at 10
+  double max_strong_strain = 1.5;      ///< [1] of stresses above `strong_stress`
+  double max_ductile_modulus = 450e9;  ///< [Pa] of what stretches by 2 %: tungsten has 410 GPa
+  double modulus_factor = 2.5;         ///< that E may be off the expected one, > 1
+  double group_factor = 10.0;          ///< that E and the strength may be off a group's median, > 1
 };
 
 /// How a measured curve becomes a target: repairs, corrections, characteristics. A monotonic curve

@@ -102,10 +102,10 @@ std::string beyond_bounds(const Judged& curve, bool is_measured, const TargetOpt
   const PlausibleBounds& bounds = options.plausible;
   const double e = curve.modulus;
   const double y = curve.yield_strain();
-  if (is_measured && (e < bounds.least_modulus || e > bounds.most_modulus)) {
+  if (is_measured && (e < bounds.min_modulus || e > bounds.max_modulus)) {
     return fmt::format("Young's modulus of {} is not within {} to {} (plausible.youngs_modulus)",
-                       stress_text(e), stress_text(bounds.least_modulus),
-                       stress_text(bounds.most_modulus));
+                       stress_text(e), stress_text(bounds.min_modulus),
+                       stress_text(bounds.max_modulus));
   }
   if (is_measured && options.expected_modulus) {
     const double ratio = e / *options.expected_modulus;
@@ -118,7 +118,7 @@ std::string beyond_bounds(const Judged& curve, bool is_measured, const TargetOpt
   }
   const bool is_strong = curve.strength > bounds.strong_stress;
   const bool is_soft = e < bounds.soft_modulus && !is_strong && curve.yields;
-  const double least = is_soft ? bounds.least_soft_yield_strain : bounds.least_yield_strain;
+  const double least = is_soft ? bounds.min_soft_yield_strain : bounds.min_yield_strain;
   const std::string shown = fmt::format("a yield strain of {} ({} over Young's modulus of {})",
                                         percent(y), stress_text(curve.strength), stress_text(e));
   if (y < least) {
@@ -126,26 +126,26 @@ std::string beyond_bounds(const Judged& curve, bool is_measured, const TargetOpt
                        is_soft ? "soft_yield_strain" : "yield_strain");
   }
   // Fibres break at 5 %, and do not yield.
-  const double most = curve.yields ? bounds.most_yield_strain : bounds.most_elastic_strain;
+  const double most = curve.yields ? bounds.max_yield_strain : bounds.max_elastic_strain;
   if (is_strong && y > most) {
     return fmt::format("{} is more than {} (plausible.{})", shown, percent(most),
                        curve.yields ? "yield_strain" : "elastic_strain");
   }
   constexpr double kDuctile = 0.02;
-  if (is_measured && curve.strain > kDuctile && e > bounds.most_ductile_modulus) {
+  if (is_measured && curve.strain > kDuctile && e > bounds.max_ductile_modulus) {
     return fmt::format(
         "Young's modulus of {} is more than {} for what stretches by {} "
         "(plausible.ductile_modulus)",
-        stress_text(e), stress_text(bounds.most_ductile_modulus), percent(curve.strain));
+        stress_text(e), stress_text(bounds.max_ductile_modulus), percent(curve.strain));
   }
-  if (is_strong && curve.strain > bounds.most_strong_strain) {
+  if (is_strong && curve.strain > bounds.max_strong_strain) {
     return fmt::format(
         "a strain of {} is more than {} for a stress of {} (plausible.strong_strain)",
-        percent(curve.strain), percent(bounds.most_strong_strain), stress_text(curve.strength));
+        percent(curve.strain), percent(bounds.max_strong_strain), stress_text(curve.strength));
   }
-  if (curve.strain > bounds.most_strain) {
+  if (curve.strain > bounds.max_strain) {
     return fmt::format("a strain of {} is more than {} (plausible.strain)", percent(curve.strain),
-                       percent(bounds.most_strain));
+                       percent(bounds.max_strain));
   }
   return {};
 }
@@ -200,11 +200,10 @@ std::string plausible_text(const TargetOptions& options) {
       "above {}), and at least {} below a modulus of {}; strain up to {}, above {} up to {}; "
       "within "
       "a factor of {:g} of its group's median",
-      stress_text(b.least_modulus), stress_text(b.most_modulus),
-      stress_text(b.most_ductile_modulus), percent(b.least_yield_strain),
-      percent(b.most_yield_strain), stress_text(b.strong_stress),
-      percent(b.least_soft_yield_strain), stress_text(b.soft_modulus), percent(b.most_strain),
-      stress_text(b.strong_stress), percent(b.most_strong_strain), b.group_factor);
+      stress_text(b.min_modulus), stress_text(b.max_modulus), stress_text(b.max_ductile_modulus),
+      percent(b.min_yield_strain), percent(b.max_yield_strain), stress_text(b.strong_stress),
+      percent(b.min_soft_yield_strain), stress_text(b.soft_modulus), percent(b.max_strain),
+      stress_text(b.strong_stress), percent(b.max_strong_strain), b.group_factor);
   if (options.expected_modulus) {
     text += fmt::format("; Young's modulus within a factor of {:g} of {}", b.modulus_factor,
                         stress_text(*options.expected_modulus));

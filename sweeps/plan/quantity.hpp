@@ -44,15 +44,15 @@ constexpr bool is_simulated(QuantityKind kind) {
 /// What is taken of a probe's values over time.
 enum class Take {
   End,        ///< the last
-  Least,      ///< the least
-  Largest,    ///< the largest
+  Min,        ///< the smallest
+  Max,        ///< the largest
   Size,       ///< the largest without its sign
   Mean,       ///< over time, by trapezia
   Curve,      ///< all: the error is the rms difference over the rms of the reference
   Frequency,  ///< of the strongest sine, see theory/spectrum.hpp [Hz]
 };
 
-inline constexpr std::array<std::string_view, 7> kTakes{"end",  "least", "largest",  "size",
+inline constexpr std::array<std::string_view, 7> kTakes{"end",  "min",   "max",      "size",
                                                         "mean", "curve", "frequency"};
 
 struct Quantity {

@@ -73,7 +73,7 @@ values = ["half_joint", "equal"]   # the clamp as a joint of half a segment, or 
 
 [error]
 probe   = "tip"                    # or quantity = "natural_frequency", "limit_load", "break_load", ...
-take    = "end"                    # "least", "largest", "size", "mean", "curve", "frequency"
+take    = "end"                    # "min", "max", "size", "mean", "curve", "frequency"
 against = "theory:elastica"        # "reference:FILE", "value:0.735 m", "finest", "richardson"
 # along = "beam.segments"          # the axis that refines; by default the first that can
 

@@ -166,13 +166,13 @@ std::string spread_report(const SweepRecord& record) {
   Table table({{"", Table::Align::Left},
                {"", Table::Align::Left},
                {"cases"},
-               {"least"},
+               {"min"},
                {"5 %"},
                {"25 %"},
                {"median"},
                {"75 %"},
                {"95 %"},
-               {"largest"},
+               {"max"},
                {"rank corr.", right}});
   add_axes(table, record);
   add_results(table, record);

@@ -107,8 +107,8 @@ std::string imbalance_of(const Response& response) {
 Measured take_of(Take take, std::span<const double> time, std::span<const double> values) {
   const auto [least, largest] = std::minmax_element(values.begin(), values.end());
   switch (take) {
-    case Take::Least: return {*least, {}};
-    case Take::Largest: return {*largest, {}};
+    case Take::Min: return {*least, {}};
+    case Take::Max: return {*largest, {}};
     case Take::Size: return {std::max(-*least, *largest), {}};
     case Take::Mean: return {time_mean(time, values), {}};
     case Take::Frequency: return frequency_of(time, values);

@@ -21,6 +21,8 @@ inline constexpr std::array kRenamedWords{
     Renamed{"end_share", "end_fraction"},              // fit files, corrections
     Renamed{"kinematic_share", "kinematic_fraction"},  // material, hardening
     Renamed{"largest_turn", "largest_rotation"},       // scenes, solver
+    Renamed{"largest", "max"},                         // sweep files, error.take
+    Renamed{"least", "min"},                           // sweep files, error.take
     Renamed{"ledger", "energy_balance"},               // check files, [[claim]]
     Renamed{"ledger_error", "energy_balance_error"},   // sweep files, error.quantity
     Renamed{"most_iterations", "max_iterations"},      // scenes, solver
@@ -33,6 +35,8 @@ inline constexpr std::array kRenamedWords{
 
 /// Datasets and groups of result files, by the last part of their path.
 inline constexpr std::array kRenamedStored{
+    Renamed{"divided", "remeshed"},
+    Renamed{"given_noise", "stated_noise"},
     Renamed{"kinematic_share", "kinematic_fraction"},
     Renamed{"largest_turn", "largest_rotation"},
     Renamed{"last_whole_strain", "last_intact_strain"},

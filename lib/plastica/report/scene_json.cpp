@@ -276,12 +276,12 @@ Json probes_of(const io::SceneRecord& record) {
     Json entry = {{"kind", probe_kinds()[static_cast<std::size_t>(probe.quantity)]},
                   {"unit", unit_of(probe.quantity, scene.drive.deformation)},
                   {"last", nullptr},
-                  {"least", nullptr},
-                  {"most", nullptr}};
+                  {"min", nullptr},
+                  {"max", nullptr}};
     if (!values.empty()) {
       entry["last"] = number(values.back());
-      entry["least"] = number(*std::min_element(values.begin(), values.end()));
-      entry["most"] = number(*std::max_element(values.begin(), values.end()));
+      entry["min"] = number(*std::min_element(values.begin(), values.end()));
+      entry["max"] = number(*std::max_element(values.begin(), values.end()));
     }
     all[probe.name] = std::move(entry);
   }

@@ -65,8 +65,8 @@ std::string probe_text(const io::SceneRecord& record, const Ink& ink) {
   if (probes.empty() || record.response.samples == 0) return {};
   Table table({{"probe", Align::Left},
                {"last"},
-               {"least"},
-               {"most"},
+               {"min"},
+               {"max"},
                {"", Align::Left},
                {"records", Align::Left}});
   for (std::size_t p = 0; p < probes.size(); ++p) {

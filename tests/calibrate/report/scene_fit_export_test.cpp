@@ -165,13 +165,13 @@ TEST(SceneFitCsv, HasARowPerTarget) {
                                                               {"law", "ideal"},
                                                               {"level", "planar"},
                                                               {"noise", "5"},
-                                                              {"given_noise", ""},
+                                                              {"stated_noise", ""},
                                                               {"degrees_of_freedom [1]", "28.8"},
                                                               {"misfit_fraction [1]", "0.0083"},
                                                               {"runs_test_p [1]", "0.41"},
                                                               {"break_strain [1]", "0.021"}};
   for (const auto& [title, value] : bent) EXPECT_EQ(table.at(1, title), value) << title;
-  EXPECT_NE(table.at(2, "given_noise"), "");
+  EXPECT_NE(table.at(2, "stated_noise"), "");
   EXPECT_EQ(table.at(2, "degrees_of_freedom [1]"), "") << "known";
   EXPECT_EQ(table.at(2, "runs_test_p [1]"), "");
   EXPECT_EQ(table.at(3, "law"), "");

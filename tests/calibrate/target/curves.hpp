@@ -50,10 +50,10 @@ struct IdealPlastic {
 inline calibrate::TargetOptions any_numbers() {
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   calibrate::TargetOptions options;
-  options.plausible.least_modulus = options.plausible.least_yield_strain = 0.0;
-  options.plausible.least_soft_yield_strain = 0.0;
-  options.plausible.most_modulus = options.plausible.strong_stress = kInfinity;
-  options.plausible.most_ductile_modulus = kInfinity;
+  options.plausible.min_modulus = options.plausible.min_yield_strain = 0.0;
+  options.plausible.min_soft_yield_strain = 0.0;
+  options.plausible.max_modulus = options.plausible.strong_stress = kInfinity;
+  options.plausible.max_ductile_modulus = kInfinity;
   return options;
 }
 

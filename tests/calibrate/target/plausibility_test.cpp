@@ -154,16 +154,16 @@ TEST(Plausibility, FollowsTheBoundsThatAreGiven) {
   const Curve diamond = curve_of({"more than diamond", 2e12, 20e9, 30.0, 0.02});
   EXPECT_EQ(make_target("d", diamond).status, TargetStatus::Implausible);
   TargetOptions options;
-  options.plausible.most_modulus = options.plausible.most_ductile_modulus = 3e12;
+  options.plausible.max_modulus = options.plausible.max_ductile_modulus = 3e12;
   EXPECT_EQ(make_target("d", diamond, options).status, TargetStatus::Ready);
   const Curve copper = curve_of({"copper", 120e9, 40e6, 4.0, 0.4});
-  options.plausible.least_yield_strain = 1e-3;
+  options.plausible.min_yield_strain = 1e-3;
   EXPECT_NE(make_target("c", copper, options)
                 .reason.find("is less than 0.1 % "
                              "(plausible.yield_strain)"),
             std::string::npos);
   options = {};
-  options.plausible.most_strain = 0.3;
+  options.plausible.max_strain = 0.3;
   EXPECT_NE(make_target("c", copper, options)
                 .reason.find("is more than 30 % "
                              "(plausible.strain)"),

@@ -167,7 +167,7 @@ TEST(ClosedForms, AreOfTheEndAtRestAndOfASizeWhereTheLoadIsLargest) {
   add_probe(scene, ProbeQuantity::Displacement, Place::end(), Component::Y);
   plastica::Setup setup = setup_of(scene);
   EXPECT_LT(std::abs(error_of("beam", setup, of_probe(Take::Size))), 1e-3);
-  for (const Take take : {Take::Mean, Take::Least, Take::Largest, Take::Frequency}) {
+  for (const Take take : {Take::Mean, Take::Min, Take::Max, Take::Frequency}) {
     EXPECT_EQ(refusal("beam", setup, of_probe(take)),
               "is for a probe at the end of the run, or its size where the load is largest there");
   }

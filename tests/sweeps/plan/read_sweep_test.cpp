@@ -188,7 +188,7 @@ TEST(CaseTable, GivesOtherQuantitiesOtherIds) {
     return CaseTable(cantilever_sweep(segments_axis("[8, 16]") + "[error]\n" + error)).id(0);
   };
   EXPECT_EQ(id("probe = 'tip'\n"), id("probe = 'tip'\nagainst = 'finest'\n"));
-  EXPECT_NE(id("probe = 'tip'\n"), id("probe = 'tip'\ntake = 'largest'\n"));
+  EXPECT_NE(id("probe = 'tip'\n"), id("probe = 'tip'\ntake = 'max'\n"));
   EXPECT_NE(id("probe = 'tip'\n"), id("probe = 'clamp_moment'\n"));
   EXPECT_NE(id("quantity = 'natural_frequency'\n"),
             id("quantity = 'natural_frequency'\nmode = 2\n"));

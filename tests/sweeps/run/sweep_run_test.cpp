@@ -203,8 +203,8 @@ TEST(TakeOf, GivesOneNumberOfACurve) {
   const std::vector<double> values{1.0, -5.0, 3.0};
   const auto take = [&](Take how) { return take_of(how, time, values).value.value_or(0.0); };
   EXPECT_EQ(take(Take::End), 3.0);
-  EXPECT_EQ(take(Take::Least), -5.0);
-  EXPECT_EQ(take(Take::Largest), 3.0);
+  EXPECT_EQ(take(Take::Min), -5.0);
+  EXPECT_EQ(take(Take::Max), 3.0);
   EXPECT_EQ(take(Take::Size), 5.0);
   EXPECT_DOUBLE_EQ(take(Take::Mean), (-2.0 - 2.0) / 3.0);
   EXPECT_FALSE(take_of(Take::Frequency, time, values).value.has_value());

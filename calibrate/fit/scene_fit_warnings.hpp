@@ -1,0 +1,40 @@
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "calibrate/problem/scene_problem.hpp"
+#include "calibrate/result/scene_fit_result.hpp"
+
+/// What a reader must not overlook of a fit through scenes, each empty where there is nothing to
+/// say; not installed.
+namespace plastica::calibrate {
+
+/// Residuals and a stated noise contradict each other where one is so many times the other.
+inline constexpr double kContradicts = 2.0;
+
+/// A stated noise that the residuals contradict.
+/// @param over  what the residuals are over it [1]
+/// @param left  what they are [SI]
+std::string warning_of_noise(const SceneTarget& target, double over, double left);
+
+/// A curve that runs against the fitted one: no value of a parameter mends it.
+/// @param fitted  ordinates (n_samples)
+std::string warning_of_sign(const SceneTarget& target, const std::vector<double>& fitted);
+
+/// A sensor that was set to zero under load: parameters make up for it as far as they can.
+/// @param slopes  of all residuals by the coordinates (m x n), row by row
+/// @param residual  of the problem at the solution (m)
+std::string warning_of_offset(const SceneProblem& problem, std::size_t t,
+                              std::span<const double> slopes, std::span<const double> residual);
+
+/// A scene that stops short of what was measured, even with the fitted values.
+std::string warning_of_path(const SceneTarget& target, const SceneCurve& fitted);
+
+/// Segments that move a value by more than was asked for.
+/// @param within  0: nothing was asked
+std::string warning_of_segments(const SceneFitResult& result, double within);
+
+}  // namespace plastica::calibrate

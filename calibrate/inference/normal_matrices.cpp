@@ -1,0 +1,93 @@
+#include "calibrate/inference/normal_matrices.hpp"
+
+#include <Eigen/Dense>
+#include <cmath>
+#include <numeric>
+#include <span>
+
+#include "calibrate/problem/weighted_squares.hpp"
+
+namespace plastica::calibrate {
+namespace {
+
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+constexpr double kRankTolerance = 1e-12;
+
+NormalMatrices normal_matrices(const Misfit::Details& d, const std::vector<std::size_t>& columns,
+                               const std::vector<double>& size) {
+  const auto m = static_cast<Eigen::Index>(columns.size());
+  const MatrixXd none = MatrixXd::Zero(m, m);
+  NormalMatrices normal{none, none, none, none, VectorXd::Zero(m)};
+  std::vector<double> squared_weight(d.weight);
+  for (double& w : squared_weight) w *= w;
+  const std::size_t samples = d.residual.size();
+  const auto column = [&](Eigen::Index k) {
+    const std::size_t begin = columns[static_cast<std::size_t>(k)] * samples;
+    return std::span(d.jacobian).subspan(begin, samples);
+  };
+  const auto size_of = [&](Eigen::Index k) { return size[columns[static_cast<std::size_t>(k)]]; };
+  for (Eigen::Index j = 0; j < m; ++j) {
+    for (Eigen::Index i = j; i < m; ++i) {
+      const double unit = size_of(i) * size_of(j);
+      normal.a(i, j) = unit * weighted_product(d.weight, column(i), column(j));
+      normal.b(i, j) = unit * weighted_product(squared_weight, column(i), column(j));
+    }
+  }
+  const double total = std::accumulate(d.weight.begin(), d.weight.end(), 0.0);
+  for (const Misfit::Details::ActivePrior& prior : d.priors) {
+    for (Eigen::Index k = 0; k < m; ++k) {
+      if (columns[static_cast<std::size_t>(k)] != prior.column) continue;
+      const double per_deviation = size_of(k) / prior.standard_deviation;
+      const double in_a = total * d.prior_variance * per_deviation * per_deviation;
+      normal.a(k, k) += in_a;
+      (prior.stated ? normal.stated : normal.prior)(k, k) +=
+          std::pow(total * d.prior_variance * per_deviation, 2);
+      if (prior.stated) normal.stated_in_a(k) += in_a;
+    }
+  }
+  normal.a.triangularView<Eigen::StrictlyUpper>() = normal.a.transpose();
+  normal.b.triangularView<Eigen::StrictlyUpper>() = normal.b.transpose();
+  return normal;
+}
+
+}  // namespace
+
+NormalMatrices keep_identified(const Misfit::Details& d, const std::vector<double>& size,
+                               double stress, std::vector<std::size_t>& columns) {
+  double total = 0.0;
+  for (const double w : d.weight) total += w;
+  NormalMatrices normal = normal_matrices(d, columns, size);
+  const auto keep = [&](const std::vector<Eigen::Index>& kept) {
+    std::vector<std::size_t> left;
+    left.reserve(kept.size());
+    for (const Eigen::Index k : kept) left.push_back(columns[static_cast<std::size_t>(k)]);
+    columns = left;
+    normal = normal.of(kept);
+  };
+  std::vector<Eigen::Index> identifiable;
+  for (Eigen::Index i = 0; i < normal.a.rows(); ++i) {
+    if (normal.a(i, i) > kRankTolerance * kRankTolerance * stress * stress * total) {
+      identifiable.push_back(i);
+    }
+  }
+  keep(identifiable);
+  if (columns.empty()) return normal;
+  const VectorXd scale = normal.a.diagonal().cwiseSqrt().cwiseInverse();
+  const MatrixXd unit = scale.asDiagonal() * normal.a * scale.asDiagonal();
+  const Eigen::SelfAdjointEigenSolver<MatrixXd> eigen(unit);
+  std::vector<Eigen::Index> kept;
+  for (Eigen::Index k = 0; k < unit.rows(); ++k) {
+    bool lost = false;
+    for (Eigen::Index e = 0; e < eigen.eigenvalues().size(); ++e) {
+      const bool unidentifiable = eigen.eigenvalues()(e) < kRankTolerance;
+      lost = lost || (unidentifiable && std::fabs(eigen.eigenvectors()(k, e)) > 1e-3);
+    }
+    if (!lost) kept.push_back(k);
+  }
+  keep(kept);
+  return normal;
+}
+
+}  // namespace plastica::calibrate

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <cstddef>
+#include <vector>
+
+#include "calibrate/problem/misfit.hpp"
+
+/// What the errors of a curve's fit are made of (uncertainty.hpp); not installed.
+namespace plastica::calibrate {
+
+/// A, with the priors', B = J^T W^2 J and B_p of the slope's prior and of stated ones, of some
+/// columns, scaled by `size`.
+struct NormalMatrices {
+  Eigen::MatrixXd a, b, prior, stated;
+  Eigen::VectorXd stated_in_a;  ///< their part of A's diagonal
+
+  /// The rows and columns of those that are kept.
+  NormalMatrices of(const std::vector<Eigen::Index>& kept) const {
+    return {a(kept, kept), b(kept, kept), prior(kept, kept), stated(kept, kept), stated_in_a(kept)};
+  }
+};
+
+/// Those of the columns that the curve determines; drops columns that vanish or that only
+/// combinations determine.
+/// @param size  of the active parameters, SI (n)
+/// @param stress  the largest measured one [Pa]
+/// @param columns  active indices; those that are kept at the end
+NormalMatrices keep_identified(const Misfit::Details& d, const std::vector<double>& size,
+                               double stress, std::vector<std::size_t>& columns);
+
+}  // namespace plastica::calibrate
