@@ -42,7 +42,7 @@ class BeamReader {
     beam_.yield_model = scene.yield_model;
     beam_.yield_cap = scene.yield_cap;
     beam_.carries_masses = !scene.masses.empty();
-    beam_.hinge_length = body_.watch.hinge_length(0);
+    beam_.hinge_lengths = body_.watch.hinge_lengths(0);
     beam_.break_length = break_length();
     beam_.breaks = body_.watch.active() && scene.yield_model != YieldModel::Elastic;
     add_regions();
@@ -56,7 +56,7 @@ class BeamReader {
  private:
   /// What `BreakWatch` does with a joint whose neighbours are straight, in words.
   std::string break_length() const {
-    if (beam_.hinge_length == 0.0) return "l";
+    if (beam_.hinge_lengths[0] == 0.0) return "l";
     switch (localization_of(model_.scene)) {
       case Localization::Concentrated: return "L_p";
       case Localization::Saturating: return "L_p where l < L_p, else l";

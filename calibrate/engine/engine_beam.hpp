@@ -100,7 +100,8 @@ struct EngineBeam {
   Formulas formulas = Formulas::Mechanics;
   YieldModel yield_model = YieldModel::PerAxis;
   YieldCap yield_cap = YieldCap::FirstYield;
-  double hinge_length = 0.0;    ///< L_p [m]
+  /// L_p of bending about x and y and of torsion (`chain::hinge_lengths`) [m].
+  std::array<double, 3> hinge_lengths{};
   bool breaks = false;          ///< whether anything has a limit
   bool carries_masses = false;  ///< whether the scene has point masses
   /// Over which length a the permanent turn of a joint alone counts: "L_p", "l", or which when.

@@ -85,8 +85,9 @@ void describe_region(const EngineBeam& beam, std::size_t index, std::vector<std:
   const EngineRegion& region = beam.regions[index];
   const SectionProperties& p = region.properties;
   const Material& m = region.material;
-  lines.push_back(
-      written("{}: {}", index == 0 ? "Beam" : written("region[{}]", index), one_line(m.name)));
+  const std::string name = one_line(shown_name(m));
+  lines.push_back(written("{}{}", index == 0 ? "Beam" : written("region[{}]", index),
+                          name.empty() ? "" : ": " + name));
   lines.push_back(written("  E = {} Pa, G = {} Pa, rho = {} kg/m^3", m.youngs_modulus,
                           resolved_shear_modulus(m), m.density));
   if (beam.yield_model != YieldModel::Elastic) {
@@ -103,6 +104,13 @@ void describe_region(const EngineBeam& beam, std::size_t index, std::vector<std:
                           digits(region.cap_factor, ", ")));
 }
 
+/// "0.03 m", or "0.03, 0.02, 0.03 m about x, y, z".
+std::string hinge_text(const std::array<double, 3>& lengths) {
+  const auto& [x, y, z] = lengths;
+  if (x == y && x == z) return written("{} m", x);
+  return written("{}, {}, {} m about x, y, z", x, y, z);
+}
+
 void describe_break(const EngineBeam& beam, std::vector<std::string>& lines) {
   if (!beam.breaks) {
     lines.emplace_back("  break: no limit is given, nothing breaks");
@@ -116,8 +124,8 @@ void describe_break(const EngineBeam& beam, std::vector<std::string>& lines) {
   }
   lines.push_back(written(
       "  break angle [rad], permanent: eps a/(h/2) about x, eps a/(b/2) about y, gamma a W_t/J "
-      "about z, a = {}, L_p = {} m",
-      beam.break_length, beam.hinge_length));
+      "about z, a = {}, L_p = {}",
+      beam.break_length, hinge_text(beam.hinge_lengths)));
   if (beam.break_length != "l") {
     lines.emplace_back(
         "    of a joint that turns alone; where its neighbours turn too, plastica counts what a "

@@ -55,9 +55,15 @@ struct JointModel {
   }
 };
 
-/// L_p of a joint: of the scene, or the depth of its section; 0 in Wendelius' formulas [m].
-inline double hinge_length(const Scene& scene, const JointModel& joint) {
-  return scene.hinge_length.value_or(scene.formulas == Formulas::Report ? 0.0 : joint.height);
+/// L_p of a joint for bending about x and y and for torsion: of the scene, or the depth of its
+/// section in the plane of bending, in torsion the larger of both; 0 in Wendelius' formulas [m].
+inline std::array<double, 3> hinge_lengths(const Scene& scene, const JointModel& joint) {
+  const bool none = scene.formulas == Formulas::Report;
+  const auto or_depth = [&](double depth) {
+    return scene.hinge_length.value_or(none ? 0.0 : depth);
+  };
+  return {or_depth(joint.height), or_depth(joint.width),
+          or_depth(std::max(joint.width, joint.height))};
 }
 
 /// `JointModel::limit` of the joints that a region owns.

@@ -211,9 +211,10 @@ std::vector<Field> make_table() {
       number<PLASTICA_REACH(scene.break_limit_z)>(
           "rules.break_limit_z", Strain, kPositive,
           "permanent shear strain at break, torsion; unset: the material's"),
-      number<PLASTICA_REACH(scene.hinge_length)>(
-          "rules.hinge_length", Length, kNotNegative,
-          "length over which a hinge's rotation is strain; unset: the depth; 0: the joint's own"),
+      number<PLASTICA_REACH(scene.hinge_length)>("rules.hinge_length", Length, kNotNegative,
+                                                 "length over which a hinge's rotation is strain; "
+                                                 "unset: the depth in the plane of bending; 0: "
+                                                 "the joint's own"),
       number<PLASTICA_REACH(scene.gravity[0])>("gravity.x", Acceleration, kAny,
                                                "acceleration of gravity along x"),
       number<PLASTICA_REACH(scene.gravity[1])>("gravity.y", Acceleration, kAny,

@@ -35,6 +35,9 @@ struct Cubic {
         b(length * history.slope[segment + 1] - rise) {}
 
   double value() const { return from + s * (rise + (1.0 - s) * (a * (1.0 - s) - b * s)); }
+  double curvature() const {
+    return (a * (6.0 * s - 4.0) + b * (6.0 * s - 2.0)) / (length * length);
+  }
   double slope() const {
     return (rise + a * (1.0 - s) * (1.0 - 3.0 * s) + b * s * (3.0 * s - 2.0)) / length;
   }
@@ -110,6 +113,11 @@ double History::slope_at(double when) const {
   const std::size_t segment = segment_of(*this, when);
   if (!slope.empty()) return Cubic(*this, segment, when).slope();
   return slope_of(*this, segment);
+}
+
+double History::curvature_at(double when) const {
+  if (slope.empty() || when < time.front() || when >= time.back()) return 0.0;
+  return Cubic(*this, segment_of(*this, when), when).curvature();
 }
 
 }  // namespace plastica

@@ -33,6 +33,8 @@ struct History {
 
   double at(double time) const;        ///< the factor
   double slope_at(double time) const;  ///< d factor / d time, of the segment that begins at `time`
+  /// d^2 factor / d time^2 of the segment that begins at `time`; 0 of straight ones.
+  double curvature_at(double time) const;
   double end() const { return time.back(); }
   /// Times at which its slope may jump [s]: all of straight segments, both ends of smooth ones.
   std::vector<double> corners() const;

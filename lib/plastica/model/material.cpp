@@ -60,6 +60,13 @@ double resolved_shear_modulus(const Material& material) {
                                          (2.0 * (1.0 + material.poisson_ratio)));
 }
 
+std::string shown_name(const Material& material) {
+  const Material usual;
+  const bool is_usual = material.youngs_modulus == usual.youngs_modulus &&
+                        material.yield_stress == usual.yield_stress;
+  return material.name == usual.name && !is_usual ? std::string() : material.name;
+}
+
 double resolved_shear_yield_stress(const Material& material) {
   return material.shear_yield_stress.value_or(material.yield_stress / std::numbers::sqrt3);
 }

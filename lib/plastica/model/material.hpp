@@ -93,6 +93,10 @@ bool has_own_rates(const Material& material);
 /// G [Pa]: as given, or E/(2(1+nu)) of an isotropic material.
 double resolved_shear_modulus(const Material& material);
 
+/// What a material is called: empty if it has no name, or that of the default (which stays with a
+/// scene that gives numbers alone) with another modulus or yield stress.
+std::string shown_name(const Material& material);
+
 /// tau_y [Pa]: as given, or sigma_y/sqrt(3) (von Mises).
 double resolved_shear_yield_stress(const Material& material);
 

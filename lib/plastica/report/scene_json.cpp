@@ -125,7 +125,7 @@ Json events_of(const io::SceneRecord& record) {
 }
 
 Json material_of(const Material& material) {
-  Json all = {{"name", material.name},
+  Json all = {{"name", text_or_null(shown_name(material))},
               {"youngs_modulus", number(material.youngs_modulus)},
               {"yield_stress", number(material.yield_stress)},
               {"density", number(material.density)}};

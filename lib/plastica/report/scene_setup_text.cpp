@@ -31,12 +31,8 @@ std::string stress_label(double stress, bool modulus) {
 }
 
 std::string material_label(const Material& material, bool yields) {
-  // A material of other numbers is not the default one, whose name it has if it has none.
-  const Material usual;
-  const bool named = !material.name.empty() && (material.name != usual.name ||
-                                                (material.youngs_modulus == usual.youngs_modulus &&
-                                                 material.yield_stress == usual.yield_stress));
-  std::string label = (named ? printable(material.name) + ", " : std::string()) + "E " +
+  const std::string name = shown_name(material);
+  std::string label = (name.empty() ? name : printable(name) + ", ") + "E " +
                       stress_label(material.youngs_modulus, true);
   if (yields) label += ", yield stress " + stress_label(material.yield_stress, false);
   return label;

@@ -42,10 +42,12 @@ BreakWatch::BreakWatch(const Scene& scene, std::vector<chain::JointModel> joints
       report_(scene.formulas == Formulas::Report),
       accumulated_(scene.break_measure == BreakMeasure::Accumulated) {
   for (const chain::JointModel& joint : joints_) {
-    hinge_.push_back(chain::hinge_length(scene, joint));
-    same_hinges_ = same_hinges_ && hinge_.back() == hinge_.front();
+    hinge_.push_back(chain::hinge_lengths(scene, joint));
+    for (std::size_t k = 0; k < 3; ++k) {
+      same_hinges_[k] = same_hinges_[k] && hinge_.back()[k] == hinge_.front()[k];
+    }
   }
-  covered_.resize(joints_.size());
+  for (Sliding& sliding : sliding_) sliding.covered.resize(joints_.size());
   for (const chain::JointModel& joint : joints_) {
     for (const double limit : joint.limit) active_ = active_ || std::isfinite(limit);
   }
@@ -55,41 +57,53 @@ double BreakWatch::Window::covers(const chain::JointModel& joint) const {
   return (std::min(high, joint.end) - std::max(low, joint.begin)) / (joint.end - joint.begin);
 }
 
-BreakWatch::Window BreakWatch::window_of(std::size_t joint) const {
+BreakWatch::Window BreakWatch::window_of(std::size_t joint, std::size_t axis) const {
   const double beam = joints_.back().end;
   const double middle = 0.5 * (joints_[joint].begin + joints_[joint].end);
-  const double length = hinge_[joint];
+  const double length = hinge_[joint][axis];
   const double low = std::max(0.0, std::min(middle - 0.5 * length, beam - length));
   return {low, low + length};
 }
 
 JointAngles BreakWatch::spread(const JointAngles& angle, std::size_t joint) const {
-  const double length = hinge_[joint] == 0.0 ? joints_[joint].own_length() : hinge_[joint];
   JointAngles theta{};
-  for (std::size_t k = 0; k < 3; ++k) theta[k] = angle[k] * (length / joints_[joint].length[k]);
+  for (std::size_t k = 0; k < 3; ++k) {
+    theta[k] = angle[k] * (strained_length(joint, k) / joints_[joint].length[k]);
+  }
   return theta;
 }
 
 JointAngles BreakWatch::hinge_angles(const std::vector<JointAngles>& angles, std::size_t joint) {
-  if (hinge_[joint] == 0.0 || localization_ == Localization::Distributed) {
+  const std::array<double, 3>& hinge = hinge_[joint];
+  if (hinge[0] == 0.0 || localization_ == Localization::Distributed) {
     return spread(angles[joint], joint);
   }
   JointAngles theta{};
-  if (has_window(joint)) {
-    theta = same_hinges_ ? windowed(angles, joint) : lone_window(angles, joint);
-  }
+  std::array<JointAngles, 3> sums{};
   for (std::size_t k = 0; k < 3; ++k) {
-    if (has_window(joint, k)) continue;
-    theta[k] = localization_ == Localization::Concentrated
-                   ? concentrated(angles, joint, k)
-                   : angles[joint][k] * (hinge_[joint] / joints_[joint].length[k]);
+    if (!joints_[joint].resists[k]) continue;
+    if (!has_window(joint, k)) {
+      theta[k] = localization_ == Localization::Concentrated
+                     ? concentrated(angles, joint, k)
+                     : angles[joint][k] * (hinge[k] / joints_[joint].length[k]);
+      continue;
+    }
+    std::size_t alike = 0;  // an axis whose window is the same
+    while (!joints_[joint].resists[alike] || hinge[alike] != hinge[k] ||
+           !has_window(joint, alike)) {
+      ++alike;
+    }
+    if (alike == k) {
+      sums[k] = same_hinges_[k] ? windowed(angles, joint, k) : lone_window(angles, joint, k);
+    }
+    theta[k] = sums[alike][k];
   }
   return theta;
 }
 
-JointAngles BreakWatch::lone_window(const std::vector<JointAngles>& angles,
-                                    std::size_t joint) const {
-  const Window window = window_of(joint);
+JointAngles BreakWatch::lone_window(const std::vector<JointAngles>& angles, std::size_t joint,
+                                    std::size_t axis) const {
+  const Window window = window_of(joint, axis);
   const auto first = std::upper_bound(
       joints_.begin(), joints_.end(), window.low,
       [](double low, const chain::JointModel& watched) { return low < watched.end; });
@@ -102,16 +116,16 @@ JointAngles BreakWatch::lone_window(const std::vector<JointAngles>& angles,
   return sum;
 }
 
-JointAngles BreakWatch::windowed(const std::vector<JointAngles>& angles, std::size_t joint) {
-  const Window window = window_of(joint);
-  std::size_t& first = window_first_;
-  std::size_t& end = window_end_;
+JointAngles BreakWatch::windowed(const std::vector<JointAngles>& angles, std::size_t joint,
+                                 std::size_t axis) {
+  const Window window = window_of(joint, axis);
+  auto& [covered, first, end] = sliding_[axis];
   while (first + 1 < joints_.size() && joints_[first].end <= window.low) ++first;
   end = std::max(end, first + 1);
   while (end < joints_.size() && joints_[end].begin < window.high) ++end;
   // All but the first and the last are covered whole.
   const std::size_t last = end - 1;
-  JointAngles sum = covered_.over(first + 1, std::max(first + 1, last));
+  JointAngles sum = covered.over(first + 1, std::max(first + 1, last));
   const auto add = [&](std::size_t j) {
     const JointAngles part = times(window.covers(joints_[j]), angles[j]);
     for (std::size_t k = 0; k < 3; ++k) sum[k] += part[k];
@@ -133,37 +147,40 @@ double BreakWatch::concentrated(const std::vector<JointAngles>& angles, std::siz
   if (joint > 0) look_at(joint - 1);
   if (joint + 1 < joints_.size()) look_at(joint + 1);
   shared = std::copysign(std::min(shared, std::fabs(own)), own);
-  return shared * hinge_[joint] / length + (own - shared);
+  return shared * hinge_[joint][k] / length + (own - shared);
 }
 
 BreakWatch::Strains BreakWatch::strains_of(const JointAngles& theta, std::size_t joint) const {
   const chain::JointModel& at = joints_[joint];
-  const double length = hinge_[joint] == 0.0 ? at.own_length() : hinge_[joint];
+  const auto length = [&](std::size_t axis) { return strained_length(joint, axis); };
   Strains strain{};
   if (report_) {
-    const auto bending = [&](double angle, double depth) {
+    const auto bending = [&](std::size_t axis, double depth) {
       // Never an accumulated angle in the sine.
-      return accumulated_ ? law::permanent_bending_strain(angle, depth, length)
-                          : law::report_bending_strain(angle, depth, length);
+      return accumulated_ ? law::permanent_bending_strain(theta[axis], depth, length(axis))
+                          : law::report_bending_strain(theta[axis], depth, length(axis));
     };
-    strain[0] = bending(theta[0], at.height);
-    strain[1] = bending(theta[1], at.width);
-    strain[2] = law::report_torsion_strain(theta[2], std::max(at.width, at.height), length);
+    strain[0] = bending(0, at.height);
+    strain[1] = bending(1, at.width);
+    strain[2] = law::report_torsion_strain(theta[2], std::max(at.width, at.height), length(2));
     return strain;
   }
-  strain[0] = law::permanent_bending_strain(theta[0], at.height, length);
-  strain[1] = law::permanent_bending_strain(theta[1], at.width, length);
-  strain[2] = law::permanent_torsion_strain(theta[2], at.lever[law::kTorsion], length);
+  strain[0] = law::permanent_bending_strain(theta[0], at.height, length(0));
+  strain[1] = law::permanent_bending_strain(theta[1], at.width, length(1));
+  strain[2] = law::permanent_torsion_strain(theta[2], at.lever[law::kTorsion], length(2));
+  // Of curvatures, each over the length of its own plane.
+  const double by_x = theta[0] / length(0), by_y = theta[1] / length(1);
   strain[kBoth] =
-      at.round ? law::permanent_biaxial_strain_circle(theta[0], theta[1], 0.5 * at.height, length)
-               : law::permanent_biaxial_strain_rectangle(theta[0], theta[1], at.width, at.height,
-                                                         length);
+      at.round ? law::permanent_biaxial_strain_circle(by_x, by_y, 0.5 * at.height, 1.0)
+               : law::permanent_biaxial_strain_rectangle(by_x, by_y, at.width, at.height, 1.0);
   return strain;
 }
 
 void BreakWatch::begin(const std::vector<JointAngles>& angles) {
-  covered_.begin(angles);
-  window_first_ = window_end_ = 0;
+  for (Sliding& sliding : sliding_) {
+    sliding.covered.begin(angles);
+    sliding.first = sliding.end = 0;
+  }
 }
 
 template <class Use>
@@ -211,10 +228,10 @@ std::array<double, 4> BreakWatch::strains_at(const std::vector<JointAngles>& ang
 
 double BreakWatch::lone_strain(const JointAngles& angle, std::size_t joint) const {
   JointAngles theta = spread(angle, joint);
-  if (hinge_[joint] != 0.0 && localization_ != Localization::Distributed) {
+  if (hinge_[joint][0] != 0.0 && localization_ != Localization::Distributed) {
     for (std::size_t k = 0; k < 3; ++k) {
       if (has_window(joint, k)) {
-        theta[k] = window_of(joint).covers(joints_[joint]) * angle[k];
+        theta[k] = window_of(joint, k).covers(joints_[joint]) * angle[k];
       } else if (localization_ == Localization::Concentrated) {
         theta[k] = angle[k];
       }

@@ -32,8 +32,9 @@ Localization localization_of(const Scene& scene);
 
 /// Permanent strains of a chain's joints, and which of them are over their limit (design 2.3).
 ///
-/// The strain of a joint is (h/2) Theta/L_p, with the hinge length L_p and the rotation Theta that
-/// a length L_p of the beam takes there:
+/// The strain of a joint is (h/2) Theta/L_p, with the hinge length L_p, which is by default the
+/// depth h in the plane of bending, and the rotation Theta that a length L_p of the beam takes
+/// there:
 /// - Distributed: Theta = theta_p L_p/l. The curvature theta_p/l converges with the segments by
 ///   itself, at the clamp of a cantilever too; a mean over L_p would make fine chains stronger than
 ///   coarse.
@@ -52,8 +53,8 @@ class BreakWatch {
   BreakWatch(const Scene& scene, std::vector<chain::JointModel> joints);
 
   bool active() const { return active_; }
-  /// L_p of a joint: of the scene, or the depth of the joint's section [m].
-  double hinge_length(std::size_t joint) const { return hinge_[joint]; }
+  /// L_p of a joint, of bending about x and y and of torsion (`chain::hinge_lengths`) [m].
+  const std::array<double, 3>& hinge_lengths(std::size_t joint) const { return hinge_[joint]; }
   std::size_t size() const { return joints_.size(); }
 
   // Each takes the angles of all joints, in the break measure, net or accumulated (joints), and
@@ -93,11 +94,12 @@ class BreakWatch {
   /// length about each.
   bool has_window(std::size_t joint, std::size_t axis) const {
     return localization_ != Localization::Distributed &&
-           joints_[joint].length[axis] < hinge_[joint];
+           joints_[joint].length[axis] < hinge_[joint][axis];
   }
-  /// The same about any axis.
-  bool has_window(std::size_t joint) const {
-    return has_window(joint, 0) || has_window(joint, 1) || has_window(joint, 2);
+  /// L_p about an axis, or the joint's own length where there is none.
+  double strained_length(std::size_t joint, std::size_t axis) const {
+    const double hinge = hinge_[joint][axis];
+    return hinge == 0.0 ? joints_[joint].own_length() : hinge;
   }
   /// theta_p L_p/l; without L_p what strains the joint's own length as much.
   JointAngles spread(const JointAngles& angle, std::size_t joint) const;
@@ -107,20 +109,26 @@ class BreakWatch {
     /// The fraction of a joint's length that it covers, if it touches it.
     double covers(const chain::JointModel& joint) const;
   };
-  Window window_of(std::size_t joint) const;
+  Window window_of(std::size_t joint, std::size_t axis) const;
   /// Theta of a joint; to be called for one after the other.
   JointAngles hinge_angles(const std::vector<JointAngles>& angles, std::size_t joint);
-  JointAngles windowed(const std::vector<JointAngles>& angles, std::size_t joint);
+  /// Of all axes, over the window of one.
+  JointAngles windowed(const std::vector<JointAngles>& angles, std::size_t joint, std::size_t axis);
   /// The sum over a window by itself, where the next one may begin before it.
-  JointAngles lone_window(const std::vector<JointAngles>& angles, std::size_t joint) const;
+  JointAngles lone_window(const std::vector<JointAngles>& angles, std::size_t joint,
+                          std::size_t axis) const;
   double concentrated(const std::vector<JointAngles>& angles, std::size_t joint,
                       std::size_t axis) const;
 
   std::vector<chain::JointModel> joints_;
-  SlidingSum covered_;                             ///< of joints that windows cover whole
-  std::size_t window_first_ = 0, window_end_ = 0;  ///< joints that the window touches
-  std::vector<double> hinge_;                      ///< L_p (joints)
-  bool same_hinges_ = true;
+  /// Joints that the window about an axis touches, and what it covers whole.
+  struct Sliding {
+    SlidingSum covered;
+    std::size_t first = 0, end = 0;
+  };
+  std::array<Sliding, 3> sliding_;
+  std::vector<std::array<double, 3>> hinge_;  ///< L_p by axis (joints)
+  std::array<bool, 3> same_hinges_{true, true, true};
   Localization localization_ = Localization::Concentrated;
   bool report_ = false;
   bool accumulated_ = false;

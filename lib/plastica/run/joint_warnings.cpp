@@ -32,7 +32,8 @@ std::optional<LongJoint> longest_joint(const Facts& facts) {
     for (std::size_t k = 0; k < joint.resists.size(); ++k) {
       const double limit = k < 2 ? std::min(joint.limit[k], joint.limit[3]) : joint.limit[k];
       if (!joint.resists[k] || !std::isfinite(limit)) continue;
-      const LongJoint found{joint.length[k], chain::hinge_length(scene, joint)};
+      const LongJoint found{joint.length[k],
+                            chain::hinge_lengths(scene, joint).at(std::min<std::size_t>(k, 2))};
       if (!longest || found.times() > longest->times()) longest = found;
     }
   }

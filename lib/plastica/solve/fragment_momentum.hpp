@@ -110,7 +110,10 @@ struct MomentumError {
     // A fragment that hardly turns has no angular momentum but rounding.
     constexpr double kNoSpin = kIsDouble<typename L::Scalar> ? 1e-9 : 1e-3;
     const double scale = std::max(angular_size, kNoSpin * size * length);
-    return std::max(size > 0.0 ? largest_lost / size : 0.0,
+    // Nor has one that turns about its center a linear one.
+    constexpr double kNoDrift = 1e-6;
+    const double linear = std::max(size, kNoDrift * angular_size / length);
+    return std::max(linear > 0.0 ? largest_lost / linear : 0.0,
                     scale > 0.0 ? largest_angular / scale : 0.0);
   }
 };

@@ -103,8 +103,32 @@ class JointMotion {
     damped_before_ = damped_;
   }
 
-  /// The rates that damping came from have jumped: it begins anew.
-  void forget_damping() { std::fill(damped_before_.begin(), damped_before_.end(), Vector{}); }
+  /// The rates that damping comes from have jumped: it begins anew, from the joints' spins where it
+  /// is of the angles' rates (shifts are taken as at rest), else from none.
+  /// @param spins  [rad/s]; empty: not known (joints)
+  /// @param forces  of the laws; damping is added
+  void begin_damping(const MotionOptions& options, std::span<const typename L::Spin> angles,
+                     std::span<const typename L::Spin> spins, Forces& forces) {
+    for (std::size_t j = 0; j < stiffness_.size(); ++j) {
+      damped_before_[j] = {};
+      if (spins.empty() || options.damping != Damping::Stiffness) continue;
+      Vec<S, kR> rate;
+      for (std::size_t m = 0; m < kR; ++m) rate[m] = spins[j][m];
+      Mat<S, kR, kR> to_angle = identity<S, kR>();
+      if constexpr (kR == 3) {
+        const Vec<S, 3> angle = angles[j];
+        to_angle =
+            chain::inverse_tangent_map(angle, chain::RotationCoefficients<S>(dot(angle, angle)));
+        rate = to_angle * rate;
+      }
+      for (std::size_t m = 0; m < kR; ++m) {
+        rate[m] = constant<S>(options.damping_time) * stiffness_[j][m] * rate[m];
+      }
+      const Vec<S, kR> moment = transposed_times(to_angle, rate);
+      for (std::size_t m = 0; m < kR; ++m) damped_before_[j][m] = moment[m];
+      forces.force[j] += damped_before_[j];
+    }
+  }
   const typename L::Spin& angle_before(std::size_t j) const { return angle_[j]; }
 
  private:

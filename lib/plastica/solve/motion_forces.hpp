@@ -58,12 +58,15 @@ void MotionStep<L, kElastic>::set_stage() {
 
 /// How fast the joints turn at the step's end.
 template <class L, bool kElastic>
-void MotionStep<L, kElastic>::set_joint_spins() {
+void MotionStep<L, kElastic>::set_joint_spins(const Motions& motion, double time) {
   if (rule_.conserves || options_.damping != Damping::Stiffness) return;
   spins_.resize(chain_.joints());
-  typename L::Spin inner = slope_of(chain_.root.history) * chain_.root.rotation;
+  const auto slope_at = [&](std::size_t history) {
+    return constant<S>(chain_.histories[history].slope_at(time));
+  };
+  typename L::Spin inner = slope_at(chain_.root.history) * chain_.root.rotation;
   const auto spin_of = [&](std::size_t i) {
-    return L::axes(w_.placement.frame[i]) * motion_now_[i].spin;
+    return L::axes(w_.placement.frame[i]) * motion[i].spin;
   };
   for (std::size_t i = 0; i < chain_.size(); ++i) {
     const typename L::Spin spin = spin_of(i);
@@ -71,7 +74,7 @@ void MotionStep<L, kElastic>::set_joint_spins() {
     inner = spin;
   }
   for (const auto& joint : chain_.ground_joints) {
-    const typename L::Spin ground = slope_of(joint.history) * joint.motion;
+    const typename L::Spin ground = slope_at(joint.history) * joint.motion;
     spins_[joint.joint] = transposed_times(L::axes(chain::ground_joint_axes(joint, w_.placement)),
                                            ground - spin_of(joint.segment));
   }
@@ -87,7 +90,7 @@ void MotionStep<L, kElastic>::assemble() {
   }
   if (rule_.midpoint) set_stage();
   evaluate_laws();
-  set_joint_spins();
+  set_joint_spins(motion_now_, w_.time - kRounding * h_);  // before a corner
   joint_motion_.take(options_, rule_, h_, w_.angles, w_.q.shift, spins_, w_.joints);
   chain::gather_forces(
       chain_, w_.q, w_.placement, w_.stage, w_.joints,

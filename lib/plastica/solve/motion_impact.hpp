@@ -125,8 +125,18 @@ template <class L, bool kElastic>
 bool MotionStep<L, kElastic>::passes_corner() const {
   const auto jumps = [&](std::size_t history) {
     const History& factor = chain_.histories[history];
+    const double reach = kRounding * h_;
+    if (!factor.slope.empty() && !rule_.midpoint) {
+      // A smooth one at its ends alone: Newmark's and Euler's velocities follow it by themselves,
+      // but the midpoint's, if left alone, swing about it.
+      const auto is_end = [&](double end, double slope) {
+        return slope != 0.0 && end > w_.time - h_ + reach && end <= w_.time + reach;
+      };
+      return is_end(factor.time.front(), factor.slope.front()) ||
+             is_end(factor.time.back(), factor.slope.back());
+    }
     const double before = (factor.at(w_.time) - factor.at(w_.time - h_)) / h_;
-    const double after = factor.slope_at(w_.time);
+    const double after = factor.slope_at(w_.time + reach);
     return std::fabs(after - before) > 1e-9 * std::max(std::fabs(after), std::fabs(before));
   };
   const auto moves = [](const auto& v) { return dot(v, v) > 0.0; };
@@ -209,7 +219,8 @@ void MotionStep<L, kElastic>::restart() {
   chain::place<kElastic>(chain_, w_.q, w_.time, w_.placement);
   joints_.set_time(0.0);
   evaluate_laws();
-  joint_motion_.forget_damping();
+  set_joint_spins(motion_, w_.time + kRounding * h_);
+  joint_motion_.begin_damping(options_, w_.angles, spins_, w_.joints);
   for (MomentumError<L>& error : momentum_) error.knows_outside = false;
   chain::gather_forces(
       chain_, w_.q, w_.placement, chain::Stage<L>{}, w_.joints,
@@ -221,7 +232,12 @@ void MotionStep<L, kElastic>::restart() {
   }
   // The laws' forces as they are: nothing moves in no time.
   laws_alone_.force = w_.joints.force;
-  set_accelerations(chain_, laws_alone_, no_motion_, carried_, rates_, motion_, w_);
+  const auto support_at = [this](std::size_t history) {
+    const History& factor = chain_.histories[history];
+    const double time = w_.time + kRounding * h_;
+    return SupportRates{factor.slope_at(time), factor.curvature_at(time)};
+  };
+  set_accelerations(chain_, laws_alone_, no_motion_, carried_, rates_, support_at, motion_, w_);
   for (std::size_t k = 0; k < multiplier_.size(); ++k) {
     multiplier_[k] = rates_.acts[k] ? w_.small.b(k) : constant<S>(0);
   }

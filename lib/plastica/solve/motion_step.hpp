@@ -204,6 +204,7 @@ class MotionStep {
   /// Steps for which a start from rest is tried first, once it has found what the other did not.
   static constexpr int kRests = 10;
   static constexpr int kMaxContactTries = 30;
+  static constexpr double kRounding = 1e-9;  ///< of times, over a step
   /// A contact that strikes in as many steps in a row comes to rest.
   static constexpr int kMaxBounces = 5;
 
@@ -219,7 +220,7 @@ class MotionStep {
   void evaluate_laws();
   void assemble();
   void set_stage();
-  void set_joint_spins();
+  void set_joint_spins(const Motions& motion, double time);
   double factor_at(std::size_t history) const;
   bool rotates_little() const;
   bool is_finite() const;
@@ -238,8 +239,9 @@ class MotionStep {
   double free_fraction() const;
   void meet_at_begin();
   bool leaves_loaded();
+  /// Of a history behind the time that is reached, which may be a corner but for rounding.
   S slope_of(std::size_t history) const {
-    return constant<S>(chain_.histories[history].slope_at(w_.time));
+    return constant<S>(chain_.histories[history].slope_at(w_.time + kRounding * h_));
   }
   double approach_of(std::size_t constraint) const;
   bool fit_velocities(Motions& motion, const std::vector<bool>& acts,

@@ -24,6 +24,12 @@ struct CarriedMotion {
   std::vector<typename L::Spin> spin;    ///< (N)
 };
 
+/// How the factor of a support's history changes.
+struct SupportRates {
+  double slope = 0.0;      ///< [1/s]
+  double curvature = 0.0;  ///< [1/s^2]
+};
+
 /// A constraint moves nothing that is free if a unit impulse along it does less than this fraction
 /// of what it would do to the beam's mass, free.
 template <class S>
@@ -135,19 +141,24 @@ bool make_velocities_fit(const chain::Chain<L>& chain, const ConstraintRates<L>&
 /// The accelerations of a chain under the forces in `w` (assembled, without inertia), for the
 /// beginning of a scheme that carries them. Shifts of elastic joints are taken as at rest.
 /// @param rates  which constraints act; their rates are set
-template <class L, bool kElastic>
+/// @param support_at  SupportRates of a history, by its number
+template <class L, bool kElastic, class SupportAt>
 void set_accelerations(const chain::Chain<L>& chain, const chain::JointForces<L, kElastic>& laws,
                        const chain::Stage<L>& no_motion, CarriedMotion<L>& carried_motion,
-                       ConstraintRates<L>& rates, std::vector<SegmentMotion<L>>& motion,
-                       NewtonWork<L, kElastic>& w) {
+                       ConstraintRates<L>& rates, const SupportAt& support_at,
+                       std::vector<SegmentMotion<L>>& motion, NewtonWork<L, kElastic>& w) {
+  using S = typename L::Scalar;
   detail::factor_inertia(chain, no_motion, laws, w);
   w.right.reset(chain.size());
+  const SupportRates root = support_at(chain.root.history);
+  w.right.ground = {constant<S>(root.curvature) * chain.root.motion,
+                    constant<S>(root.curvature) * chain.root.rotation};
   // Arms and joint axes are carried along.
   std::vector<typename L::Point>& carried = carried_motion.shift;
   std::vector<typename L::Spin>& spin_acceleration = carried_motion.spin;
   typename L::Point at{};
   typename L::Spin spin_rate{};
-  typename L::Spin inner_spin{};
+  typename L::Spin inner_spin = constant<S>(root.slope) * chain.root.rotation;
   for (std::size_t i = 0; i < chain.size(); ++i) {
     const auto& frame = w.placement.frame[i];
     const typename L::Spin spin = L::axes(frame) * motion[i].spin;
@@ -182,7 +193,9 @@ void set_accelerations(const chain::Chain<L>& chain, const chain::JointForces<L,
     const typename L::Point arm = L::rotate(frame, constraint.arm);
     const typename L::Point bias =
         carried[i] + L::spun(spin_acceleration[i], arm) + L::spun(spin, L::spun(spin, arm));
-    rates.rate[k] = -(dot(constraint.direction, bias) + dot(constraint.axis, spin_acceleration[i]));
+    const S moved = constant<S>(support_at(constraint.history).curvature) * constraint.motion;
+    rates.rate[k] =
+        moved - (dot(constraint.direction, bias) + dot(constraint.axis, spin_acceleration[i]));
   }
   detail::solve_rates(chain, rates, true, w);
   for (std::size_t i = 0; i < chain.size(); ++i) {

@@ -50,10 +50,11 @@ TEST(EngineBeam, BreaksAtTheAngleThatAHingeLengthTakes) {
   Scene scene = breakable_scene();
   const SectionProperties p = properties_of(scene);
   const EngineBeam beam = beam_of(scene);
-  EXPECT_EQ(beam.hinge_length, 0.03);
+  // The depth in the plane of bending.
+  EXPECT_EQ(beam.hinge_lengths, (std::array<double, 3>{0.03, 0.02, 0.03}));
   const auto& angle = beam.joints[1].break_angle;
   expect_near(angle[0], 0.02 * 0.03 / 0.015);
-  expect_near(angle[1], 0.02 * 0.03 / 0.01);
+  expect_near(angle[1], 0.02 * 0.02 / 0.01);
   expect_near(angle[2], 0.02 * std::sqrt(3.0) * 0.03 * p.torsion_modulus / p.torsion_constant);
 
   scene.hinge_length = 0.0;

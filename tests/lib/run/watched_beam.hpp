@@ -11,7 +11,7 @@
 namespace plastica::testing::watched {
 
 inline constexpr double kNone = std::numeric_limits<double>::infinity();
-inline constexpr double kHeight = 0.2;  ///< h [m], the hinge length too
+inline constexpr double kHeight = 0.2;  ///< h [m], the hinge length about x too
 inline constexpr double kWidth = 0.1;   ///< b [m]
 
 /// A scene whose law gathers rotation in one joint: ideal plasticity of the whole section.
@@ -40,6 +40,7 @@ inline std::vector<chain::JointModel> joints_of(int segments, const std::array<d
     joint.begin = i == 0 ? 0.0 : (i - 0.5) * l;
     joint.end = i == segments ? 1.0 : (i + 0.5) * l;
     joint.length.fill(joint.end - joint.begin);
+    joint.resists = {true, true, true};
     joint.width = kWidth;
     joint.height = kHeight;
     joint.lever[law::kTorsion] = 0.08;
