@@ -81,13 +81,26 @@ std::array<SidePoint, kPointsOfSide> side_points(double ratio, bool long_side) {
   return points;
 }
 
+/// They depend on the ratio alone, which cases of a sweep and trials of a fit have in common; to
+/// sum up a hundred stresses takes longer than to bend a beam. Kept is what was found last.
+const std::array<SidePoint, kPointsOfSide>& kept_side_points(double ratio, bool long_side) {
+  struct Found {
+    double ratio = 0.0;
+    std::array<SidePoint, kPointsOfSide> points{};
+  };
+  thread_local std::array<Found, 2> last;
+  Found& found = last[long_side ? 1 : 0];
+  if (found.ratio != ratio) found = {ratio, side_points(ratio, long_side)};
+  return found.points;
+}
+
 void set_rectangle(const Section& section, GaugeForm& form) {
   const double ratio =
       std::max(section.width, section.height) / std::min(section.width, section.height);
   // Bending about x has its full lever on the sides along x, of length `width`.
   const bool x_has_long_sides = section.width >= section.height;
-  const auto of_x = side_points(ratio, x_has_long_sides);
-  const auto of_y = side_points(ratio, !x_has_long_sides);
+  const auto& of_x = kept_side_points(ratio, x_has_long_sides);
+  const auto& of_y = kept_side_points(ratio, !x_has_long_sides);
   for (std::size_t k = 0; k < kPointsOfSide; ++k) {
     form.xi[k] = 1.0;
     form.eta[k] = of_x[k].position;

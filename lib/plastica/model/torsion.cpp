@@ -16,6 +16,12 @@ constexpr int kLastTerm = 21;
 /// 1 - tanh(x) without cancellation.
 double one_minus_tanh(double x) { return 2.0 / (std::exp(2.0 * x) + 1.0); }
 
+/// 1 + exp(x); below -40 that is 1, to the last digit.
+double one_plus_exp(double x) { return x < -40.0 ? 1.0 : 1.0 + std::exp(x); }
+
+/// Below this exp is 0 in double precision, and slow to say so.
+constexpr double kUnderflow = -746.0;
+
 /// Largest shear stress of a rectangle over G theta s.
 double long_side_stress(double ratio) {
   double sum = 0.0;
@@ -60,11 +66,15 @@ double saint_venant_perimeter_stress(double ratio, bool long_side, double positi
     const double end = n * pi * ratio / 2.0;
     if (long_side) {
       // cosh(end position)/cosh(end)
-      sum += std::exp(end * (position - 1.0)) * (1.0 + std::exp(-2.0 * end * position)) /
-             (1.0 + std::exp(-2.0 * end)) / n / n;
+      const double away = end * (position - 1.0);
+      if (away < kUnderflow) continue;
+      sum +=
+          std::exp(away) * one_plus_exp(-2.0 * end * position) / one_plus_exp(-2.0 * end) / n / n;
     } else {
       const double sign = (n / 2) % 2 == 0 ? 1.0 : -1.0;
-      sum += sign * (1.0 - one_minus_tanh(end)) * std::cos(n * pi * position / 2.0) / n / n;
+      // As above, tanh is 1 there.
+      const double tanh_of_end = end > 20.0 ? 1.0 : 1.0 - one_minus_tanh(end);
+      sum += sign * tanh_of_end * std::cos(n * pi * position / 2.0) / n / n;
     }
   }
   const double stress = 8.0 / (pi * pi) * sum;
