@@ -117,10 +117,11 @@ TEST_F(SceneFitStore, DiffersBetweenTwoRunsInMetaAlone) {
   write_scene_fit_store(folder_.file("a.h5"), contents);
   contents.meta = io::begin_meta("another command line", 8);
   write_scene_fit_store(folder_.file("b.h5"), contents);
-  EXPECT_EQ(objects_of(folder_.file("a.h5")), objects_of(folder_.file("b.h5")));
+  const auto first = objects_of(folder_.file("a.h5"));
+  EXPECT_EQ(first, objects_of(folder_.file("b.h5")));
   contents.records[0].result.starts[0].to[1] += 1.0;
   write_scene_fit_store(folder_.file("c.h5"), contents);
-  EXPECT_NE(objects_of(folder_.file("a.h5")), objects_of(folder_.file("c.h5")));
+  EXPECT_NE(first, objects_of(folder_.file("c.h5")));
 }
 
 TEST_F(SceneFitStore, HasNoDatasetThatItsDocumentationDoesNotName) {

@@ -79,21 +79,25 @@ double unmet_end(double b, double gyration) {
   return (one - other) / (std::abs(one) + std::abs(other));
 }
 
-/// The first roots b of `unmet_end`, found by their changes of sign alone.
+/// The first roots b of `unmet_end`, found by their changes of sign alone, to 1e-11 of b. Each root
+/// is at least two and a half times the one before.
 std::vector<double> integrated_roots(double gyration, std::size_t count) {
   std::vector<double> roots;
   double low = 1.0;
+  bool above = unmet_end(low, gyration) > 0.0;  // at `low`
   while (roots.size() < count) {
-    double high = low * 1.03;
-    double next = high;
-    if (unmet_end(low, gyration) * unmet_end(high, gyration) < 0.0) {
-      for (int k = 0; k < 40; ++k) {
+    double high = low * 1.1;
+    const double next = high;
+    const bool above_next = unmet_end(next, gyration) > 0.0;
+    if (above != above_next) {
+      for (int k = 0; k < 34; ++k) {
         const double middle = 0.5 * (low + high);
-        (unmet_end(low, gyration) * unmet_end(middle, gyration) < 0.0 ? high : low) = middle;
+        ((unmet_end(middle, gyration) > 0.0) != above ? high : low) = middle;
       }
       roots.push_back(high);
     }
     low = next;
+    above = above_next;
   }
   return roots;
 }
