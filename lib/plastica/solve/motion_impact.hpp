@@ -221,6 +221,7 @@ void MotionStep<L, kElastic>::restart() {
   evaluate_laws();
   set_joint_spins(motion_, w_.time + kRounding * h_);
   joint_motion_.begin_damping(options_, w_.angles, spins_, w_.joints);
+  for (std::size_t g = 0; g < ground_moment_.size(); ++g) ground_moment_[g] = ground_moment(g);
   for (MomentumError<L>& error : momentum_) error.knows_outside = false;
   chain::gather_forces(
       chain_, w_.q, w_.placement, chain::Stage<L>{}, w_.joints,

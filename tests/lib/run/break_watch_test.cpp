@@ -207,19 +207,19 @@ TEST(BreakWatch, WithoutAHingeLengthTakesTheJointsOwn) {
 
 TEST(BreakWatch, TakesTheDepthForTheHingeLengthAndNoneWithTheReportsFormulas) {
   Scene scene = ideal_scene();
-  EXPECT_EQ(watch_of(scene, 20).hinge_length(0), kHeight);
+  EXPECT_EQ(watch_of(scene, 20).hinge_lengths(0)[0], kHeight);
   scene.hinge_length = 0.3;
-  EXPECT_EQ(watch_of(scene, 20).hinge_length(0), 0.3);
+  EXPECT_EQ(watch_of(scene, 20).hinge_lengths(0)[0], 0.3);
   scene.hinge_length.reset();
   scene.formulas = Formulas::Report;
-  EXPECT_EQ(watch_of(scene, 20).hinge_length(0), 0.0);
+  EXPECT_EQ(watch_of(scene, 20).hinge_lengths(0)[0], 0.0);
   scene.formulas = Formulas::Mechanics;
   // The depth of the section that owns the joint.
   std::vector<chain::JointModel> joints = joints_of(20, {0.1, kNone, kNone, kNone});
   joints[7].height = 0.06;
   const BreakWatch watch(scene, joints);
-  EXPECT_EQ(watch.hinge_length(7), 0.06);
-  EXPECT_EQ(watch.hinge_length(8), kHeight);
+  EXPECT_EQ(watch.hinge_lengths(7)[0], 0.06);
+  EXPECT_EQ(watch.hinge_lengths(8)[0], kHeight);
 }
 
 }  // namespace

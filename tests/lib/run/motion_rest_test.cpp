@@ -73,7 +73,9 @@ TEST(EnergyBalance, CountsTheWorkOfAnEndThatIsTurned) {
   const Response response = testing::completed(scene, options);
   EXPECT_GT(last_energy(response).external, 1.0);
   // The moment of the steps' ends alone would be off by a fraction of 1e-3, one over their number.
-  EXPECT_LT(response.energy_balance_error, 1e-7);
+  EXPECT_LT(testing::largest_residual(response), 1e-7);
+  // Damping begins at once, faster than the step: the scheme makes some energy there.
+  EXPECT_LT(response.energy_balance_error, 1e-4);
 }
 
 TEST(AdaptiveSteps, MeetTheErrorTheyAreGiven) {
