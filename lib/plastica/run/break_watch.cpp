@@ -78,25 +78,23 @@ JointAngles BreakWatch::hinge_angles(const std::vector<JointAngles>& angles, std
   if (hinge[0] == 0.0 || localization_ == Localization::Distributed) {
     return spread(angles[joint], joint);
   }
+  const chain::JointModel& at = joints_[joint];
   JointAngles theta{};
-  std::array<JointAngles, 3> sums{};
+  JointAngles sum{};     // over the last window
+  double summed = -1.0;  // its length
   for (std::size_t k = 0; k < 3; ++k) {
-    if (!joints_[joint].resists[k]) continue;
-    if (!has_window(joint, k)) {
+    if (!at.resists[k]) continue;
+    if (at.length[k] < hinge[k]) {
+      if (hinge[k] != summed) {
+        sum = same_hinges_[k] ? windowed(angles, joint, k) : lone_window(angles, joint, k);
+        summed = hinge[k];
+      }
+      theta[k] = sum[k];
+    } else {
       theta[k] = localization_ == Localization::Concentrated
                      ? concentrated(angles, joint, k)
-                     : angles[joint][k] * (hinge[k] / joints_[joint].length[k]);
-      continue;
+                     : angles[joint][k] * (hinge[k] / at.length[k]);
     }
-    std::size_t alike = 0;  // an axis whose window is the same
-    while (!joints_[joint].resists[alike] || hinge[alike] != hinge[k] ||
-           !has_window(joint, alike)) {
-      ++alike;
-    }
-    if (alike == k) {
-      sums[k] = same_hinges_[k] ? windowed(angles, joint, k) : lone_window(angles, joint, k);
-    }
-    theta[k] = sums[alike][k];
   }
   return theta;
 }
