@@ -113,13 +113,16 @@ class SceneFit {
       const auto has = [&](const Parameter& each) { return each.field->path == p.path; };
       const auto& prior = std::ranges::find_if(options_.parameters, has)->prior;
       if (!prior) continue;
-      const double of_curves = 1.0 - prior_fractions_[i];
+      // x = (1 - f) d + f m, whose variances add up: that of d, what the curves say alone.
+      const double f = prior_fractions_[i];
+      const double of_prior = f * prior->standard_deviation;
+      const double left = p.noise_error * p.noise_error - of_prior * of_prior;
       warn(contradicts_prior({.name = p.name(),
                               .value = p.value,
                               .mean = prior->mean,
                               .standard_deviation = prior->standard_deviation,
-                              .fraction = prior_fractions_[i],
-                              .error_alone = p.noise_error / std::sqrt(of_curves)}));
+                              .fraction = f,
+                              .error_alone = std::sqrt(std::max(left, 0.0)) / (1.0 - f)}));
     }
     const std::string next = laws_to_try(result_.law, loading_of(targets_), options_.laws);
     for (const TargetFit& of_target : result_.targets) {
@@ -133,8 +136,10 @@ class SceneFit {
     add_held();
   }
 
-  /// Those that were not searched stand behind the free ones.
+  /// Those that were not searched stand behind the free ones. Not where laws are compared: what one
+  /// law ties another may search, and a file has one role for each.
   void add_held() {
+    if (options_.laws.size() > 1) return;
     for (const Parameter& p : options_.parameters) {
       if (p.role == ParameterRole::Free) continue;
       FittedParameter held;
@@ -275,8 +280,11 @@ class SceneFit {
       for (const double half : halves) squares += half * half / 3.0;
       fitted.sampling_error = std::sqrt(squares);
       // Both count by one over the square of their standard deviations.
-      const double prior = p.prior ? fitted.noise_error / p.prior->standard_deviation : 0.0;
-      prior_fractions_.push_back(prior * prior);
+      const double of_prior = p.prior
+                                  ? joint_moment(errors.inverse(), slope, slope) /
+                                        (p.prior->standard_deviation * p.prior->standard_deviation)
+                                  : 0.0;
+      prior_fractions_.push_back(of_prior);
       halves_.push_back(std::move(halves));
       result_.parameters.push_back(std::move(fitted));
       slopes.push_back(std::move(slope));

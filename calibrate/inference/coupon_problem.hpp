@@ -45,7 +45,7 @@ class CouponProblem {
   std::size_t determined() const { return determined_; }
   /// Of a residual in Pa, to have it as the squares do.
   double scale(std::size_t sample) const { return scale_[sample]; }
-  /// The last residual where E is off its prior's mean by one standard deviation.
+  /// A prior's residual where its parameter is off the mean by one standard deviation.
   double prior_size() const { return break_scale_ * misfit_.prior_size(); }
   /// Of the priors, the last residuals, at the solution (n_priors).
   std::span<const double> prior_residuals() const { return prior_residuals_; }

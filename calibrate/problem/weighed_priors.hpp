@@ -20,7 +20,7 @@ struct WeighedPriors {
     bool stated = true;  ///< by the parameter; else of the slope, which is of the same samples
   };
   std::vector<One> all;
-  double variance = 0.0;  ///< f/n, or noise^2/n of a noise that is stated [Pa^2]
+  double variance = 0.0;  ///< f/n; of a stated noise the larger of f and noise^2, over n [Pa^2]
 };
 
 /// @param slope  that of Young's modulus, if there is one

@@ -209,6 +209,7 @@ Figure population_figure(std::span<const SceneFitRecord> records) {
       const SceneFitResult& result = records[i].result;
       const auto p = std::ranges::find(result.parameters, parameter.path, &FittedParameter::path);
       if (result.status != FitStatus::Fitted || p == result.parameters.end()) continue;
+      if (p->role != ParameterRole::Free) continue;
       if (p->at_bound() || !std::isfinite(p->interval_low) || !std::isfinite(p->interval_high))
         continue;
       const auto number = static_cast<std::size_t>(p - result.parameters.begin());

@@ -19,7 +19,7 @@ namespace {
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 
 std::optional<std::size_t> index_of(const SceneFitResult& result, const std::string& path) {
-  for (std::size_t i = 0; i < result.parameters.size(); ++i) {
+  for (std::size_t i = 0; i < result.free_count(); ++i) {  // they stand first
     if (result.parameters[i].path == path) return i;
   }
   return std::nullopt;

@@ -55,7 +55,10 @@ void SceneSearch::search_around() {
   for (std::size_t t = 0; t < problem_.targets().size(); ++t) {
     if (problem_.model(t).level() != Level::Coupon) return;
   }
-  if (options_.algorithm != "auto" || options_.starts == 1 || best_.x.empty()) return;
+  if (options_.algorithm != "auto" || options_.starts == 1 || best_.x.empty() ||
+      best_.outcome == LeastSquaresOutcome::NoStart) {
+    return;
+  }
   const LeastSquaresProblem& squares = problem_.squares();
   const std::size_t n = best_.x.size();
   const std::vector<double> slopes = residual_slopes(squares, best_.x, best_.residual, kErrorStep);

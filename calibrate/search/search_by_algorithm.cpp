@@ -172,7 +172,9 @@ SearchRecord search_past_kinks(SceneProblem& problem, const LeastSquares& from,
   Minimum stopped;
   stopped.x = from.x;
   stopped.cost = from.cost;
+  const RunCounters before = problem.counters();
   stopped.promised = promise_at(problem.squares(), from);
+  const RunCounters after = problem.counters();
   MinimizeOptions how;
   how.x_tolerance = options.tolerance;
   how.seed = options.seed;
@@ -183,6 +185,12 @@ SearchRecord search_past_kinks(SceneProblem& problem, const LeastSquares& from,
                    {.worthwhile = kMatters});
   SearchRecord record = std::move(squares.record());
   record.found.evaluations += from.evaluations;
+  // The slopes' runs are known where the point has stayed: who asks for its slopes next counts
+  // them.
+  if (record.found.x != from.x) {
+    record.runs.add({after.runs - before.runs, after.failed - before.failed,
+                     after.segment_iterations - before.segment_iterations});
+  }
   return record;
 }
 

@@ -39,7 +39,8 @@ def copy_of(folder):
 OLD_NAMES = {"kinematic_fraction": "kinematic_share", "misfit_fraction": "misfit_share",
           "segment_fractions": "segment_shares", "targets": "parts",
           "runs_test_p": "runs_probability", "last_intact_strain": "last_whole_strain",
-          "last_intact_stress": "last_whole_stress", "free": "moved"}
+          "last_intact_stress": "last_whole_stress", "free": "moved",
+          "stated_noise": "given_noise", "remeshed": "divided"}
 
 
 def give_old_names(file):
@@ -188,7 +189,7 @@ class OlderFiles(unittest.TestCase):
                  {"kinematic_fraction", "misfit_fraction", "runs_test_p", "last_intact_strain",
                   "last_intact_stress", "free"}),
                 (4, ("calibrate", str(DATA / "fits/bend_test.toml"), "--quiet"), give_old_rows,
-                 {"misfit_fraction", "runs_test_p", "targets"}),
+                 {"misfit_fraction", "runs_test_p", "targets", "stated_noise", "remeshed"}),
                 (2, ("simulate", cyclic, "--quiet"), lambda file: None,
                  {"kinematic_fraction", "segment_fractions"})):
             with self.subTest(command=command):

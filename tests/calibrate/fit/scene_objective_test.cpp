@@ -118,6 +118,36 @@ TEST(SceneObjective, ErrorsAreTheScatterOfTheValues) {
   }
 }
 
+/// Of what is known of a value the prior's part f is how far it pulls: the value moves by f times
+/// what the prior's mean does, whatever the weights.
+TEST(SceneObjective, ThePriorsFractionIsItsPull) {
+  SceneTarget target = bent_over(closer_and_closer());
+  Draws draws(3, 0);
+  for (double& stress : target.ordinate) stress += 0.004 * draws.normal();
+  target.noise = 0.004;
+  const auto fitted = [&](double mean) {
+    SceneFitOptions options = both(Objective::Path);
+    options.parameters.push_back(bounded("material.hardening.tangent_modulus", 0.01, 1.0));
+    options.parameters.back().prior = Prior{mean, 0.002};
+    options.starts = 1;
+    return fit_scene(bilinear_coupon(), target, options).parameters.at(2);
+  };
+  const FittedParameter low = fitted(0.0995), high = fitted(0.1005);
+  const double pull = (high.value - low.value) / 0.001;
+  ASSERT_EQ(low.verdict(), Verdict::FromPrior);
+  EXPECT_NEAR(low.verdict_number(), pull, tolerance(0.02));
+}
+
+TEST(SceneObjective, LawsAreNotComparedAlongThePath) {
+  SceneFitOptions options = both(Objective::Path);
+  options.laws = {Law::Ideal, Law::Linear};
+  EXPECT_EQ(message_of([&] {
+              (void)fit_scene(bilinear_coupon(), bent_over(closer_and_closer()), options);
+            }),
+            "fit.laws: are compared by least squares of the samples: leave objective = \"path\" "
+            "out");
+}
+
 TEST(SceneObjective, AStandstillCountsNextToNothing) {
   std::vector<double> strain = ramp(101, 1.0);
   strain.insert(strain.begin() + 60, 30, strain[60]);
