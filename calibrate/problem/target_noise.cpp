@@ -39,11 +39,8 @@ std::vector<TargetNoise> noise_of_targets(const SceneProblem& problem,
     const bool lone = targets.size() == 1;
     made.pooled = before[t].pooled || (!lone && degrees[t] < kMinDegrees);
     // Of unequal weights the expected squares may be more than those of all samples.
-    const double samples = static_cast<double>(problem.targets()[t].target.ordinate.size());
-    const double own = std::min(
-        degrees[t], std::max(1.0, samples - static_cast<double>(problem.parameters().size())));
-    const bool is_alone = problem.targets().size() == 1;
-    made.degrees_of_freedom = made.pooled ? all : is_alone ? own : std::min(degrees[t], samples);
+    const auto samples = static_cast<double>(targets[t].target.ordinate.size());
+    made.degrees_of_freedom = made.pooled ? all : std::min(degrees[t], samples);
     made.deviation = made.pooled ? size_of(targets[t]) * std::sqrt(fractions / all)
                                  : std::sqrt(costs[t] / degrees[t]);
   }
