@@ -238,9 +238,10 @@ double Misfit::evaluate(std::span<const double> active, std::span<double> gradie
     by_all_[model_index_[i]] += stress_slope_[i];
   }
   break_cost(with_break ? limit() : likely_limit(), by_all_, with_break);
-  for (const SetPrior& one : priors_) {
-    if (with_break) break;  // the cost itself is without priors
-    by_all_[one.index] += 2.0 * prior_residual(one) * prior_size() / one.prior.standard_deviation;
+  if (!with_break) {  // the cost itself is without priors
+    for (const SetPrior& one : priors_) {
+      by_all_[one.index] += 2.0 * prior_residual(one) * prior_size() / one.prior.standard_deviation;
+    }
   }
   parameters_.contract(by_all_, gradient);
   return stress_cost_;

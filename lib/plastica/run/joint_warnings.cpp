@@ -32,8 +32,7 @@ std::optional<LongJoint> longest_joint(const Facts& facts) {
     for (std::size_t k = 0; k < joint.resists.size(); ++k) {
       const double limit = k < 2 ? std::min(joint.limit[k], joint.limit[3]) : joint.limit[k];
       if (!joint.resists[k] || !std::isfinite(limit)) continue;
-      const LongJoint found{joint.length[k],
-                            chain::hinge_lengths(scene, joint).at(std::min<std::size_t>(k, 2))};
+      const LongJoint found{joint.length[k], chain::hinge_lengths(scene, joint)[k]};
       if (!longest || found.times() > longest->times()) longest = found;
     }
   }

@@ -111,7 +111,7 @@ struct MomentumError {
     constexpr double kNoSpin = kIsDouble<typename L::Scalar> ? 1e-9 : 1e-3;
     const double scale = std::max(angular_size, kNoSpin * size * length);
     // Nor has one that turns about its center a linear one.
-    constexpr double kNoDrift = 1e-6;
+    constexpr double kNoDrift = kIsDouble<typename L::Scalar> ? 1e-6 : 1e-3;
     const double linear = std::max(size, kNoDrift * angular_size / length);
     return std::max(linear > 0.0 ? largest_lost / linear : 0.0,
                     scale > 0.0 ? largest_angular / scale : 0.0);
