@@ -1,11 +1,11 @@
 #include "calibrate/config/read_fit_options.hpp"
 
 #include <algorithm>
-#include <array>
 #include <limits>
 
 #include "calibrate/config/read_intervals.hpp"
 #include "calibrate/config/read_parameters.hpp"
+#include "calibrate/result/words.hpp"
 #include "calibrate/search/optimizer.hpp"
 #include "plastica/io/scene_file.hpp"
 
@@ -58,9 +58,8 @@ std::vector<WeightStep> read_weights(const TomlValue& value, const FitOptions& o
 }
 
 void read_objective(const TomlTable& fit, FitOptions& options) {
-  static constexpr std::array<std::string_view, 2> kObjectives{"strain-path", "least-squares"};
   if (const auto value = fit.find("objective")) {
-    options.objective = static_cast<Objective>(value->word(kObjectives));
+    options.objective = static_cast<Objective>(value->word(words_of<Objective>()));
   }
   if (const auto value = fit.find("noise")) {
     options.noise = value->quantity(Dimension::Stress);

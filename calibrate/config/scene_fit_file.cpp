@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <charconv>
 #include <filesystem>
 #include <limits>
@@ -20,6 +19,7 @@
 #include "calibrate/config/unique_names.hpp"
 #include "calibrate/fit/choose_segments.hpp"
 #include "calibrate/fit/scene_laws.hpp"
+#include "calibrate/result/words.hpp"
 #include "calibrate/search/optimizer.hpp"
 #include "calibrate/trial/scene_drive.hpp"
 #include "plastica/io/read_input.hpp"
@@ -168,10 +168,9 @@ class Reader {
   }
 
   void read_objective(const TomlTable& fit) {
-    static constexpr std::array<std::string_view, 2> kObjectives{"path", "least-squares"};
     const auto objective = fit.find("objective");
     if (!objective) return;
-    file_.options.objective = static_cast<Objective>(objective->word(kObjectives));
+    file_.options.objective = static_cast<Objective>(objective->word(words_of<Objective>()));
   }
 
   /// `segments` of all beams of the fit, a number or "auto", and what they may do to its values.

@@ -22,7 +22,7 @@ constexpr std::string_view kFit =
 # `#` begins a comment. Quantities stand in quotes with their unit: "355 MPa", "0.2 %".
 
 [fit]
-objective = "strain-path"         # or "least-squares", with noise = "1 MPa"
+objective = "path"                # or "least-squares", with noise = "1 MPa"
 # break_weight = 1.0              # how much the break counts beside the curve
 # modulus_prior = false           # E by the law alone, without the slope of the elastic part
 # algorithm    = "auto"           # or "gauss-newton", or one of NLopt's by name

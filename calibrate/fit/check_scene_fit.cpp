@@ -136,11 +136,6 @@ void check_scene_fit(std::span<const WeightedTarget> targets, const SceneFitOpti
   if (!any_free) throw InputError({}, "fit.parameters", "", "at least one must be free");
   check_law_parameters(options.parameters, targets.front().setup.scene.material, options.laws);
   require(options.evaluations >= 1, "evaluations", options.evaluations, "must be at least 1");
-  if (options.laws.size() > 1 && options.objective == Objective::Path) {
-    throw InputError(
-        {}, "fit.laws", "",
-        "are compared by least squares of the samples: leave objective = \"path\" out");
-  }
   if (std::ranges::find(algorithm_names(), options.algorithm) == algorithm_names().end()) {
     throw InputError({}, "fit.algorithm", options.algorithm, "is not the name of an algorithm");
   }

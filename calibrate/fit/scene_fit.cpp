@@ -34,6 +34,7 @@ class SceneFit {
         problem_(targets, options),
         search_(problem_, options),
         work_(problem_, options.hooks) {
+    result_.objective = options.objective;
     result_.law = law_of(targets.front().setup.scene.material.hardening, options.parameters);
     check_break_levels(problem_, options);
     if (problem_.samples() <= problem_.parameters().size()) {
@@ -113,6 +114,7 @@ class SceneFit {
       const auto has = [&](const Parameter& each) { return each.field->path == p.path; };
       const auto& prior = std::ranges::find_if(options_.parameters, has)->prior;
       if (!prior) continue;
+      result_.prior_squared += std::pow((p.value - prior->mean) / prior->standard_deviation, 2);
       // x = (1 - f) d + f m, whose variances add up: that of d, what the curves say alone.
       const double f = prior_fractions_[i];
       const double of_prior = f * prior->standard_deviation;
@@ -136,10 +138,8 @@ class SceneFit {
     add_held();
   }
 
-  /// Those that were not searched stand behind the free ones. Not where laws are compared: what one
-  /// law ties another may search, and a file has one role for each.
+  /// Those that were not searched stand behind the free ones.
   void add_held() {
-    if (options_.laws.size() > 1) return;
     for (const Parameter& p : options_.parameters) {
       if (p.role == ParameterRole::Free) continue;
       FittedParameter held;

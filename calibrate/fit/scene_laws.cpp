@@ -10,6 +10,7 @@
 #include <variant>
 
 #include "calibrate/inference/lack_of_fit.hpp"
+#include "calibrate/problem/objective.hpp"
 #include "calibrate/problem/scene_parameters.hpp"
 #include "calibrate/search/ladder.hpp"
 #include "plastica/model/region.hpp"
@@ -88,15 +89,32 @@ void complete(const SceneFitOptions& options, const Setup& setup, Parameter& p) 
   p.value = std::clamp(scene != 0.0 ? scene : found->start, *p.lower, *p.upper);
 }
 
-/// What the residuals of a fit leave, as in compare_laws.hpp.
-double deviance(const SceneFitResult& result, std::span<const WeightedTarget> targets) {
+/// Mean of the squared residuals of a target, as its samples count [SI^2].
+double mean_square(const SceneTarget& target, const TargetFit& fit, Objective objective) {
+  const std::vector<double> weights = sample_weights(target.abscissa, objective);
   double sum = 0.0;
+  for (std::size_t i = 0; i < weights.size(); ++i) {
+    const double residual = fit.fitted[i] - target.ordinate[i];
+    sum += weights[i] * residual * residual;
+  }
+  return sum / std::accumulate(weights.begin(), weights.end(), 0.0);
+}
+
+/// Kish's number of the samples by their weights.
+double effective_samples(const SceneTarget& target, Objective objective) {
+  const std::vector<double> weights = sample_weights(target.abscissa, objective);
+  const double sum = std::accumulate(weights.begin(), weights.end(), 0.0);
+  return sum * sum / std::inner_product(weights.begin(), weights.end(), weights.begin(), 0.0);
+}
+
+/// What the residuals of a fit and its priors leave, as in compare_laws.hpp.
+double deviance(const SceneFitResult& result, std::span<const WeightedTarget> targets) {
+  double sum = result.prior_squared;
   for (std::size_t i = 0; i < result.targets.size(); ++i) {
-    const TargetFit& of_target = result.targets[i];
-    const auto& noise = targets[i].target.noise;
-    sum += targets[i].weight *
-           (noise ? of_target.cost / (*noise * *noise)
-                  : static_cast<double>(of_target.samples) * std::log(of_target.cost));
+    const SceneTarget& target = targets[i].target;
+    const double square = mean_square(target, result.targets[i], result.objective);
+    sum += targets[i].weight * static_cast<double>(target.ordinate.size()) *
+           (target.noise ? square / (*target.noise * *target.noise) : std::log(square));
   }
   return sum;
 }
@@ -183,17 +201,18 @@ LawFit law_fit_of(const SceneFitRecord& record) {
       residual[k] = of_target.fitted[k] - target.ordinate[k];
       largest = std::max(largest, std::fabs(target.ordinate[k]));
     }
-    const auto samples = static_cast<double>(of_target.samples);
     const double fraction =
         record.weights[i] * static_cast<double>(result.targets.size()) / weights;
-    fit.curves.push_back({.mean_square = of_target.cost / samples,
+    fit.curves.push_back({.mean_square = mean_square(target, of_target, result.objective),
                           .largest = largest,
-                          .samples = fraction * samples,
+                          .samples = fraction * effective_samples(target, result.objective),
                           .autocorrelation = autocorrelation(residual),
                           .noise = target.noise});
     fit.misfit_fraction = std::max(fit.misfit_fraction, of_target.misfit_fraction);
     fit.lacks_fit = fit.lacks_fit || lacks_fit(of_target.misfit_fraction, of_target.runs_test_p);
   }
+  // Once for all targets.
+  fit.curves.front().prior = result.prior_squared;
   for (const FittedParameter& p : result.parameters) {
     if (p.role != ParameterRole::Free || p.is_break()) continue;
     fit.parameters.push_back(p.name());

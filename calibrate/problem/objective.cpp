@@ -1,7 +1,9 @@
 #include "calibrate/problem/objective.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <numeric>
 
 namespace plastica::calibrate {
 
@@ -13,6 +15,17 @@ std::vector<double> path_weights(const std::vector<double>& x) {
     weight[i] += half;
   }
   return weight;
+}
+
+std::vector<double> sample_weights(const std::vector<double>& x, Objective objective) {
+  std::vector<double> weights(x.size(), 1.0);
+  if (objective != Objective::Path) return weights;
+  constexpr double kMin = 1e-6;
+  const std::vector<double> along = path_weights(x);
+  const double mean =
+      std::accumulate(along.begin(), along.end(), 0.0) / static_cast<double>(along.size());
+  for (std::size_t i = 0; i < x.size(); ++i) weights[i] = std::max(along[i] / mean, kMin);
+  return weights;
 }
 
 }  // namespace plastica::calibrate

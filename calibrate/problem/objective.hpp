@@ -18,4 +18,8 @@ enum class Objective {
 /// sum over samples that integral (n).
 std::vector<double> path_weights(const std::vector<double>& x);
 
+/// What the samples of a beam's curve count beside each other: 1, or along the path their part of
+/// it over the mean, at least 1e-6: one that stands still has a residual to be told from it (n).
+std::vector<double> sample_weights(const std::vector<double>& x, Objective objective);
+
 }  // namespace plastica::calibrate

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <optional>
 
 #include "plastica/base/parallel_for.hpp"
@@ -32,15 +31,8 @@ RunCounters counters_of(const SceneCurve& curve) {
 
 /// Of the samples of one target.
 std::vector<double> weights_of(const WeightedTarget& weighted, Objective objective) {
-  const std::vector<double>& x = weighted.target.abscissa;
-  std::vector<double> weights(x.size(), weighted.weight);
-  if (objective != Objective::Path) return weights;
-  // A sample that stands still counts next to nothing, but has a residual to be told from it.
-  constexpr double kMin = 1e-6;
-  const std::vector<double> along = path_weights(x);
-  const double mean =
-      std::accumulate(along.begin(), along.end(), 0.0) / static_cast<double>(along.size());
-  for (std::size_t i = 0; i < x.size(); ++i) weights[i] *= std::max(along[i] / mean, kMin);
+  std::vector<double> weights = sample_weights(weighted.target.abscissa, objective);
+  for (double& weight : weights) weight *= weighted.weight;
   return weights;
 }
 

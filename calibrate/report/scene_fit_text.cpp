@@ -61,6 +61,9 @@ std::string header(const SceneFitRecord& record, const Ink& ink) {
   const std::string& reason = unusable.empty() ? result.reason : unusable;
   if (!usable && !reason.empty()) text += scene_entry("reason", printable(reason));
   if (result.starts.empty()) return text;
+  if (result.objective == Objective::Path) {
+    text += scene_entry("objective", "path: a sample counts by the abscissa that it stands for");
+  }
   text += scene_entry("search", waterfall(result));
   std::string work = counted(static_cast<std::size_t>(result.runs), "run") + " of scenes";
   if (result.failed_runs > 0) {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "calibrate/inference/segments_error.hpp"
+#include "calibrate/problem/objective.hpp"
 #include "calibrate/result/fit_outcome.hpp"
 #include "calibrate/search/least_squares.hpp"
 #include "plastica/base/status.hpp"
@@ -52,6 +53,10 @@ struct SceneStart {
 /// order of the options, and then those that are fixed or tied.
 struct SceneFitResult : FitOutcome {
   std::vector<TargetFit> targets;
+  Objective objective = Objective::LeastSquares;  ///< by which the samples counted
+  /// Sum of the squares of what parameters are off the means of their priors, over the standard
+  /// deviations of these [1]; 0 without any.
+  double prior_squared = 0.0;
   double degrees_of_freedom = 0.0;  ///< of an estimated noise; infinite if all targets have theirs
   std::vector<SceneStart> starts;   ///< in their order
   LeastSquaresOutcome outcome = LeastSquaresOutcome::NoStart;  ///< of the best search

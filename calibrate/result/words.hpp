@@ -55,7 +55,7 @@ std::span<const std::string_view> words_of() {
     static constexpr std::array kWords{"auto"sv, "linear"sv, "logarithmic"sv};
     return kWords;
   } else if constexpr (std::is_same_v<Enum, Objective>) {
-    static constexpr std::array kWords{"strain-path"sv, "least-squares"sv};
+    static constexpr std::array kWords{"path"sv, "least-squares"sv};
     return kWords;
   } else if constexpr (std::is_same_v<Enum, Abscissa>) {
     static constexpr std::array kWords{"probe"sv, "time"sv, "support"sv, "load"sv, "strain"sv};

@@ -16,6 +16,7 @@
 #include "calibrate/result/describe.hpp"
 #include "calibrate/result/result.hpp"
 #include "calibrate/result/words.hpp"
+#include "plastica/base/renamed.hpp"
 #include "plastica/io/value_rule.hpp"
 
 /// Tables of a result file: a group with one dataset a column and an element a row; not installed.
@@ -28,12 +29,13 @@ namespace plastica::calibrate::store {
 /// How hard numbers are deflated: more costs much time and saves little.
 inline constexpr int kDeflate = 1;
 
-/// @throws InputError if the word is none of the enumeration's
+/// An old word is read as the new one. @throws InputError if the word is none of the enumeration's
 template <typename Enum>
 Enum enumerator_of(const io::Hdf5Group& group, std::string_view name, const std::string& word) {
   const auto words = words_of<Enum>();
+  const std::string_view now = new_name(kRenamedWords, word);
   for (std::size_t i = 0; i < words.size(); ++i) {
-    if (words[i] == word) return static_cast<Enum>(i);
+    if (words[i] == now) return static_cast<Enum>(i);
   }
   throw InputError({group.file(), 0}, group.path() + "/" + std::string(name), word,
                    "is not a word of this column");

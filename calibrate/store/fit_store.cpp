@@ -71,7 +71,7 @@ void write_fit_store(const std::string& path, const FitStoreContents& contents,
   store::traverse_records(rows);
   std::vector<store::StoredParameter> all;
   for (const Parameter& p : parameters_of(contents.options.laws, contents.options.parameters)) {
-    all.push_back({std::string(p.field->path), p.field->dimension, p.role});
+    all.push_back({std::string(p.field->path), p.field->dimension});
   }
   const std::vector<const FitOutcome*> fits = store::outcomes_of(records);
   store::write_parameters(root, fits, all);
@@ -97,7 +97,7 @@ FitStoreContents read_fit_store(const std::string& path) {
   store::traverse_records(rows);
   const std::vector<FitOutcome*> fits = store::outcomes_of(rows.rows());
   if (version >= 5) {
-    store::read_parameters(root, version, fits);
+    store::read_parameters(root, version, 9, fits);
   } else {
     store::read_parameters_4(root, version, records, contents.options);
   }

@@ -19,7 +19,7 @@ std::string table_of(const std::string& path) {
 
 const StoredParameter* find(const std::vector<StoredParameter>& all, const FittedParameter& p) {
   const auto found = std::ranges::find(all, p.path, &StoredParameter::path);
-  const bool same = found != all.end() && found->dimension == p.dimension && found->role == p.role;
+  const bool same = found != all.end() && found->dimension == p.dimension;
   return same ? &*found : nullptr;
 }
 
@@ -39,7 +39,7 @@ std::vector<StoredParameter> parameters_of(std::span<const FitOutcome* const> fi
   for (const FitOutcome* fit : fits) {
     for (const FittedParameter& p : fit->parameters) {
       if (std::ranges::find(all, p.path, &StoredParameter::path) == all.end()) {
-        all.push_back({p.path, p.dimension, p.role});
+        all.push_back({p.path, p.dimension});
       }
     }
   }
@@ -62,24 +62,28 @@ void write_parameters(io::Hdf5Group& root, std::span<const FitOutcome* const> fi
   for (const StoredParameter& parameter : all) {
     std::vector<const FittedParameter*> rows;
     std::vector<std::int64_t> numbers;
+    std::vector<std::string> roles;
     for (const FitOutcome* fit : fits) {
       const auto at = std::ranges::find(fit->parameters, parameter.path, &FittedParameter::path);
       const bool there = at != fit->parameters.end();
       rows.push_back(there ? &*at : nullptr);
       numbers.push_back(there ? at - fit->parameters.begin() : -1);
+      roles.emplace_back(there ? word_of(at->role) : "");
     }
     const std::string path = table_of(parameter.path);
     io::Hdf5Group table = root.group(path);
     table.write("row", numbers, {{}, kDeflate});
     table.set_attribute("row", "meaning", "which of the fit's parameters it is; -1: none");
+    table.write_texts("role", roles);
+    table.set_attribute("role", "meaning", "free, fixed or tied; empty: the fit does not have it");
     WrittenRows<FittedParameter>(root, std::move(rows))
         .columns(path, kDescribeParameter, si_unit(parameter.dimension));
     root.set_attribute(path, "path", parameter.path);
-    root.set_attribute(path, "role", word_of(parameter.role));
   }
 }
 
-void read_parameters(const io::Hdf5Group& root, int version, std::span<FitOutcome* const> fits) {
+void read_parameters(const io::Hdf5Group& root, int version, int role_of_each,
+                     std::span<FitOutcome* const> fits) {
   const FileToRead file{root, kFitRules, version};
   const std::vector<std::string> paths = root.read_texts("parameters/path");
   std::vector<std::vector<std::int64_t>> rows;
@@ -102,14 +106,18 @@ void read_parameters(const io::Hdf5Group& root, int version, std::span<FitOutcom
     const Field* field = find_field_or_null(paths[k]);
     if (field == nullptr) io::refuse_value(root, "parameters/path", paths[k], "must be a field");
     const std::string table = table_of(paths[k]);
-    const auto role = enumerator_of<ParameterRole>(root, table, root.text_attribute(table, "role"));
+    const std::vector<std::string> roles =
+        version >= role_of_each
+            ? root.read_texts(table + "/role")
+            : std::vector<std::string>(fits.size(), root.text_attribute(table, "role"));
+    if (roles.size() != fits.size()) file.refuse(table + "/role", "must have one a fit");
     std::vector<FittedParameter*> parameters(fits.size(), nullptr);
     for (std::size_t i = 0; i < fits.size(); ++i) {
       if (rows[k][i] == -1) continue;
       parameters[i] = &fits[i]->parameters[static_cast<std::size_t>(rows[k][i])];
       parameters[i]->path = paths[k];
       parameters[i]->dimension = field->dimension;
-      parameters[i]->role = role;
+      parameters[i]->role = enumerator_of<ParameterRole>(root, table + "/role", roles[i]);
     }
     ReadRows<FittedParameter>(file, std::move(parameters)).columns(table, kDescribeParameter);
   }

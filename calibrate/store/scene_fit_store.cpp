@@ -1,5 +1,6 @@
 #include "calibrate/store/scene_fit_store.hpp"
 
+#include <algorithm>
 #include <span>
 #include <stdexcept>
 #include <utility>
@@ -66,6 +67,10 @@ void check_what_was_read(const io::Hdf5Group& root, const SceneFitRecord& record
   if (result.is_fitted() && (made == 0 || result.parameters.empty())) {
     refuse("targets/present", "must hold for each fit that was made");
   }
+  for (std::size_t t = 0; result.is_fitted() && t < std::min(made, record.targets.size()); ++t) {
+    if (result.targets[t].fitted.size() == record.targets[t].ordinate.size()) continue;
+    refuse("targets/has_curve", "must hold for each target of a fit that was made");
+  }
   if (made != 0 && made != record.targets.size()) {
     refuse("targets/present", "must be the same for all targets of a fit");
   }
@@ -127,7 +132,7 @@ SceneFitContents read_scene_fit_store(const std::string& path) {
   rows.columns("meta", kSeconds);
   const std::vector<FitOutcome*> fits = store::outcomes_of(rows.rows());
   if (version >= 5) {
-    store::read_parameters(root, version, fits);
+    store::read_parameters(root, version, 11, fits);
   } else {
     store::read_scene_parameters_4(root, version, fits);
   }

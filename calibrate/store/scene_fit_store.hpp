@@ -11,7 +11,7 @@ namespace plastica::calibrate {
 
 /// The attributes `schema` and `version` of a result file's root.
 inline constexpr std::string_view kSceneFitSchema = "plastica/scene-fits";
-inline constexpr int kSceneFitVersion = 10;
+inline constexpr int kSceneFitVersion = 11;
 inline constexpr int kOldestSceneFit = 3;  ///< that is read
 
 /// What a file of fits through scenes holds.

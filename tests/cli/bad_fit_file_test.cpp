@@ -9,7 +9,7 @@ namespace {
 // A line number in an error line is one of this text.
 constexpr const char* kFit =
     "[fit]\n"                                            // 1
-    "objective = 'strain-path'\n"                        // 2
+    "objective = 'path'\n"                               // 2
     "[fit.parameters]\n"                                 // 3
     "youngs_modulus = {}\n"                              // 4
     "yield_stress = { bounds = ['10 MPa', '2 GPa'] }\n"  // 5
@@ -18,7 +18,7 @@ constexpr const char* kFit =
     "files = 'a.csv'\n"                                  // 8
     "strain = { column = 'Strain', unit = '%' }\n"       // 9
     "stress = { column = 'Stress', unit = 'MPa' }\n";    // 10
-constexpr const char* kObjective = "objective = 'strain-path'";
+constexpr const char* kObjective = "objective = 'path'";
 constexpr const char* kModulus = "youngs_modulus = {}";
 constexpr const char* kBreak = "break_strain = { bounds = ['0.1 %', '100 %'] }";
 constexpr const char* kStrain = "strain = { column = 'Strain', unit = '%' }";
@@ -62,23 +62,22 @@ INSTANTIATE_TEST_SUITE_P(
         fit_change("UnclosedText", kObjective, "objective = 'strain",
                    "2: objective = 'strain: is not TOML (column …"),
         fit_change("KeyTwice", kObjective, std::string(kObjective) + "\n" + kObjective,
-                   "3: objective = 'strain-path': is not TOML (column 13): …"),
+                   "3: objective = 'path': is not TOML (column 13): …"),
         fit_change("BinaryFitFile", "[fit]", "\x01\x80\xFF", "1: is not TOML (column …"),
-        fit_change(
-            "UnknownKey", "objective", "objektive",
-            "2: fit.objektive = 'strain-path': is not a key of fit; did you mean objective?"),
+        fit_change("UnknownKey", "objective", "objektive",
+                   "2: fit.objektive = 'path': is not a key of fit; did you mean objective?"),
         target_key("UnknownKeyOfTarget", "grupo = 'x'",
                    "8: target[1].grupo = 'x': is not a key of target[1]; did you mean group?"),
         fit_change(
             "UnknownTable", "[[target]]", "[extra]\nx = 1\n[[target]]",
             "7: extra: is not a key; its keys are material, beam, section, rules, solver, fit, "
             "target_defaults, target"),
-        fit_change("WrongType", "'strain-path'", "3",
-                   "2: fit.objective = 3: must be one of \"strain-path\", \"least-squares\""),
+        fit_change("WrongType", "'path'", "3",
+                   "2: fit.objective = 3: must be one of \"path\", \"least-squares\""),
         fit_change("WrongTypeOfTruth", "{}", "{ value = '200 GPa', fixed = 'yes' }",
                    "4: fit.parameters.youngs_modulus.fixed = 'yes': must be true or false"),
-        fit_change("UnknownObjective", "strain-path", "chi",
-                   "2: fit.objective = 'chi': must be one of \"strain-path\", \"least-squares\""),
+        fit_change("UnknownObjective", "'path'", "'chi'",
+                   "2: fit.objective = 'chi': must be one of \"path\", \"least-squares\""),
         fit_change(
             "UnknownAlgorithm", kObjective, "algorithm = 'simplex'",
             "2: fit.algorithm = 'simplex': must be one of \"auto\", \"gauss-newton\", \"crs\", …"),

@@ -53,8 +53,27 @@ def give_old_names(file):
     return {path.split("/")[-1] for path in found}
 
 
+def give_old_roles(file):
+    """Has each table of /parameters say once what all fits have of it, as it was before the last
+    version; the objective of curves had another word."""
+    for table in file["parameters"].values():
+        if isinstance(table, h5py.Group):
+            (table.attrs["role"],) = set(table["role"].asstr()[:]) - {""}
+            del table["role"]
+    options = file["options"]
+    if "objective" in options:
+        words = {"path": "strain-path"}
+        objective = options["objective"].asstr()[()]
+        del options["objective"]
+        options["objective"] = words.get(objective, objective)
+    for name in ("objective", "stated_prior_squared"):
+        if "outcome" in file["fits"]:  # through scenes
+            del file["fits"][name]
+
+
 def give_old_tables(file):
     """Has /parameters say which fits have theirs, as it did for curves until version 4."""
+    give_old_roles(file)
     group = file["parameters"]
     tables = [table for table in group.values() if isinstance(table, h5py.Group)]
     group["present"] = numpy.any([table["row"][:] >= 0 for table in tables], axis=0).astype("u1")
@@ -65,6 +84,7 @@ def give_old_tables(file):
 
 def give_old_rows(file):
     """Makes one table of /parameters, as it was for fits through scenes until version 4."""
+    give_old_roles(file)
     group = file["parameters"]
     paths = group["path"].asstr()[:]
     tables = {path: group[path.split(".")[-1]] for path in paths}
@@ -117,6 +137,7 @@ class OlderFiles(unittest.TestCase):
         now = run(self.folder, "show", "fit.h5", "--all")
         with copy_of(self.folder) as file:
             file.attrs["version"] = 7
+            give_old_roles(file)
             for name in ("stated_priors", "stated_prior_variance", "stated_prior_squared"):
                 del file["fits"][name]
             for name in ("has_prior", "prior_mean", "prior_standard_deviation"):
@@ -220,6 +241,7 @@ class OlderFiles(unittest.TestCase):
         self.assertIn("as the fit has it for target", now)
         with copy_of(self.folder) as file:
             file.attrs["version"] = 8
+            give_old_roles(file)
             del file["targets/table"]
         self.assertEqual(run(self.folder, "export", "older.h5", *beam), now)
 
@@ -230,7 +252,7 @@ class OlderFiles(unittest.TestCase):
         done = subprocess.run([COMMAND, "show", "older.h5"], cwd=self.folder, capture_output=True,
                               text=True)
         self.assertEqual(done.returncode, 2)
-        self.assertIn("older.h5: version = 2: must be 3 to 8, which this Plastica reads", done.stderr)
+        self.assertIn("older.h5: version = 2: must be 3 to 9, which this Plastica reads", done.stderr)
 
 
 if __name__ == "__main__":

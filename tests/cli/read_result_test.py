@@ -25,7 +25,7 @@ COLUMNS = {
                        "modulus_window_high modulus_method proof_offset rp02 reh rel rm "
                        "strain_at_rm break_strain break_strain_plastic largest_strain broke "
                        "last_intact_strain last_intact_stress first_broken_strain break_rule",
-    "parameters/yield_stress": "row value standard_error noise_error sampling_error misfit_error "
+    "parameters/yield_stress": "row role value standard_error noise_error sampling_error misfit_error "
                                "degrees_of_freedom interval_low interval_high start lower upper "
                                "logarithmic at_lower at_upper identified judged verdict "
                                "verdict_number",
@@ -81,7 +81,7 @@ class ReadResult(unittest.TestCase):
 
     def test_says_what_it_is(self):
         self.assertEqual(self.file.attrs["schema"], "plastica/fits")
-        self.assertEqual(self.file.attrs["version"], 8)
+        self.assertEqual(self.file.attrs["version"], 9)
 
     def test_has_a_row_for_each_target_by_name(self):
         self.assertEqual(self.text("fits/name"), ["bad-curve", "example-curve"])
@@ -113,7 +113,7 @@ class ReadResult(unittest.TestCase):
         for name, truth in (("youngs_modulus", 200e9), ("yield_stress", 350e6), ("break_strain", 0.02)):
             group = self.file["parameters"][name]
             self.assertEqual(group.attrs["path"], "material." + name)
-            self.assertEqual(group.attrs["role"], "free")
+            self.assertEqual(self.text(f"parameters/{name}/role"), ["", "free"])
             self.assertTrue(numpy.isnan(group["value"][0]))
             self.assertAlmostEqual(group["value"][1] / truth, 1.0, delta=0.01)
             self.assertGreater(group["standard_error"][1], 0.0)
@@ -163,7 +163,7 @@ class ReadResult(unittest.TestCase):
         options = self.file["options"]
         for name in "noise break_weight algorithm seed confidence global_evaluations".split():
             self.assertIn(name, options)
-        self.assertEqual(options["objective"].asstr()[()], "strain-path")
+        self.assertEqual(options["objective"].asstr()[()], "path")
         self.assertEqual(self.text("options/parameters/path")[1], "material.yield_stress")
         self.assertEqual(options["setup/material/poisson_ratio"].attrs["units"], "1")
 

@@ -341,8 +341,8 @@ INSTANTIATE_TEST_SUITE_P(
                 "fitted"),
         bad_fit("UnknownKey", "[fit]\n", "[fit]\nobjektive = \"path\"\n",
                 "fit.toml:2: fit.objektive…"),
-        bad_fit("UnknownObjective", "[fit]\n", "[fit]\nobjective = \"strain-path\"\n",
-                "fit.toml:2: fit.objective = \"strain-path\": must be one of \"path\", "
+        bad_fit("UnknownObjective", "[fit]\n", "[fit]\nobjective = \"squares\"\n",
+                "fit.toml:2: fit.objective = \"squares\": must be one of \"path\", "
                 "\"least-squares\""),
         bad_fit("AlgorithmBesideStarts", "[fit]\n", "[fit]\nalgorithm = \"bobyqa\"\nstarts = 3\n",
                 "fit.toml:3: fit.starts = 3: goes with algorithm = \"auto\": any other one goes "

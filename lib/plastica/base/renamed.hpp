@@ -29,6 +29,7 @@ inline constexpr std::array kRenamedWords{
     Renamed{"most_work", "max_work"},                  // check files, stability
     Renamed{"numerical", "numerical_dissipation"},     // scenes, energy of a probe
     Renamed{"silent", "undetected"},                   // check files, [[claim]]
+    Renamed{"strain-path", "path"},                    // fit files, objective
     Renamed{"unsound", "invalid"},                     // check files, [[claim]]
     Renamed{"zero_share", "zero_fraction"},            // fit files, corrections
 };

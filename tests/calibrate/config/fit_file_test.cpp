@@ -35,7 +35,7 @@ TEST_F(FitFileTest, ReadsTheFileOfTheReadme) {
   }
   write("info.csv", "test_id,temperature\nal6061-a,20\n");
   const std::string text = R"([fit]
-objective = "strain-path"
+objective = "path"
 [fit.parameters]
 youngs_modulus = { bounds = ["20 GPa", "400 GPa"] }
 yield_stress   = { bounds = ["10 MPa", "2 GPa"] }

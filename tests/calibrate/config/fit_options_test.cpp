@@ -161,7 +161,7 @@ TEST(FitOptionsFile, TakesAPathForAName) {
 
 TEST(FitOptionsErrors, WordsNumbersAndUnitsOfTheFitAreChecked) {
   EXPECT_EQ(error_of("[fit]\nobjective = 'squares'\n"),
-            "f.toml:2: fit.objective = 'squares': must be one of \"strain-path\", "
+            "f.toml:2: fit.objective = 'squares': must be one of \"path\", "
             "\"least-squares\"");
   EXPECT_EQ(error_of("[fit]\nobjective = 'least-squares'\nnoise = 2\n"),
             "f.toml:3: fit.noise = 2: a stress needs a unit (examples: Pa, MPa, ksi)");
@@ -190,8 +190,8 @@ TEST(FitOptionsErrors, AnUnknownAlgorithmIsRefusedWithTheListOfNames) {
 }
 
 TEST(FitOptionsErrors, AnUnknownKeyIsRefused) {
-  EXPECT_EQ(error_of("[fit]\nobjektive = 'strain-path'\n"),
-            "f.toml:2: fit.objektive = 'strain-path': is not a key of fit; did you mean "
+  EXPECT_EQ(error_of("[fit]\nobjektive = 'path'\n"),
+            "f.toml:2: fit.objektive = 'path': is not a key of fit; did you mean "
             "objective?");
   EXPECT_EQ(parameter_error("yield_stress = { bound = [1, 2] }"),
             "f.toml:2: fit.parameters.yield_stress.bound = [1, 2]: is not a key of "

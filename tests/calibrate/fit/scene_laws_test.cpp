@@ -168,7 +168,7 @@ TEST(SceneLaws, SayWhenOneEndsWorseThanOneThatItContains) {
   SceneFitResult linear = record.result;
   compare_with(ideal, targets, linear);
   EXPECT_TRUE(linear.warnings.empty());
-  linear.targets[1].cost *= 1.01;
+  linear.targets[1].fitted = {1.01, 8.99, 21.01};
   compare_with(ideal, targets, linear);
   ASSERT_EQ(linear.warnings.size(), 1U);
   EXPECT_EQ(linear.warnings[0],

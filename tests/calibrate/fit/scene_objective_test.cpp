@@ -138,16 +138,6 @@ TEST(SceneObjective, ThePriorsFractionIsItsPull) {
   EXPECT_NEAR(low.verdict_number(), pull, tolerance(0.02));
 }
 
-TEST(SceneObjective, LawsAreNotComparedAlongThePath) {
-  SceneFitOptions options = both(Objective::Path);
-  options.laws = {Law::Ideal, Law::Linear};
-  EXPECT_EQ(message_of([&] {
-              (void)fit_scene(bilinear_coupon(), bent_over(closer_and_closer()), options);
-            }),
-            "fit.laws: are compared by least squares of the samples: leave objective = \"path\" "
-            "out");
-}
-
 TEST(SceneObjective, AStandstillCountsNextToNothing) {
   std::vector<double> strain = ramp(101, 1.0);
   strain.insert(strain.begin() + 60, 30, strain[60]);

@@ -94,6 +94,19 @@ TEST_F(SceneFitStore, HoldsLawsBesideEachOtherInTheirOrder) {
   EXPECT_THROW(round_trip(scene_contents_of(records)), std::logic_error) << "two fits of one law";
 }
 
+TEST_F(SceneFitStore, HoldsWhatOneLawSearchesAndAnotherTies) {
+  std::vector<SceneFitRecord> records{filled_scene_record("a"), filled_scene_record("a")};
+  records[1].result.law = Law::Voce;
+  FittedParameter& last = records[0].result.parameters.back();
+  last.role = ParameterRole::Tied;
+  records[0].result.correlation.assign(4, 0.5);
+  records[0].result.segments.reset();
+  records[0].result.intervals = {};
+  const std::vector<SceneFitRecord> read = round_trip(scene_contents_of(records)).records;
+  ASSERT_EQ(read.size(), 2U);
+  for (std::size_t i = 0; i < 2; ++i) EXPECT_TRUE(same_bits(read[i], records[i])) << i;
+}
+
 TEST_F(SceneFitStore, GivesBackConfidenceInputsAndMeta) {
   const auto contents = scene_contents_of({});
   const auto read = round_trip(contents);
@@ -177,7 +190,7 @@ TEST_F(SceneFitStore, NamesAFileOfAnotherSchemaOrVersion) {
   EXPECT_EQ(write("plastica/fits", 1),
             path_ + ": schema = plastica/fits: must be plastica/scene-fits");
   EXPECT_EQ(write("plastica/scene-fits", kSceneFitVersion + 1),
-            path_ + ": version = 11: must be 3 to 10, which this Plastica reads");
+            path_ + ": version = 12: must be 3 to 11, which this Plastica reads");
   EXPECT_NE(write("plastica/scene-fits", kSceneFitVersion).find("/fits/name"), std::string::npos);
 }
 

@@ -73,9 +73,8 @@ inline void copy_but(const io::Hdf5Group& from, io::Hdf5Group& to, const std::st
       case io::Hdf5Kind::Group: {
         io::Hdf5Group group = to.group(name);
         copy_but(from.open_group(name), group, left_out, path);
-        for (const char* attribute : {"path", "role"}) {
-          if (!from.has_attribute(name, attribute)) continue;
-          to.set_attribute(name, attribute, from.text_attribute(name, attribute));
+        if (from.has_attribute(name, "path")) {
+          to.set_attribute(name, "path", from.text_attribute(name, "path"));
         }
         break;
       }

@@ -38,11 +38,11 @@ inline auto members(const SceneSegments& v) {
   return std::tie(a, b, c);
 }
 inline auto members(const SceneFitResult& v) {
-  static_assert(sizeof(SceneFitResult) == sizeof(FitOutcome) + 152,
+  static_assert(sizeof(SceneFitResult) == sizeof(FitOutcome) + 168,
                 "all members are compared here");
-  return std::tie(static_cast<const FitOutcome&>(v), v.targets, v.degrees_of_freedom, v.starts,
-                  v.outcome, v.runs, v.search_runs, v.failed_runs, v.segment_iterations,
-                  v.segments);
+  return std::tie(static_cast<const FitOutcome&>(v), v.targets, v.objective, v.prior_squared,
+                  v.degrees_of_freedom, v.starts, v.outcome, v.runs, v.search_runs, v.failed_runs,
+                  v.segment_iterations, v.segments);
 }
 inline auto members(const SceneFitRecord& v) {
   const auto& [a, b, c, d, e] = v;
@@ -116,6 +116,8 @@ inline SceneFitRecord filled_scene_record(const std::string& name) {
                 {0.0, 5.1, 5.9},
                 {0.0, 0.1, 0.1},
                 kNan}};
+  r.objective = Objective::Path;
+  r.prior_squared = 2.25;
   r.degrees_of_freedom = 6.5;
   r.starts = {
       {{200e9, 300e6}, {205e9, 380e6}, 7.1, LeastSquaresOutcome::StepReached, 31},
