@@ -238,6 +238,7 @@ class Reader {
     weighted.setup = read_scene(table.at("scene"));
     io::read_setup(table, weighted.setup);
     refuse_own_segments(table);
+    refuse_own_parameters(table);
     const TomlTable abscissa = table.at("abscissa").table();
     const TomlTable ordinate = table.at("ordinate").table();
     read_kind(abscissa, target);
@@ -276,6 +277,27 @@ class Reader {
     const auto beam = target.find_table("beam");
     const auto own = beam ? beam->find("segments") : std::nullopt;
     if (own) throw own->error("contradicts fit.segments, which is for all beams of the fit");
+  }
+
+  /// What a target says of a parameter would be no more than where a search may begin.
+  void refuse_own_parameters(const TomlTable& target) const {
+    for (const Parameter& parameter : file_.options.parameters) {
+      std::string_view path = parameter.field->path;
+      std::optional<TomlTable> table = target;
+      for (std::size_t dot = path.find('.'); table && dot != std::string_view::npos;
+           dot = path.find('.')) {
+        const std::string_view part = path.substr(0, dot);
+        const auto inner = table->find(part);
+        table = inner && inner->is_table() ? std::optional(inner->table()) : std::nullopt;
+        path.remove_prefix(dot + 1);
+      }
+      const auto own = table ? table->find(path) : std::nullopt;
+      if (own) {
+        throw own->error(
+            "is a parameter of the fit, which gives all targets its value: say it in "
+            "fit.parameters, or leave it out there");
+      }
+    }
   }
 
   Setup read_scene(const TomlValue& value) {

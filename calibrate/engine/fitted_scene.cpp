@@ -50,6 +50,33 @@ std::optional<double> held_value(const Parameter& held, const SceneFitRecord& re
   return std::nullopt;
 }
 
+/// Takes what the fit's file says of the material besides its parameters: what is not the
+/// default's, and Young's modulus, which a fit to normal stresses was told where it did not fit it.
+void take_stated(const FitRecord& record, const FitOptions& options, FittedScene& fitted) {
+  const Setup defaults;
+  Setup out{fitted.scene, {}};
+  for (const Field& field : fields()) {
+    if (!field.path.starts_with("material.") || field.path == "material.name" ||
+        field.path.starts_with("material.hardening.") || field.path.starts_with("material.rate.")) {
+      continue;
+    }
+    if (record.result.find_parameter(field.path) != nullptr) continue;
+    const FieldValue stated = field.get(options.setup);
+    const bool is_told = field.path == "material.youngs_modulus" &&
+                         record.target.test != Test::Torsion && !options.parameters.empty();
+    if (!is_told && stated == field.get(defaults)) continue;
+    if (stated == field.get(out)) continue;
+    field.set(out, stated);
+    const auto* number = std::get_if<double>(&stated);
+    fitted.notes.push_back(fmt::format("{} = {}, of the fit's material", last_part(field.path),
+                                       number == nullptr
+                                           ? "not set"
+                                           : shown(field.path, field.dimension, *number,
+                                                   std::numeric_limits<double>::quiet_NaN())));
+  }
+  fitted.scene = std::move(out.scene);
+}
+
 /// What stands at the head of an export, for whoever gets it without the report.
 void note_doubts(const std::string& why_unusable, bool is_poor, std::vector<std::string>& notes) {
   if (!why_unusable.empty()) {
@@ -80,6 +107,7 @@ FittedScene fitted_scene(const Scene& scene, const FitRecord& record, const FitO
   if (const auto rate = record.target.property("strain_rate")) {
     out.material.rate.strain_rate = rate;
   }
+  take_stated(record, options, fitted);
   for (const FittedParameter& parameter : record.result.parameters) {
     if (parameter.role != ParameterRole::Fixed && !parameter.identified) {
       fitted.notes.push_back(

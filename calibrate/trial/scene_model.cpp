@@ -7,15 +7,13 @@
 #include <utility>
 
 #include "calibrate/trial/scene_drive.hpp"
+#include "plastica/model/beam_axis.hpp"
 #include "plastica/model/region.hpp"
+#include "plastica/model/shared_moments.hpp"
 #include "plastica/run/scene_joints.hpp"
 
 namespace plastica::calibrate {
 namespace {
-
-/// The path may end short of the measured abscissa by this fraction of it: rounding of a motion
-/// that is prescribed to end there.
-constexpr double kRounding = 1e-9;
 
 /// Whether a prepared model takes a field's value at run time just as if the scene had it.
 bool is_run_parameter(const Field& field, const Setup& setup) {
@@ -118,7 +116,10 @@ SceneModel::SceneModel(const Setup& setup, const SceneTarget& target,
         {"permanent", net ? ProbeQuantity::PlasticStrain : ProbeQuantity::AccumulatedStrain});
   }
   setup_.solver.frames = 0;  // the permanent strain of every sample
-  prepared_ = std::all_of(fields_.begin(), fields_.end(), [&](const Field* field) {
+  // Laid out anew, a scene shares its moments by the stiffness that it has.
+  const bool shares =
+      !scene.is_coupon() && model_detail::shares_moments(scene, segment_ends(scene));
+  prepared_ = !shares && std::all_of(fields_.begin(), fields_.end(), [&](const Field* field) {
     return is_run_parameter(*field, setup_) && !stands_in_regions(setup_.scene, *field);
   });
   std::vector<std::string> paths;
@@ -312,62 +313,6 @@ void SceneModel::set_ordinate(const Response& response, const std::vector<double
     curve.ordinate[i] =
         target_.ordinate_factor * (height[k - 1] + fraction * (height[k] - height[k - 1]));
   }
-}
-
-double SceneModel::strain_of(const Response& response, const std::vector<bool>& limited,
-                             std::size_t sample) const {
-  if (setup_.scene.is_coupon()) return std::fabs(response.probes[strain_probe_][sample]);
-  const std::size_t joints = response.chain.joints;
-  double largest = std::numeric_limits<double>::quiet_NaN();
-  for (std::size_t j = 0; j < joints; ++j) {
-    if (limited[j]) {
-      largest = std::fmax(largest, response.chain.plastic_strain[sample * joints + j]);
-    }
-  }
-  return largest;
-}
-
-/// Between samples on a straight line.
-double SceneModel::strain_at(const Response& response, const std::vector<double>& path,
-                             const std::vector<bool>& limited, double at) const {
-  constexpr double kNowhere = std::numeric_limits<double>::quiet_NaN();
-  if (path.size() < 2) return kNowhere;
-  const double slack = kRounding * std::max(std::abs(path.front()), std::abs(path.back()));
-  if (at < path.front() - slack || at > path.back() + slack) return kNowhere;
-  const auto above = std::lower_bound(path.begin() + 1, path.end() - 1, at);
-  const auto k = static_cast<std::size_t>(above - path.begin());
-  const double fraction = (at - path[k - 1]) / (path[k] - path[k - 1]);
-  const double low = strain_of(response, limited, k - 1);
-  return low + fraction * (strain_of(response, limited, k) - low);
-}
-
-double SceneModel::largest_strain(const Response& response, const std::vector<double>& path,
-                                  const std::vector<bool>& limited, double until) const {
-  double largest = strain_at(response, path, limited, until);
-  for (std::size_t i = 0; i < path.size() && path[i] <= until; ++i) {
-    largest = std::fmax(largest, strain_of(response, limited, i));
-  }
-  return largest;
-}
-
-void SceneModel::set_strain(const Response& response, const std::vector<double>& path,
-                            const std::vector<bool>& limited, SceneCurve& curve) const {
-  const auto at = [&](double place) { return strain_at(response, path, limited, place); };
-  const auto up_to = [&](double place) { return largest_strain(response, path, limited, place); };
-  const double last = is_driven(target_.kind) ? static_cast<double>(target_.abscissa.size() - 1)
-                                              : target_.abscissa.back();
-  if (!target_.broke) {
-    curve.strain.at = at(last);
-    curve.strain.survived = up_to(last);
-    return;
-  }
-  if (is_driven(target_.kind)) {
-    curve.strain = {at(last + 0.5), at(last), at(last + 1.0), up_to(last)};
-    return;
-  }
-  const SceneBreak& broke = *target_.broke;
-  const double intact = broke.at - broke.half_interval;
-  curve.strain = {at(broke.at), at(intact), at(broke.at + broke.half_interval), up_to(intact)};
 }
 
 }  // namespace plastica::calibrate

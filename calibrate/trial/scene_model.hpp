@@ -73,6 +73,10 @@ class SceneModel {
   bool takes_a_limit() const;
 
  private:
+  /// The path may end short of the measured abscissa by this fraction of it: rounding of a motion
+  /// that is prescribed to end there.
+  static constexpr double kRounding = 1e-9;
+
   Setup setup_at(const Setup& base, std::span<const double> values) const;
   std::vector<SceneCurve> run(bool is_extended, std::span<const double> values, std::size_t count,
                               const BatchOptions& how) const;

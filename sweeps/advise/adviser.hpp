@@ -28,6 +28,8 @@ class Adviser {
   AdviceEnd end() const { return end_; }
 
  private:
+  static constexpr double kRefined = 0.5;  ///< factor on a size that is made finer
+
   Trial coarsest() const;
   Trial finer(const Trial& trial, std::size_t axis) const;
   /// On every number's size: a factor for what matters, a larger one for what hardly does.

@@ -27,7 +27,8 @@ double scale_of(const Setup& setup, const Probe& probe) {
     case Dimension::Force: return moment / length;
     case Dimension::Velocity: return length / duration;
     case Dimension::AngularVelocity: return 1.0 / duration;
-    default: return probe.quantity == ProbeQuantity::Energy ? moment : 0.0;
+    case Dimension::Energy: return moment;
+    default: return 0.0;
   }
 }
 

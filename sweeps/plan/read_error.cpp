@@ -33,11 +33,8 @@ Quantity read_probe(const TomlTable& table, const TomlValue& probe, const Scene&
   if (const auto take = table.find("take")) quantity.take = static_cast<Take>(take->word(kTakes));
   quantity.name = of.name + ", " + std::string(kTakes[static_cast<std::size_t>(quantity.take)]);
   quantity.dimension = dimension_of(of.quantity, scene.drive.deformation);
-  quantity.unit = unit_of(of.quantity, scene.drive.deformation);
-  if (quantity.take == Take::Frequency) {
-    quantity.dimension = Dimension::None;
-    quantity.unit = "Hz";
-  }
+  if (quantity.take == Take::Frequency) quantity.dimension = Dimension::Frequency;
+  quantity.unit = si_unit(quantity.dimension);
   return quantity;
 }
 
@@ -54,24 +51,19 @@ Quantity read_kind(const TomlTable& table, const TomlValue& word, const Scene& s
         quantity.mode = static_cast<int>(mode->integer(1, 1000));
       }
       quantity.name += " " + std::to_string(quantity.mode);
-      if (quantity.kind != QuantityKind::BucklingFactor) quantity.unit = "Hz";
+      if (quantity.kind != QuantityKind::BucklingFactor) quantity.dimension = Dimension::Frequency;
       break;
     case QuantityKind::BreakLoad:
       if (!scene.is_coupon()) break;
       quantity.dimension = Dimension::Stress;
-      quantity.unit = "Pa";
       break;
-    case QuantityKind::BreakTime:
-      quantity.dimension = Dimension::Time;
-      quantity.unit = "s";
-      break;
+    case QuantityKind::BreakTime: quantity.dimension = Dimension::Time; break;
     case QuantityKind::Fit: {
       const TomlValue name = table.at("parameter");
       const Field& field = find_field(name.string(), name.where());
       quantity.parameter = field.path;
       quantity.name = "fitted " + quantity.parameter;
       quantity.dimension = field.dimension;
-      quantity.unit = si_unit(field.dimension);
       break;
     }
     case QuantityKind::LimitLoad:
@@ -79,6 +71,7 @@ Quantity read_kind(const TomlTable& table, const TomlValue& word, const Scene& s
     case QuantityKind::BreakPlace:
     case QuantityKind::EnergyBalanceError: break;
   }
+  quantity.unit = si_unit(quantity.dimension);
   return quantity;
 }
 

@@ -206,7 +206,7 @@ ShownNumbers shown_axis(const Axis& axis) {
 
 ShownNumbers shown_value(const SweepRecord& record, double largest) {
   report::DisplayUnit unit = report::display_unit(record.quantity.dimension, largest);
-  // Energies and impulses have a unit, but no dimension of fields.
+  // Files of older versions have energies and frequencies without a dimension.
   const bool plain = record.quantity.dimension == Dimension::None;
   if (plain && record.quantity.unit != "1") unit.name = record.quantity.unit;
   return shown_numbers(report::printable(record.quantity.name), unit);

@@ -227,7 +227,7 @@ void write_head(Hdf5Group& root, const SweepRecord& record) {
 }
 
 Dimension dimension_of(const std::string& name, const std::string& file) {
-  for (int k = 0; k <= static_cast<int>(Dimension::MomentOfInertia); ++k) {
+  for (int k = 0; k <= static_cast<int>(kLastDimension); ++k) {
     if (name_of(static_cast<Dimension>(k)) == name) return static_cast<Dimension>(k);
   }
   throw InputError({file, 0}, "/sweep/dimension", name, "is no word of this file");

@@ -28,6 +28,11 @@ std::string_view name_of(Dimension dimension) {
     case Dimension::AngularVelocity: return "angular velocity";
     case Dimension::Mass: return "mass";
     case Dimension::MomentOfInertia: return "moment of inertia";
+    case Dimension::Energy: return "energy";
+    case Dimension::EnergyDensity: return "energy density";
+    case Dimension::Momentum: return "momentum";
+    case Dimension::AngularMomentum: return "angular momentum";
+    case Dimension::Frequency: return "frequency";
   }
   return "unknown";
 }
@@ -58,6 +63,11 @@ std::string_view si_unit(Dimension dimension) {
     case Dimension::AngularVelocity: return "rad/s";
     case Dimension::Mass: return "kg";
     case Dimension::MomentOfInertia: return "kg m^2";
+    case Dimension::Energy: return "J";
+    case Dimension::EnergyDensity: return "J/m^3";
+    case Dimension::Momentum: return "N s";
+    case Dimension::AngularMomentum: return "N m s";
+    case Dimension::Frequency: return "Hz";
   }
   return "1";
 }

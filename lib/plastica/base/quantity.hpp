@@ -29,8 +29,16 @@ enum class Dimension {
   Velocity,             ///< m/s
   AngularVelocity,      ///< rad/s
   Mass,                 ///< kg
-  MomentOfInertia,      ///< kg m^2; the last one
+  MomentOfInertia,      ///< kg m^2
+  Energy,               ///< J
+  EnergyDensity,        ///< J/m^3
+  Momentum,             ///< N s
+  AngularMomentum,      ///< N m s
+  Frequency,            ///< Hz, periods in a second; never rad/s
 };
+
+/// The last of the list.
+inline constexpr Dimension kLastDimension = Dimension::Frequency;
 
 /// Name of a dimension as messages use it: "stress", "a pure number".
 std::string_view name_of(Dimension dimension);

@@ -86,7 +86,8 @@ void Builder<L>::add_springs(const Support& support, std::size_t index, std::siz
     spring.arm = {};
     build_.chain.springs.push_back(spring);
   }
-  const auto rotational = view_.rotations(six({}, support.rotational_stiffness));
+  const std::size_t node = fraction == 0.0 ? 0 : beyond;
+  const auto rotational = view_.rotations(six({}, springs_at(support, node)));
   if (std::none_of(rotational.begin(), rotational.begin() + kR, [](double k) { return k > 0.0; })) {
     return;
   }

@@ -48,14 +48,21 @@ inline JointPlan joint_plan(const Layout& layout, std::size_t i) {
   return joint;
 }
 
-/// What of a joint's compliance is that of its length in the segment before [1]; of the scene's own
-/// materials, whatever is fitted.
-struct ComplianceBefore {
-  std::array<double, 3> rotational{};  ///< bending about x, about y, and twist
-  std::array<double, 3> shifting{};    ///< shear along x, along y, and stretch
+/// What of a moment and of a force at a node acts on the segment beyond it, and what of a moment
+/// goes into a rotational spring there [1]; of the scene's own materials, whatever is fitted.
+struct NodeShares {
+  std::array<double, 3> rotational{};  ///< about x, about y, and about z
+  std::array<double, 3> shifting{};    ///< along x, along y, and along z
+  std::array<double, 3> spring{};      ///< about x, about y, and about z
 };
 
-inline ComplianceBefore compliance_before(const Layout& layout, std::size_t node) {
+/// A node between two half joints of compliances a and b that a rotational spring k holds is
+/// condensed out (`node_compliance`). A moment there is carried as by three springs side by side:
+/// 1/a to the segment before, 1/b to the one beyond, k to the ground. Of a force likewise, without
+/// a spring.
+/// @param spring  about x, y, z of the joint there [N m/rad]
+inline NodeShares node_shares(const Layout& layout, std::size_t node,
+                              const std::array<double, 3>& spring) {
   const JointPlan plan = joint_plan(layout, node);
   const auto stiffness = [&](std::size_t number) -> std::array<double, 6> {
     const BeamRegion& region = layout.regions[number];
@@ -68,20 +75,24 @@ inline ComplianceBefore compliance_before(const Layout& layout, std::size_t node
             shear * region.properties.shear_coefficient_y,
             of.stiffness[3]};
   };
+  const bool springs = spring != std::array<double, 3>{};
   std::array<double, 6> a{1.0, 1.0, 1.0, 1.0, 1.0, 1.0};
   std::array<double, 6> b = a;
-  if (plan.region_a != plan.region_b) {
+  if (plan.region_a != plan.region_b || springs) {
     a = stiffness(plan.region_a);
     b = stiffness(plan.region_b);
   }
-  ComplianceBefore fraction;
+  NodeShares shares;
   for (std::size_t k = 0; k < 6; ++k) {
     const std::size_t length = std::min<std::size_t>(k, 3);
     const double before = plan.before[length] / a[k];
     const double behind = (plan.length[length] - plan.before[length]) / b[k];
-    (k < 3 ? fraction.rotational[k] : fraction.shifting[k - 3]) = before / (before + behind);
+    const double held = k < 3 ? spring[k] * before * behind : 0.0;
+    const double all = before + behind + held;
+    (k < 3 ? shares.rotational[k] : shares.shifting[k - 3]) = before / all;
+    if (k < 3) shares.spring[k] = held / all;
   }
-  return fraction;
+  return shares;
 }
 
 }  // namespace plastica::chain

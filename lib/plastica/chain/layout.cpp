@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "plastica/chain/rotation.hpp"
+#include "plastica/chain/support_axes.hpp"
 #include "plastica/model/beam_axis.hpp"
 #include "plastica/model/region.hpp"
 
@@ -111,8 +112,10 @@ void set_bare_halves(const Scene& scene, Layout& layout) {
     for (const Support& support : scene.supports) {
       if (support.to || fraction_of(support.at, layout.ends) != fraction) continue;
       has_moment = has_moment || support.rotational_stiffness != kNothing;
-      const HeldFreedoms holds = support.held();
-      for (std::size_t k = 0; k < 3; ++k) held[k] = held[k] || holds[3 + k];
+      const auto holds = held_rotations(support, layout.joint_frame[e == 0 ? 0 : layout.size()]);
+      for (std::size_t k = 0; k < 3; ++k) {
+        held[k] = held[k] || (holds ? (*holds)[k] : support.held()[3 + k]);
+      }
     }
     for (std::size_t k = 0; k < 3; ++k)
       layout.bare_half[e][k] = has_moment && !held[k] ? half[e] : 0.0;

@@ -1,7 +1,9 @@
 #include "plastica/io/read_place.hpp"
 
+#include <array>
 #include <filesystem>
 #include <limits>
+#include <utility>
 
 #include "plastica/io/csv_column.hpp"
 #include "plastica/io/read_fields.hpp"
@@ -40,6 +42,20 @@ History smooth_step(const TomlValue& list) {
   return History::smooth_step(times[0], times[1]);
 }
 
+/// Rows, with straight lines or a spline between them.
+History through(std::vector<double> time, std::vector<double> factor, const TomlTable& table) {
+  static constexpr std::array<std::string_view, 2> kWords{"linear", "cubic"};
+  const auto word = table.find("interpolation");
+  if (!word || word->word(kWords) == 0) return {std::move(time), std::move(factor)};
+  // What is not a table is refused where the scene is checked.
+  for (std::size_t row = 1; row < time.size(); ++row) {
+    if (!(time[row] > time[row - 1])) return {std::move(time), std::move(factor)};
+  }
+  if (time.size() != factor.size()) return {std::move(time), std::move(factor)};
+  if (time.size() < 2) throw word->error("needs two rows at least");
+  return History::spline(std::move(time), std::move(factor));
+}
+
 /// Columns of a CSV file beside the scene's.
 History tabled(const TomlTable& table, const TomlValue& name) {
   const std::string& file = name.where().file;
@@ -75,7 +91,7 @@ History tabled(const TomlTable& table, const TomlValue& name) {
     throw InputError({csv.file(), csv.line_of_row(row)}, header,
                      std::string(csv.cell(row, time_index)), "must rise from one to the next");
   }
-  return {time, column("factor", Dimension::None)};
+  return through(time, column("factor", Dimension::None), table);
 }
 
 }  // namespace
@@ -129,8 +145,8 @@ History read_history(const TomlValue& value) {
   if (count) return cycles(count->integer(1, 100'000));
   if (turns) return History::turning_points(read_quantities(*turns, Dimension::None));
   if (step) return smooth_step(*step);
-  return {read_quantities(table.at("time"), Dimension::Time),
-          read_quantities(table.at("factor"), Dimension::None)};
+  return through(read_quantities(table.at("time"), Dimension::Time),
+                 read_quantities(table.at("factor"), Dimension::None), table);
 }
 
 }  // namespace plastica::io

@@ -10,6 +10,7 @@
 #include "plastica/io/read_drive.hpp"
 #include "plastica/io/read_fields.hpp"
 #include "plastica/model/check_parts.hpp"
+#include "plastica/model/section_kind.hpp"
 #include "plastica/run/check_regions.hpp"
 
 namespace plastica::io {
@@ -94,6 +95,25 @@ void read_setup(const TomlTable& root, Setup& setup) {
   });
 }
 
+void check_section_is_whole(const TomlTable& root, const Setup& setup) {
+  const auto section = part_of_beam(root, "section");
+  if (!section || section->is_string() || section->table().contains("profile")) return;
+  const SectionKind& kind = section_kind(setup.scene.section);
+  const auto key_of = [](const Field& field) {
+    return field.path.substr(std::string_view("section.").size());
+  };
+  const TomlTable table = section->table();
+  const auto is_said = [&](const Field& field) { return table.contains(key_of(field)); };
+  if (!table.contains("shape") && std::ranges::none_of(kind.dimensions(), is_said)) return;
+  for (const Field& field : kind.dimensions()) {
+    // A radius of fillets may be 0, and is where nobody says it.
+    if (is_said(field) || field.range.contains(0.0)) continue;
+    throw InputError(
+        section->where(), std::string(field.path), "",
+        "is missing: a section of shape = \"" + std::string(kind.word()) + "\" needs it");
+  }
+}
+
 SceneFile parse_scene_file(std::string text, std::string name) {
   const TomlDocument document = TomlDocument::parse(std::move(text), std::move(name));
   const TomlTable& root = document.root();
@@ -102,6 +122,7 @@ SceneFile parse_scene_file(std::string text, std::string name) {
   const auto title = root.find("name");
   scene.name = title ? title->string() : std::filesystem::path(file.path).stem().string();
   read_setup(root, file.setup);
+  check_section_is_whole(root, file.setup);
   read_beam(root, file.setup);
   if (is_coupon(root, file.setup.solver)) {
     read_coupon(root, file.path, file.setup);

@@ -88,4 +88,9 @@ void refuse_rules_of_chains(const TomlTable& root);
 /// @throws InputError as above, but leaves unknown keys to `TomlTable::check_unused`
 void read_setup(const TomlTable& root, Setup& setup);
 
+/// Refuses a section of its own that lacks a dimension: the default of one beside the others would
+/// be a beam that nobody has.
+/// @throws InputError
+void check_section_is_whole(const TomlTable& root, const Setup& setup);
+
 }  // namespace plastica::io

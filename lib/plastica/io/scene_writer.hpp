@@ -141,7 +141,7 @@ class SceneWriter {
     const Scene& scene = record.setup.scene;
     std::vector<std::string> units;
     for (const Probe& probe : scene.probes) {
-      units.emplace_back(unit_of(probe.quantity, scene.drive.deformation));
+      units.emplace_back(si_unit(dimension_of(probe.quantity, scene.drive.deformation)));
     }
     root_.write_texts("probes/value_units", units);
     std::vector<double> values;

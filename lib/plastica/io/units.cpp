@@ -61,6 +61,11 @@ std::string_view examples(Dimension dimension) {
     case Dimension::AngularVelocity: return "rad/s, deg/s";
     case Dimension::Mass: return "kg, g, t";
     case Dimension::MomentOfInertia: return "kg m^2, kg cm^2";
+    case Dimension::Energy: return "J, kJ, N m";
+    case Dimension::EnergyDensity: return "J/m^3, MJ/m^3";
+    case Dimension::Momentum: return "N s, kg m/s";
+    case Dimension::AngularMomentum: return "N m s, kg m^2/s";
+    case Dimension::Frequency: return "Hz, kHz, 1/s";
   }
   return "";
 }
@@ -105,6 +110,33 @@ bool has_zero(std::string_view text) {
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
     if (error == std::errc() && value == 0.0) return true;
     text.remove_prefix(std::max<std::size_t>(static_cast<std::size_t>(end - text.data()), 1));
+  }
+  return false;
+}
+
+/// Whether a unit has a number that is no power, a percent sign within, or an offset in words. To
+/// udunits2 "MPa 2" and "MPa (2)" are twice as much, "MPa @ 20" begins at 20 MPa, and "GPa 5%" is a
+/// twentieth: slips, in our files.
+bool has_factor(std::string_view text) {
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const char c = text[i];
+    if (c == '@' || (c == '%' && i > 0)) return true;
+    if (!is_digit(c)) continue;
+    if (i == 0) {
+      // That of "1/s".
+      if (text.substr(0, 2) == "1/") continue;
+      return true;
+    }
+    std::size_t before = i - 1;
+    const bool is_signed = (text[before] == '-' || text[before] == '+') && before > 0;
+    if (is_signed) --before;
+    const char last = text[before];
+    const bool is_power = is_letter(last) || is_digit(last) || last == '^' ||
+                          (last == '*' && before > 0 && text[before - 1] == '*');
+    if (!is_power) return true;
+  }
+  for (const std::string_view word : {" from ", " since ", " after ", " ref "}) {
+    if (text.find(word) != std::string_view::npos) return true;
   }
   return false;
 }
@@ -158,6 +190,15 @@ std::optional<double> pure_scale(std::string_view unit) {
   return std::nullopt;
 }
 
+/// To udunits2 a radian is 1, so that a turn in a second were 6.28 Hz, and 5 Hz were 5 rad/s.
+std::optional<double> frequency_scale(std::string_view unit) {
+  if (unit == "Hz" || unit == "1/s") return 1.0;
+  if (unit == "mHz") return 1e-3;
+  if (unit == "kHz") return 1e3;
+  if (unit == "MHz") return 1e6;
+  return std::nullopt;
+}
+
 struct FreeUnit {
   void operator()(ut_unit* unit) const { ut_free(unit); }
 };
@@ -192,11 +233,8 @@ class UnitTable {
   }
 
   Unit parsed(std::string_view unit) {
-    // udunits2 takes "5 mm" for a unit five times as long; in our files that is a slip.
-    const bool starts_with_number =
-        !unit.empty() && (is_digit(unit[0]) || unit[0] == '.' || unit[0] == '+' || unit[0] == '-');
-    if (unit.empty() || (starts_with_number && unit.substr(0, 2) != "1/")) return nullptr;
-    if (has_zero(unit)) return nullptr;
+    if (unit.empty() || unit[0] == '.' || unit[0] == '+' || unit[0] == '-') return nullptr;
+    if (has_factor(unit) || has_zero(unit)) return nullptr;
     return Unit(ut_parse(system(), respelled(unit).c_str(), UT_UTF8));
   }
 
@@ -252,6 +290,15 @@ Lookup look_up(std::string_view unit, Dimension dimension) {
     case Dimension::Angle:
       if (unit.empty() || unit == "1") return {Refusal::BareNumber, {}};
       return found(angle_scale(unit));
+    case Dimension::Frequency:
+      if (unit.empty() || unit == "1") return {Refusal::BareNumber, {}};
+      return found(frequency_scale(unit));
+    case Dimension::AngularVelocity:
+      if (unit.find("Hz") != std::string_view::npos ||
+          unit.find("hertz") != std::string_view::npos) {
+        return {};
+      }
+      break;
     default: break;
   }
   if (unit.empty() || unit == "1") return {Refusal::BareNumber, {}};
@@ -297,7 +344,7 @@ double parse_quantity(std::string_view text, Dimension dimension, const SourceLo
                       std::string_view field) {
   const std::string_view whole = without_blanks(text);
   std::string_view rest = whole;
-  if (rest.starts_with('+')) rest.remove_prefix(1);
+  if (rest.starts_with('+') && !rest.starts_with("+-")) rest.remove_prefix(1);
   double value = 0.0;
   const auto [end, error] = std::from_chars(rest.data(), rest.data() + rest.size(), value);
   if (error == std::errc::result_out_of_range || (error == std::errc{} && !std::isfinite(value))) {

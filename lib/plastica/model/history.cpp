@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstddef>
 #include <numbers>
+#include <utility>
 
 namespace plastica {
 namespace {
@@ -72,6 +73,51 @@ History History::sine(double period, double cycles, double phase, double offset)
     history.slope.push_back(rate * std::cos(angle));
   }
   return history;
+}
+
+History History::spline(std::vector<double> time, std::vector<double> factor) {
+  const std::size_t n = time.size();
+  std::vector<double> length(n - 1), chord(n - 1);
+  for (std::size_t i = 0; i + 1 < n; ++i) {
+    length[i] = time[i + 1] - time[i];
+    chord[i] = (factor[i + 1] - factor[i]) / length[i];
+  }
+  std::vector<double> slope(n, chord[0]);
+  if (n == 3) {
+    const double bend = (chord[1] - chord[0]) / (length[0] + length[1]);
+    slope = {chord[0] - bend * length[0], chord[0] + bend * length[0], chord[1] + bend * length[1]};
+  } else if (n > 3) {
+    // below_i slope_(i-1) + middle_i slope_i + above_i slope_(i+1) = slope's right side: the
+    // curvatures of two segments agree at the point between them. Of an end, the third derivatives
+    // at its neighbour, with the one beyond that eliminated.
+    std::vector<double> below(n), middle(n), above(n);
+    const auto end_row = [](double own, double next, double own_chord, double next_chord) {
+      const double both = own + next;
+      return ((own + 2.0 * both) * next * own_chord + own * own * next_chord) / both;
+    };
+    middle[0] = length[1];
+    above[0] = length[0] + length[1];
+    slope[0] = end_row(length[0], length[1], chord[0], chord[1]);
+    for (std::size_t i = 1; i + 1 < n; ++i) {
+      below[i] = length[i];
+      middle[i] = 2.0 * (length[i - 1] + length[i]);
+      above[i] = length[i - 1];
+      slope[i] = 3.0 * (length[i] * chord[i - 1] + length[i - 1] * chord[i]);
+    }
+    below[n - 1] = length[n - 2] + length[n - 3];
+    middle[n - 1] = length[n - 3];
+    slope[n - 1] = end_row(length[n - 2], length[n - 3], chord[n - 2], chord[n - 3]);
+    for (std::size_t i = 1; i < n; ++i) {
+      const double factor_of_row = below[i] / middle[i - 1];
+      middle[i] -= factor_of_row * above[i - 1];
+      slope[i] -= factor_of_row * slope[i - 1];
+    }
+    slope[n - 1] /= middle[n - 1];
+    for (std::size_t i = n - 1; i-- > 0;) {
+      slope[i] = (slope[i] - above[i] * slope[i + 1]) / middle[i];
+    }
+  }
+  return {std::move(time), std::move(factor), false, std::move(slope)};
 }
 
 std::vector<double> History::corners() const {

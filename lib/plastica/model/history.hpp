@@ -30,6 +30,13 @@ struct History {
   /// @param cycles  > 0, an integer or not
   /// @param phase   [rad]
   static History sine(double period, double cycles, double phase = 0.0, double offset = 0.0);
+  /// The cubic spline through points: factor, slope and curvature go smoothly from one segment into
+  /// the next, at the first and the last inner point the third derivative, too ("not a knot"), so
+  /// that it is within O(h^4) of a smooth function, at its ends as well. Of three points the
+  /// parabola, of two the line.
+  /// Source: de Boor, A Practical Guide to Splines (1978), ch. IV.
+  /// @param time  [s], rising (n >= 2)
+  static History spline(std::vector<double> time, std::vector<double> factor);
 
   double at(double time) const;        ///< the factor
   double slope_at(double time) const;  ///< d factor / d time, of the segment that begins at `time`

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <map>
 #include <numbers>
 
@@ -109,16 +110,24 @@ std::optional<std::string> coarse_steps(const Facts& facts) {
          " (below 20); solver.time_step = \"" + figure(period / kEnoughSteps) + " s\" makes 20";
 }
 
+/// That of a sine of the same range and the same largest curvature [s]; infinite for a line.
+double shortest_period(const History& history) {
+  const auto [low, high] = std::ranges::minmax(history.factor);
+  double curvature = 0.0;
+  for (const double time : history.time) {
+    curvature = std::max(curvature, std::fabs(history.curvature_at(time)));
+  }
+  return 2.0 * pi * std::sqrt(0.5 * (high - low) / curvature);
+}
+
 /// Steps do not end at the segments of smooth histories, so that they must be short beside these.
 std::optional<std::string> coarse_histories(const Facts& facts) {
-  // Of a sine 128 segments are a period, and 20 steps in it are enough.
-  constexpr double kSegments = 128.0;
   if (facts.options.step_error > 0.0) return std::nullopt;
   std::optional<std::string> warning;
   const auto look_at = [&](const History& history, const std::string& name) {
     if (warning || history.slope.size() < 3) return;
-    const double period = kSegments * (history.time[1] - history.time[0]);
-    if (period >= kEnoughSteps * facts.step) return;
+    const double period = shortest_period(history);
+    if (!(period < kEnoughSteps * facts.step)) return;
     warning = "steps of " + figure(facts.step) + " s are " + figure(period / facts.step) +
               " in a period of " + name + " (below 20); solver.time_step = \"" +
               figure(period / kEnoughSteps) + " s\" makes 20";
@@ -132,6 +141,54 @@ std::optional<std::string> coarse_histories(const Facts& facts) {
   }
   look_at(facts.scene.gravity_history, "gravity.history");
   return warning;
+}
+
+/// Where a support moves along straight lines its speed jumps from one to the next. The beam takes
+/// the impulse, but no force between the jumps shows it.
+std::optional<std::string> jumping_supports(const Facts& facts) {
+  constexpr int kMeant = 4;  // as a trapezoid has
+  for (std::size_t i = 0; i < facts.scene.supports.size(); ++i) {
+    const Support& support = facts.scene.supports[i];
+    const History& history = support.history;
+    if (!support.moves() || !history.slope.empty()) continue;
+    int jumps = 0;
+    for (std::size_t k = 1; k + 1 < history.time.size(); ++k) {
+      const double before = history.slope_at(history.time[k - 1]);
+      const double after = history.slope_at(history.time[k]);
+      constexpr double kRounding = 1e-9;
+      const bool jump = std::fabs(after - before) > kRounding * std::fabs(before);
+      if (jump && history.time[k] < facts.duration) ++jumps;
+    }
+    if (jumps <= kMeant) continue;
+    return item_name("support", i) + " moves along straight lines, and its speed jumps " +
+           std::to_string(jumps) +
+           " times: reactions have nothing of the force that these jumps take; "
+           "interpolation = \"cubic\" in its history makes them smooth";
+  }
+  return std::nullopt;
+}
+
+/// In steps of single precision a place is known to its rounding, so that accelerations, and with
+/// them the forces of joints that are rigid along the beam, are noise of M L eps/h^2, times some
+/// hundred in chains of tens of segments (measured).
+std::optional<std::string> noisy_forces(const Facts& facts) {
+  if (facts.options.precision != Precision::Float || is_articulated(facts.options.scheme)) {
+    return std::nullopt;
+  }
+  const auto& probes = facts.scene.probes;
+  const auto shows = std::find_if(probes.begin(), probes.end(), [](const Probe& probe) {
+    return probe.quantity == ProbeQuantity::Reaction || probe.quantity == ProbeQuantity::Force;
+  });
+  if (shows == probes.end()) return std::nullopt;
+  constexpr double kMeasured = 100.0;
+  const double length = facts.scene.beam.length;
+  const double mass = facts.scene.material.density * facts.section.area * length;
+  const double noise =
+      kMeasured * mass * length * std::numeric_limits<float>::epsilon() / (facts.step * facts.step);
+  return "solver.precision = \"float\": " + shows->name + " may have noise of some " +
+         figure(noise) +
+         " N along the beam, rounding of places over the square of the step; \"double\", or an "
+         "articulated scheme, has none";
 }
 
 /// Implicit Euler takes a vibration to 1/sqrt(1 + a^2) of its amplitude in a step of the phase
@@ -269,8 +326,9 @@ std::vector<std::string> motion_warnings(const Scene& scene, const SolverOptions
   facts.step = std::min(options.time_step, facts.duration / options.steps);
   if (options.step_error == 0.0) facts.first = first_frequency(scene, level, section, ends);
   std::vector<std::string> warnings;
-  for (const auto find : {coarse_steps, coarse_histories, first_order, undamped_alpha, ringing,
-                          local_restitution, growing_gravity, late_cut, articulated_yield}) {
+  for (const auto find :
+       {coarse_steps, coarse_histories, jumping_supports, first_order, undamped_alpha, ringing,
+        local_restitution, growing_gravity, late_cut, articulated_yield, noisy_forces}) {
     if (auto warning = find(facts)) warnings.push_back(std::move(*warning));
   }
   return warnings;

@@ -48,23 +48,15 @@ Dimension dimension_of(ProbeQuantity quantity, Deformation deformation) {
     case ProbeQuantity::Force: return Dimension::Force;
     case ProbeQuantity::ReactionMoment:
     case ProbeQuantity::Moment: return Dimension::Moment;
-    case ProbeQuantity::Dissipation:
-    case ProbeQuantity::LoadFactor:
-    case ProbeQuantity::Energy:
-    case ProbeQuantity::Momentum:
-    case ProbeQuantity::AngularMomentum: return Dimension::None;
+    case ProbeQuantity::LoadFactor: return Dimension::None;
+    case ProbeQuantity::Dissipation: return Dimension::EnergyDensity;
+    case ProbeQuantity::Energy: return Dimension::Energy;
+    case ProbeQuantity::Momentum: return Dimension::Momentum;
+    case ProbeQuantity::AngularMomentum: return Dimension::AngularMomentum;
     case ProbeQuantity::Velocity: return Dimension::Velocity;
     case ProbeQuantity::Spin: return Dimension::AngularVelocity;
   }
   return Dimension::None;
-}
-
-std::string_view unit_of(ProbeQuantity quantity, Deformation deformation) {
-  if (quantity == ProbeQuantity::Energy) return "J";
-  if (quantity == ProbeQuantity::Dissipation) return "J/m^3";
-  if (quantity == ProbeQuantity::Momentum) return "N s";
-  if (quantity == ProbeQuantity::AngularMomentum) return "N m s";
-  return si_unit(dimension_of(quantity, deformation));
 }
 
 }  // namespace plastica

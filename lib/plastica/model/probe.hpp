@@ -103,7 +103,5 @@ struct Probe {
 /// What a quantity measures.
 /// @param deformation  of a coupon: decides what its load is
 Dimension dimension_of(ProbeQuantity quantity, Deformation deformation);
-/// The SI unit of a probe's values: "m", "J", "1".
-std::string_view unit_of(ProbeQuantity quantity, Deformation deformation);
 
 }  // namespace plastica

@@ -24,8 +24,9 @@ std::string probe_headers(const io::SceneRecord& record) {
   const Scene& scene = record.setup.scene;
   std::string headers;
   for (const Probe& probe : scene.probes) {
-    headers += ',' + csv_cell(fmt::format("{} [{}]", probe.name,
-                                          unit_of(probe.quantity, scene.drive.deformation)));
+    headers +=
+        ',' + csv_cell(fmt::format("{} [{}]", probe.name,
+                                   si_unit(dimension_of(probe.quantity, scene.drive.deformation))));
   }
   return headers;
 }

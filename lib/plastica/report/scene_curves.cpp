@@ -266,7 +266,7 @@ Figure load_figure(std::span<const io::SceneRecord> records, const std::string& 
     }
     if (records.size() == 1) curve.name = printable(shown.name);
     panel.x_label = fmt::format("{}: {} [{}]", printable(shown.name), probe_label(record, shown),
-                                length ? "mm" : unit_of(shown.quantity, {}));
+                                length ? "mm" : si_unit(dimension_of(shown.quantity, {})));
     panel.title = outcome_line(record);
     panel.curves.push_back(std::move(curve));
   }

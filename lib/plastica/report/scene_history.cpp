@@ -35,10 +35,7 @@ std::string_view color_of(std::string_view entry) {
 
 /// The unit of a probe's values, best read beside `largest`.
 DisplayUnit unit_of_values(const Probe& probe, double largest) {
-  DisplayUnit unit = shown_unit(dimension_of(probe.quantity, {}), largest);
-  const std::string_view si = unit_of(probe.quantity, {});
-  if (unit.scale == 1.0 && si != "1") unit.name = si;
-  return unit;
+  return shown_unit(dimension_of(probe.quantity, {}), largest);
 }
 
 std::string value_label(const Probe& probe, const DisplayUnit& unit) {

@@ -274,7 +274,7 @@ Json probes_of(const io::SceneRecord& record) {
     const Probe& probe = scene.probes[p];
     const auto& values = record.response.probes[p];
     Json entry = {{"kind", probe_kinds()[static_cast<std::size_t>(probe.quantity)]},
-                  {"unit", unit_of(probe.quantity, scene.drive.deformation)},
+                  {"unit", si_unit(dimension_of(probe.quantity, scene.drive.deformation))},
                   {"last", nullptr},
                   {"min", nullptr},
                   {"max", nullptr}};

@@ -73,9 +73,7 @@ std::string probe_text(const io::SceneRecord& record, const Ink& ink) {
     const std::vector<double>& values = record.response.probes[p];
     const double largest = largest_of(values);
     const Deformation deformation = record.setup.scene.drive.deformation;
-    DisplayUnit unit = shown_unit(dimension_of(probes[p].quantity, deformation), largest);
-    const std::string_view si = unit_of(probes[p].quantity, deformation);
-    if (unit.scale == 1.0 && si != "1") unit.name = si;
+    const DisplayUnit unit = shown_unit(dimension_of(probes[p].quantity, deformation), largest);
     const auto [least, most] = std::minmax_element(values.begin(), values.end());
     const double scale = unit.scale;
     table.add({printable(probes[p].name), beside(values.back() / scale, largest / scale),

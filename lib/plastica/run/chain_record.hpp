@@ -11,9 +11,11 @@
 #include "plastica/run/break_watch.hpp"
 #include "plastica/run/chain_model.hpp"
 #include "plastica/run/chain_shape.hpp"
+#include "plastica/run/growing_histories.hpp"
 #include "plastica/run/response.hpp"
 #include "plastica/solve/motion_options.hpp"
 #include "plastica/solve/newton.hpp"
+#include "plastica/solve/pencil.hpp"
 #include "plastica/solve/segment_motion.hpp"
 
 namespace plastica {
@@ -105,6 +107,9 @@ class ChainRecord {
   /// The factor that responses show: of the first load, motion or gravity that changes in time.
   double factor_at(double time) const { return shown_history().at(time); }
   const History& shown_history() const;
+  /// That of what ends a path at a time, or breaks the beam: of the first that grows there; where
+  /// none does, the one above.
+  double growing_factor_at(double time) const;
 
   /// Force and moment of a support on the beam, and on what acts on the support itself.
   std::array<double, 6> reaction(const Work& w, std::size_t support) const;
@@ -228,22 +233,36 @@ std::array<double, 3> ChainRecord<L, kElastic>::permanent_angle(const Joints& jo
   return joint_spin(left).at;
 }
 
+/// The histories of what acts on a scene, in the order in which factors are shown of them.
+inline std::vector<const History*> acting_histories(const Scene& scene) {
+  std::vector<const History*> all;
+  for (const Load& load : scene.loads) all.push_back(&load.history);
+  for (const Support& support : scene.supports) {
+    if (support.moves()) all.push_back(&support.history);
+  }
+  if (all.empty() || scene.gravity != std::array<double, 3>{}) {
+    all.push_back(&scene.gravity_history);
+  }
+  return all;
+}
+
 template <class L, bool kElastic>
 const History& ChainRecord<L, kElastic>::shown_history() const {
-  const Scene& scene = model_->scene;
-  const History* first = nullptr;
-  const History* changing = nullptr;
-  const auto take = [&](const History& history) {
-    if (first == nullptr) first = &history;
-    // Beside a dead weight that stays, a factor tells nothing of what grows.
-    if (changing == nullptr && history.factor.size() > 1) changing = &history;
-  };
-  for (const Load& load : scene.loads) take(load.history);
-  for (const Support& support : scene.supports) {
-    if (support.moves()) take(support.history);
-  }
-  if (first == nullptr || scene.gravity != std::array<double, 3>{}) take(scene.gravity_history);
-  return changing != nullptr ? *changing : *first;
+  const auto all = acting_histories(model_->scene);
+  // Beside a dead weight that stays, a factor tells nothing of what grows.
+  const auto changing = std::find_if(
+      all.begin(), all.end(), [](const History* history) { return history->factor.size() > 1; });
+  return changing != all.end() ? **changing : *all.front();
+}
+
+template <class L, bool kElastic>
+double ChainRecord<L, kElastic>::growing_factor_at(double time) const {
+  const auto all = acting_histories(model_->scene);
+  const double before = solve::just_before(time);
+  const auto growing = std::find_if(all.begin(), all.end(), [&](const History* history) {
+    return history->factor.size() > 1 && grows(*history, before);
+  });
+  return growing != all.end() ? (*growing)->at(time) : factor_at(time);
 }
 
 template <class L, bool kElastic>

@@ -138,15 +138,15 @@ void ChainRunner<L, kElastic>::finish() {
   response.limit = continuation_->limit();
   body_.finish_axial(response);
   if (response.limit) {
-    response.limit->below = body_.record.factor_at(response.limit->below);
-    response.limit->above = body_.record.factor_at(response.limit->above);
+    response.limit->below = body_.record.growing_factor_at(response.limit->below);
+    response.limit->above = body_.record.growing_factor_at(response.limit->above);
     note_limit_mode(*response.limit);
   }
   if (!continuation_->critical().empty()) {
     response.critical = continuation_->critical();
     for (auto* times :
          {&response.critical->factor, &response.critical->below, &response.critical->above}) {
-      for (double& time : *times) time = body_.record.factor_at(time);
+      for (double& time : *times) time = body_.record.growing_factor_at(time);
     }
   }
   response.energy_balance_error =
@@ -268,7 +268,7 @@ template <class L, bool kElastic>
 void ChainRunner<L, kElastic>::note_break(const Work& w) {
   ChainBreak event;
   event.time = w.time;
-  event.factor = body_.record.factor_at(w.time);
+  event.factor = body_.record.growing_factor_at(w.time);
   event.joints = body_.broken();
   mark_cuts(body_.model.scene.on_break, event);
   response_->chain.events.push_back(std::move(event));

@@ -5,9 +5,11 @@
 
 #include "plastica/model/checked_scene.hpp"
 #include "plastica/model/region.hpp"
+#include "plastica/model/shared_moments.hpp"
 #include "plastica/run/chain_run.hpp"
 #include "plastica/run/chain_shape.hpp"
 #include "plastica/run/check_regions.hpp"
+#include "plastica/run/check_support_axes.hpp"
 #include "plastica/run/path_stops.hpp"
 #include "plastica/run/response_size.hpp"
 #include "plastica/run/simulate.hpp"
@@ -65,6 +67,7 @@ std::shared_ptr<const ChainModel> prepare_chain(const Scene& scene, const Solver
   chain->level = checked.level.level;
   chain->across = checked.level.bending == BendingAxis::X ? 1 : 0;
   chain->layout = chain::make_layout(scene, std::move(checked.ends), yields_about(checked.level));
+  if (chain->level == Level::Spatial) check_support_axes(scene, chain->layout);
   set_cuts(checked.cuts, *chain);
   set_stops(*chain);
   set_frames(*chain);
@@ -91,6 +94,11 @@ void check_chain_parameter(const Field& field, const Material& material) {
     default: break;
   }
   if (!why.empty()) throw InputError({}, field.path, "", why);
+}
+
+bool is_stiffness(const Field& field) {
+  return field.material == MaterialField::YoungsModulus ||
+         field.material == MaterialField::ShearModulus;
 }
 
 void size_chain(const ChainModel& chain, const ResponseSize& size, Response& response) {
@@ -135,6 +143,12 @@ Model prepare(const Scene& scene, const SolverOptions& options,
           model.chain ? "cannot be a parameter of a chain" : "cannot be a parameter of a coupon");
     }
     if (model.chain) check_chain_parameter(field, scene.material);
+    if (model.chain && is_stiffness(field) &&
+        model_detail::shares_moments(scene, model.chain->layout.ends)) {
+      throw InputError({}, field.path, "",
+                       "cannot be a parameter where a moment acts at a rotational spring within "
+                       "the beam: both share it by the beam's stiffness, as the scene is laid out");
+    }
     if (stands_in_regions(scene, field)) {
       throw InputError(
           {}, field.path, "",

@@ -64,7 +64,7 @@ TEST_F(SceneFitStore, GivesBackEveryFieldOfEveryRecordBitByBit) {
 
 TEST_F(SceneFitStore, GivesBackEveryWordOfEachEnumeration) {
   std::vector<SceneFitRecord> records;
-  for (int word = 0; word <= static_cast<int>(Dimension::MomentOfInertia); ++word) {
+  for (int word = 0; word <= static_cast<int>(kLastDimension); ++word) {
     SceneFitRecord& record =
         records.emplace_back(filled_scene_record(std::string(1, static_cast<char>('a' + word))));
     record.targets[0].kind = static_cast<Abscissa>(word % 5);

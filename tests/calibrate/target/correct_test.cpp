@@ -1,4 +1,5 @@
 #include "calibrate/target/correct.hpp"
+#include "calibrate/target/find_break.hpp"
 
 #include <gtest/gtest.h>
 

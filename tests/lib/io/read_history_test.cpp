@@ -75,9 +75,29 @@ TEST(ReadHistory, OfColumnsHasTheRowsOfTheFile) {
   }
 }
 
+/// The spline swings below 0 where straight lines stand still.
+TEST(ReadHistory, OfRowsGoesStraightOrSmoothlyBetweenThem) {
+  const std::string rows = "time = ['0 s', '1 s', '2 s', '3 s', '4 s'], factor = [0, 0, 1, 1, 1]";
+  const History straight = history_of("{ " + rows + ", interpolation = 'linear' }");
+  EXPECT_EQ(straight, history_of("{ " + rows + " }"));
+  EXPECT_EQ(straight.at(1.5), 0.5);
+  const History smooth = history_of("{ " + rows + ", interpolation = 'cubic' }");
+  EXPECT_EQ(smooth, History::spline({0.0, 1.0, 2.0, 3.0, 4.0}, {0.0, 0.0, 1.0, 1.0, 1.0}));
+  EXPECT_LT(smooth.at(0.5), -0.01);
+  const ScratchFolder folder;
+  folder.write("a.csv", "time [s],a\n0,0\n1,0\n2,1\n3,1\n4,1\n");
+  const std::string path = folder.write(
+      "s.toml", scene_with("{ table = 'a.csv', time = 1, factor = 2, interpolation = 'cubic' }"));
+  EXPECT_EQ(read_scene_file(path).setup.scene.loads[0].history, smooth);
+}
+
 const std::vector<std::string> kWords{
-    "{ period = '0.7 s', cycles = 1.3, phase = '0.3 rad' }", "{ smooth_step = ['0.1 s', '0.4 s'] }",
-    "{ time = ['0 s', '0.1 s'], factor = [0, 0.3] }", "{ cycles = 2 }", "'ramp'"};
+    "{ period = '0.7 s', cycles = 1.3, phase = '0.3 rad' }",
+    "{ smooth_step = ['0.1 s', '0.4 s'] }",
+    "{ time = ['0 s', '0.1 s', '0.3 s'], factor = [0, 0.3, 0.1], interpolation = 'cubic' }",
+    "{ time = ['0 s', '0.1 s'], factor = [0, 0.3] }",
+    "{ cycles = 2 }",
+    "'ramp'"};
 
 /// Loads, supports and gravity each keep theirs, to the last bit.
 TEST(ReadHistory, ComesBackFromAResultFileAsItWas) {

@@ -81,6 +81,32 @@ TEST(Units, ConvertWhatMotionsAreGivenIn) {
             "5: an angular velocity needs a unit (examples: rad/s, deg/s)");
 }
 
+/// A turn is no radian: periods in a second and angles in a second are not taken for each other.
+TEST(Units, TellFrequenciesFromAngularVelocities) {
+  EXPECT_EQ(scale("Hz", Dimension::Frequency), 1.0);
+  EXPECT_EQ(scale("1/s", Dimension::Frequency), 1.0);
+  EXPECT_EQ(scale("kHz", Dimension::Frequency), 1e3);
+  EXPECT_DOUBLE_EQ(scale("rpm", Dimension::AngularVelocity), std::numbers::pi / 30.0);
+  for (const char* unit : {"rad/s", "rpm", "deg/s", "s"}) {
+    EXPECT_THROW(unit_conversion(unit, Dimension::Frequency), InputError) << unit;
+  }
+  for (const char* unit : {"Hz", "kHz", "hertz"}) {
+    EXPECT_THROW(unit_conversion(unit, Dimension::AngularVelocity), InputError) << unit;
+  }
+  EXPECT_EQ(message_from<InputError>([] { parse_quantity("5 rad/s", Dimension::Frequency); }),
+            "5 rad/s: \"rad/s\" is not a unit of frequency (examples: Hz, kHz, 1/s)");
+}
+
+TEST(Units, ConvertWhatMotionsHave) {
+  EXPECT_EQ(scale("J", Dimension::Energy), 1.0);
+  EXPECT_EQ(scale("kN mm", Dimension::Energy), 1.0);
+  EXPECT_EQ(scale("kJ", Dimension::Energy), 1e3);
+  EXPECT_EQ(scale("MJ/m^3", Dimension::EnergyDensity), 1e6);
+  EXPECT_EQ(scale("kg m/s", Dimension::Momentum), 1.0);
+  EXPECT_EQ(scale("kg m^2/s", Dimension::AngularMomentum), 1.0);
+  EXPECT_THROW(unit_conversion("%", Dimension::Energy), InputError);
+}
+
 TEST(Units, ConvertTemperaturesWithTheirOffset) {
   EXPECT_EQ(scale("K", Dimension::Temperature), 1.0);
   for (const char* unit : {"degC", "°C"}) {

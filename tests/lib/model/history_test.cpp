@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <numbers>
 #include <vector>
 
@@ -88,6 +90,59 @@ TEST(History, OfASineTurnsAtItsPeaks) {
   }
   // The peaks are points of the table.
   EXPECT_EQ(History::sine(1.0, 3.0).reversals().size(), 6U);
+}
+
+/// Any cubic is its own spline, whatever the rows; of three points a parabola, of two a line.
+TEST(History, SplineOfACubicIsThatCubic) {
+  const std::vector<double> rows{0.1, 0.15, 0.4, 0.45, 0.9, 1.4, 1.5};
+  const auto through = [&](std::size_t count, auto&& function) {
+    std::vector<double> time(rows.begin(), rows.begin() + static_cast<std::ptrdiff_t>(count));
+    std::vector<double> factor;
+    for (const double t : time) factor.push_back(function(t));
+    const History spline = History::spline(time, factor);
+    for (double t = time.front(); t < time.back(); t += 0.0173) {
+      EXPECT_NEAR(spline.at(t), function(t), 1e-13) << count << " at " << t;
+    }
+    return spline;
+  };
+  const auto cubic = [](double t) { return 2.0 - t + 3.0 * t * t - 4.0 * t * t * t; };
+  for (std::size_t count = 4; count <= rows.size(); ++count) {
+    const History spline = through(count, cubic);
+    EXPECT_NEAR(spline.slope.front(), -1.0 + 0.6 - 0.12, 1e-12);
+    EXPECT_NEAR(spline.curvature_at(0.3), 6.0 - 24.0 * 0.3, 1e-11);
+  }
+  through(3, [](double t) { return 1.0 + t - 5.0 * t * t; });
+  through(2, [](double t) { return 1.0 - 7.0 * t; });
+}
+
+/// Neither slope nor curvature jumps at a row, and the error falls as the fourth power.
+TEST(History, SplineIsSmoothAndOfFourthOrder) {
+  const auto sampled = [](int rows) {
+    std::vector<double> time, factor;
+    for (int i = 0; i < rows; ++i) {
+      const double u = static_cast<double>(i) / (rows - 1);
+      time.push_back(2.0 * u * (0.6 + 0.4 * u));
+      factor.push_back(std::sin(3.0 * time.back() + 0.4));
+    }
+    return History::spline(time, factor);
+  };
+  const auto error = [&](int rows) {
+    const History spline = sampled(rows);
+    double off = 0.0;
+    for (double t = 0.0; t <= 2.0; t += 0.00173) {
+      off = std::max(off, std::fabs(spline.at(t) - std::sin(3.0 * t + 0.4)));
+    }
+    return off;
+  };
+  EXPECT_NEAR(std::log2(error(21) / error(41)), 4.0, 0.3);
+  const History spline = sampled(15);
+  constexpr double kNear = 1e-9;
+  for (std::size_t i = 1; i + 1 < spline.time.size(); ++i) {
+    const double t = spline.time[i];
+    EXPECT_NEAR(spline.slope_at(t - kNear), spline.slope_at(t + kNear), 1e-6) << i;
+    EXPECT_NEAR(spline.curvature_at(t - kNear), spline.curvature_at(t + kNear), 1e-6) << i;
+  }
+  EXPECT_EQ(spline.corners(), (std::vector<double>{spline.time.front(), spline.time.back()}));
 }
 
 TEST(History, OfASmoothStepHasNoCornerInside) {

@@ -251,6 +251,32 @@ TEST(MotionWarnings, SayWhichSchemesRingAfterAnImpact) {
                   "up to about 5.82e+04 Hz"));
 }
 
+/// A trapezoid is meant; a table of a curve is not.
+TEST(MotionWarnings, SayThatASupportsSpeedJumpsAtEachRow) {
+  const auto moved = [](const History& history) {
+    return warnings_of([&](Scene& s, SolverOptions&) {
+      s.supports[0].translation = {0.0, 0.01, 0.0};
+      s.supports[0].history = history;
+    });
+  };
+  std::vector<double> time, factor, line;
+  for (int i = 0; i <= 20; ++i) {
+    time.push_back(0.05 * i);
+    factor.push_back(std::sin(2.0 * time.back()));
+    line.push_back(2.0 * time.back());
+  }
+  const auto warnings = moved({time, factor});
+  ASSERT_EQ(warnings.size(), 1U);
+  EXPECT_EQ(warnings[0],
+            "support[1] moves along straight lines, and its speed jumps 19 times: reactions have "
+            "nothing of the force that these jumps take; interpolation = \"cubic\" in its history "
+            "makes them smooth");
+  EXPECT_EQ(moved(History::spline(time, factor)), std::vector<std::string>{});
+  EXPECT_EQ(moved({time, line}), std::vector<std::string>{}) << "no jump";
+  EXPECT_EQ(moved({{0.0, 0.1, 0.3, 0.6, 1.0}, {0.0, 0.0, 1.0, 1.0, 0.0}}),
+            std::vector<std::string>{});
+}
+
 TEST(MotionWarnings, SayThatARampOfGravityGrows) {
   const auto heavy = [](const History& history) {
     return warnings_of([&](Scene& s, SolverOptions& o) {

@@ -98,9 +98,9 @@ TEST_F(SceneClaims, HoldLimitLoadsBucklingFactorsAndFrequencies) {
                   .holds);
   EXPECT_TRUE(verdict("limit_load_cantilever", "status = 'limit-load'").holds);
   // 1.875104^2/(2 pi) sqrt(EI/(rho A L^4)) = 1.0427 Hz of 20 mm steel over 4 m.
-  const ClaimVerdict frequency = verdict(
-      "cantilever",
-      "quantity = 'natural_frequency'\nmode = 1\nvalue = { at_least = 1.0, at_most = 1.1 }");
+  const ClaimVerdict frequency = verdict("cantilever",
+                                         "quantity = 'natural_frequency'\nmode = 1\nvalue = { "
+                                         "at_least = '1 Hz', at_most = '1.1 Hz' }");
   EXPECT_TRUE(frequency.holds) << frequency.number.value_or(0.0) << frequency.reason;
   const ClaimVerdict buckling =
       verdict("column", "quantity = 'buckling_factor'\nvalue = { at_least = 0 }");
@@ -123,7 +123,7 @@ TEST_F(SceneClaims, RunASceneOnceForAllThatIsClaimedOfIt) {
       "[[claim]]\nname = 'c'\nscene = 'cantilever.toml'\nstatus = 'completed'\n"
       "[[claim]]\nname = 'd'\nscene = 'column.toml'\nfailed = { at_most = 0 }\n"
       "[[claim]]\nname = 'e'\nscene = 'cantilever.toml'\nquantity = 'natural_frequency'\n"
-      "value = { at_least = 1 }\n");
+      "value = { at_least = '1 Hz' }\n");
   EXPECT_EQ(cases_of(file), 3U);  // two scenes, and modes of one
   std::size_t done = 0;
   CheckOptions options;

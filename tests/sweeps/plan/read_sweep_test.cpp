@@ -245,6 +245,10 @@ INSTANTIATE_TEST_SUITE_P(
                  "finest or richardson"},
         BadSweep{kAxis + "values = [8]\n[error]\nprobe = 'tip'\nagainst = 'value:1'\n",
                  "7: error.against = 1: a length needs a unit (examples: m, mm, in)"},
+        BadSweep{kAxis + "values = [8]\n[error]\nquantity = 'natural_frequency'\n"
+                         "against = 'value:12 %'\n",
+                 "7: error.against = 12 %: \"%\" is not a unit of frequency (examples: Hz, kHz, "
+                 "1/s)"},
         BadSweep{"[[axis]]\nfield = 'rules.end_rule'\nvalues = ['equal']\n[error]\nprobe = 'tip'\n"
                  "against = 'finest'\n",
                  "7: error.against = finest: needs an axis that refines, such as beam.segments"},
