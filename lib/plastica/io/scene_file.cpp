@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <filesystem>
+#include <span>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -99,18 +101,19 @@ void check_section_is_whole(const TomlTable& root, const Setup& setup) {
   const auto section = part_of_beam(root, "section");
   if (!section || section->is_string() || section->table().contains("profile")) return;
   const SectionKind& kind = section_kind(setup.scene.section);
-  const auto key_of = [](const Field& field) {
-    return field.path.substr(std::string_view("section.").size());
-  };
   const TomlTable table = section->table();
-  const auto is_said = [&](const Field& field) { return table.contains(key_of(field)); };
-  if (!table.contains("shape") && std::ranges::none_of(kind.dimensions(), is_said)) return;
-  for (const Field& field : kind.dimensions()) {
-    // A radius of fillets may be 0, and is where nobody says it.
-    if (is_said(field) || field.range.contains(0.0)) continue;
-    throw InputError(
-        section->where(), std::string(field.path), "",
-        "is missing: a section of shape = \"" + std::string(kind.word()) + "\" needs it");
+  const auto is_said = [&](const Field& field) {
+    return table.contains(field.path.substr(std::string_view("section.").size()));
+  };
+  const auto has_no_default = [&](const Field& field) { return kind.needs(field); };
+  const std::span<const Field> dimensions = kind.dimensions();
+  if (!table.contains("shape") && std::ranges::none_of(dimensions, is_said)) return;
+  // Of shapes with defaults for some, those may be left out: a radius of fillets.
+  const bool some = std::ranges::any_of(dimensions, has_no_default);
+  for (const Field& field : dimensions) {
+    if (is_said(field) || (some && !kind.needs(field))) continue;
+    throw InputError(section->where(), std::string(field.path), "",
+                     "is missing: shape = \"" + std::string(kind.word()) + "\" needs it");
   }
 }
 

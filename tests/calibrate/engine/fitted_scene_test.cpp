@@ -70,6 +70,36 @@ TEST(FittedScene, KeepsWhatTheFitDoesNotKnow) {
   EXPECT_TRUE(has(fitted, "break_strain is not identified by the fit: the scene's own stays"));
 }
 
+/// [material] of the fit's file: what the curve was measured with, and no other.
+TEST(FittedScene, HasTheMaterialThatTheFitWasTold) {
+  FitOptions options;
+  calibrate::Parameter parameter;
+  parameter.field = &find_field("material.yield_stress");
+  options.parameters = {parameter};
+  Material& told = options.setup.scene.material;
+  told.youngs_modulus = 70e9;
+  told.poisson_ratio = 0.33;
+  Scene scene = breakable_scene();
+  scene.material.youngs_modulus = 200e9;
+  scene.material.density = 2000.0;
+  const FittedScene fitted = fitted_scene(scene, fit_of({yield()}), options);
+  EXPECT_EQ(fitted.scene.material.youngs_modulus, 70e9);
+  EXPECT_EQ(fitted.scene.material.poisson_ratio, 0.33);
+  EXPECT_EQ(fitted.scene.material.density, 2000.0) << "nobody said another";
+  EXPECT_TRUE(has(fitted, "youngs_modulus = 70.000 GPa, of the fit's material"));
+  // One that was fitted goes before.
+  const FittedParameter modulus =
+      free_parameter("youngs_modulus", Dimension::Stress, 71e9, 1e8, 70e9, 1e9, 1e12);
+  EXPECT_EQ(fitted_scene(scene, fit_of({modulus, yield()}), options).scene.material.youngs_modulus,
+            71e9);
+  // In torsion neither modulus nor yield stress need be told.
+  FitRecord twisted = fit_of({yield()});
+  twisted.target.test = calibrate::Test::Torsion;
+  FitOptions untold;
+  untold.parameters = options.parameters;
+  EXPECT_EQ(fitted_scene(scene, twisted, untold).scene.material.youngs_modulus, 200e9);
+}
+
 TEST(FittedScene, TakesFixedNumbersAndSaysWhatIsAtABound) {
   FittedParameter fixed = break_strain();
   fixed.role = ParameterRole::Fixed;

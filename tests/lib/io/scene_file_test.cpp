@@ -3,8 +3,12 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
+#include <span>
+#include <string>
+#include <variant>
 
 #include "plastica/model/hardening_kind.hpp"
 #include "plastica/model/section_kind.hpp"
@@ -28,16 +32,33 @@ const std::string kChain =
     "load = [{ at = 'end', force = ['0 N', '1 N', '0 N'] }]\n";
 
 /// A scene that a field can be set in to any value of its range.
+/// The shape that a dimension is of, and its other dimensions.
+std::string section_around(std::string_view path) {
+  for (const SectionKind* kind : section_kinds()) {
+    const std::span<const Field> dimensions = kind->dimensions();
+    const auto is_it = [&](const Field& field) { return field.path == path; };
+    const bool of_word = path == "section.shape" && kind->word() == "circle";
+    if (!of_word && std::ranges::none_of(dimensions, is_it)) continue;
+    std::string text =
+        of_word ? std::string() : "section.shape = '" + std::string(kind->word()) + "'\n";
+    for (const Field& field : dimensions) {
+      if (is_it(field)) continue;
+      const double value = std::get<double>(field.get(plastica::Setup{}));
+      text += std::string(field.path) + " = '" + std::to_string(value) + " m'\n";
+    }
+    return text;
+  }
+  return {};
+}
+
 std::string scene_around(std::string_view path) {
   if (path == "beam.shape") {
     return kChain + "beam.points = [['0 m', '0 m', '0 m'], ['0 m', '0 m', '1 m']]\n";
   }
   if (path == "beam.arc_angle") return kChain + "beam.shape = 'arc'\n";
-  if (path.starts_with("section.inner_r"))
-    return "section.shape = 'round_tube'\ndrive.strain = [0]\n";
-  if (path.starts_with("section.inner_"))
-    return "section.shape = 'rectangular_tube'\ndrive.strain = [0]\n";
-  if (path == "section.radius") return "section.shape = 'circle'\ndrive.strain = [0]\n";
+  if (path.starts_with("section.") && path != "section.shear_coefficient") {
+    return section_around(path) + "drive.strain = [0]\n";
+  }
   for (const HardeningKind* kind : hardening_kinds()) {
     for (const Field& field : kind->parameters()) {
       if (field.path != path) continue;
@@ -196,6 +217,22 @@ TEST(SceneFile, ReadsShapesThatNeedAllOfTheirDimensions) {
   EXPECT_DOUBLE_EQ(n.plastic_section_modulus_y, 40e-6);
   EXPECT_DOUBLE_EQ(n.torsion_constant, 7e-8);
   EXPECT_DOUBLE_EQ(n.plastic_torsion_modulus, 12e-6);
+}
+
+/// The default of one dimension beside the others would be a beam that nobody has.
+TEST(SceneFileErrors, ASectionThatLacksADimensionIsRefused) {
+  const auto refusal = [](const std::string& section) {
+    return message_of([&] {
+      (void)parse_scene_file("drive = { strain = ['0 %', '1 %'] }\n[section]\n" + section,
+                             "s.toml");
+    });
+  };
+  EXPECT_EQ(refusal("shape = 'rectangle'\nwidth = '20 mm'\n"),
+            "s.toml:2: section.height: is missing: shape = \"rectangle\" needs it");
+  EXPECT_EQ(refusal("height = '20 mm'\n"),
+            "s.toml:2: section.width: is missing: shape = \"rectangle\" needs it");
+  EXPECT_EQ(refusal("shape = 'circle'\n"),
+            "s.toml:2: section.radius: is missing: shape = \"circle\" needs it");
 }
 
 TEST(SceneFile, TakesANamedMaterialAsTheBase) {

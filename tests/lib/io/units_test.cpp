@@ -107,6 +107,22 @@ TEST(Units, ConvertWhatMotionsHave) {
   EXPECT_THROW(unit_conversion("%", Dimension::Energy), InputError);
 }
 
+/// What udunits2 makes a factor or an offset of: "MPa 2" is no unit of ours.
+TEST(Units, HaveNoFactorsAndNoOffsets) {
+  for (const char* unit : {"GPa 5%", "GPa (5)", "GPa @ 20", "GPa from 20", "GPa 2", "MPa.2",
+                           "2 MPa", "MPa %", "MPa*2", "MPa/2", "MPa since 2"}) {
+    EXPECT_THROW(unit_conversion(unit, Dimension::Stress), InputError) << unit;
+    EXPECT_FALSE(is_unit(unit)) << unit;
+  }
+  for (const char* unit : {"N/mm^2", "N/mm2", "N mm-2", "N mm**-2", "N mm^-2", "N/mm²"}) {
+    EXPECT_EQ(scale(unit, Dimension::Stress), 1e6) << unit;
+  }
+  EXPECT_EQ(scale("1/s", Dimension::StrainRate), 1.0);
+  EXPECT_EQ(scale("%/min", Dimension::StrainRate), 0.01 / 60.0);
+  EXPECT_THROW(parse_quantity("+-100 N", Dimension::Force), InputError);
+  EXPECT_EQ(parse_quantity("+100 N", Dimension::Force), 100.0);
+}
+
 TEST(Units, ConvertTemperaturesWithTheirOffset) {
   EXPECT_EQ(scale("K", Dimension::Temperature), 1.0);
   for (const char* unit : {"degC", "°C"}) {

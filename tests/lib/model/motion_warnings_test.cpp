@@ -277,6 +277,25 @@ TEST(MotionWarnings, SayThatASupportsSpeedJumpsAtEachRow) {
             std::vector<std::string>{});
 }
 
+TEST(MotionWarnings, SayThatForcesOfSinglePrecisionAreNoisy) {
+  const auto in = [](Precision precision, Scheme scheme, ProbeQuantity quantity) {
+    return warnings_of([&](Scene& s, SolverOptions& o) {
+      o.precision = precision;
+      o.scheme = scheme;
+      o.steps = 1000;
+      s.probes.push_back({"f", quantity, Place::start()});
+    });
+  };
+  const auto noisy = in(Precision::Float, Scheme::GeneralizedAlpha, ProbeQuantity::Reaction);
+  EXPECT_TRUE(has(noisy, "solver.precision = \"float\": f may have noise of some "));
+  for (const auto& quiet :
+       {in(Precision::Double, Scheme::GeneralizedAlpha, ProbeQuantity::Reaction),
+        in(Precision::Float, Scheme::ArticulatedMidpoint, ProbeQuantity::Reaction),
+        in(Precision::Float, Scheme::GeneralizedAlpha, ProbeQuantity::Displacement)}) {
+    EXPECT_FALSE(has(quiet, "noise of some"));
+  }
+}
+
 TEST(MotionWarnings, SayThatARampOfGravityGrows) {
   const auto heavy = [](const History& history) {
     return warnings_of([&](Scene& s, SolverOptions& o) {
