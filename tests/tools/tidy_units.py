@@ -5,8 +5,8 @@ compiles them. Most of its time goes into headers, once for each file that it re
 tidy_units.py BUILD OUT FILE…: prints the files to read, one a line, and writes their compile
 commands to OUT/compile_commands.json: units of sources that BUILD, configured with
 CMAKE_UNITY_BUILD, compiles as one, written to OUT, and sources by themselves. With --alone it prints
-instead commands, one a line, that parse those in a unit behind others, whose includes these may
-hide: each source has to compile by itself.
+instead the sources that stand in a unit: each has to compile by itself as well, and some checks look
+at the file alone that is compiled.
 """
 
 import json
@@ -74,17 +74,17 @@ def main():
     commands = json.loads((pathlib.Path(build) / "compile_commands.json").read_text("utf-8"))
     units = units_of(sources, commands)
     if alone:
-        for entry, of_unit in units:
-            for source in of_unit[1:]:
-                print(shlex.join([*arguments_for(entry, source), "-fsyntax-only"]))
+        for _, of_unit in units:
+            if len(of_unit) > 1:
+                print("\n".join(of_unit))
         return
     shutil.rmtree(out, ignore_errors=True)
     out.mkdir(parents=True)
     written = []
     for number, (entry, of_unit) in enumerate(units):
         file = write_unit(root, out, number, of_unit) if len(of_unit) > 1 else of_unit[0]
-        written.append({"directory": entry["directory"], "file": file,
-                        "arguments": arguments_for(entry, file)})
+        written += [{"directory": entry["directory"], "file": each,
+                     "arguments": arguments_for(entry, each)} for each in {file, *of_unit}]
         print(file)
     (out / "compile_commands.json").write_text(json.dumps(written, indent=1), encoding="utf-8")
 
