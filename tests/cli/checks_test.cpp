@@ -49,9 +49,11 @@ class ShippedChecks : public ::testing::Test {
   Workplace place_;
 };
 
+// The claims of motion.toml take ten seconds: readme_shows_what_the_command_prints runs them, and
+// docs/ci.md shows that all hold.
 TEST_F(ShippedChecks, AllHold) {
   std::size_t claims = 0;
-  for (const std::string name : {"statics.toml", "yielding.toml", "motion.toml"}) {
+  for (const std::string name : {"statics.toml", "yielding.toml"}) {
     const CommandResult result = check(name);
     EXPECT_EQ(result.code, 0) << result.out << result.err;
     EXPECT_EQ(count(result.out, "FAIL"), 0U);

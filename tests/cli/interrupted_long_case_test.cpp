@@ -117,7 +117,7 @@ TEST_F(InterruptedLongCase, OfASweepIsNotBegun) {
 }
 
 TEST_F(InterruptedLongCase, OfASweepIsRunByResume) {
-  place_.write("beam.toml", beam(400, "steps = 20000\nframes = 1"));
+  place_.write("beam.toml", beam(200, "steps = 10000\nframes = 1"));
   place_.write("sweep.toml", sweep_of("beam.toml"));
   interrupt({"sweep", "sweep.toml", "--threads", "1", "-o", "out.h5"});
   const CommandResult resumed = place_.run({"sweep", "sweep.toml", "--resume", "-o", "out.h5"});

@@ -17,7 +17,7 @@ namespace {
 
 constexpr const char* kInterruptedScene = R"([beam]
 length = "400 mm"
-segments = 60
+segments = 20
 section = { shape = "rectangle", width = "20 mm", height = "20 mm" }
 [material]
 name = "S355"
@@ -56,8 +56,8 @@ class InterruptedSceneFit : public ::testing::Test {
     place_.write("bar.toml", kInterruptedScene);
     place_.write("fit.toml", kInterruptedFit);
     std::string curve = "Displacement (mm),Force (N)\n";
-    for (int i = 1; i <= 120; ++i) {
-      const double displacement = 0.5 * i;
+    for (int i = 1; i <= 60; ++i) {
+      const double displacement = i;
       curve += fmt::format("{},{}\n", displacement,
                            2300.0 * std::tanh(displacement / 18.0) + 3.0 * displacement);
     }

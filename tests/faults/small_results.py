@@ -166,6 +166,7 @@ class SmallResults:
     def scene_fits(self, name, options):
         text = (self.folder / "scene-fit.toml").read_text()
         quick = text.replace("[fit]\n", "[fit]\nstarts = 2\nscreen = 4\n", 1)
+        quick = quick.replace("segments = 32", "segments = 8")
         (self.folder / f"{name}.toml").write_text(quick)
         self.run("calibrate", f"{name}.toml", "-o", f"{name}.h5", "--quiet", *options)
         return f"{name}.h5", of_fits(self.pictures["fits through scenes"],

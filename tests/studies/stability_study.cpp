@@ -30,7 +30,7 @@ TEST(Stability, IsNowhereWrongWithoutSayingSo) {
   const bool full = study != nullptr && std::string(study) == "full";
   StabilityOptions options;
   if (!full) {
-    options.sample = 100;
+    options.sample = 60;
     options.max_segment_steps = 2e4;
     options.min_segment_steps = 5e4;
   }

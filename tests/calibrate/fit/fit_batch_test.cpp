@@ -13,6 +13,7 @@
 #include "calibrate/fit/fit.hpp"
 #include "tests/calibrate/fit/targets.hpp"
 #include "tests/support/message.hpp"
+#include "tests/support/sanitized.hpp"
 
 namespace plastica::calibrate {
 namespace {
@@ -99,6 +100,7 @@ TEST(FitBatch, GivesTheSameBitsForEveryNumberOfThreads) {
   std::vector<Bits> alone;
   for (const Target& target : targets) alone.emplace_back(fit_target(target, options_with_break()));
   for (const int threads : {1, 2, 3, 8}) {
+    if (testing::kSanitized && threads != 3) continue;
     BatchFitOptions batch;
     batch.threads = threads;
     EXPECT_EQ(bits_of(fit(targets, options_with_break(), batch)), alone) << threads;

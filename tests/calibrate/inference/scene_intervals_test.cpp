@@ -195,7 +195,7 @@ TEST(SceneIntervals, OfSpecimensAreTheirScatter) {
     targets.back().target.noise = 0.005;
   }
   SceneFitOptions options = yield_options();
-  options.intervals = {.bootstrap = 20, .specimens = 1000};
+  options.intervals = {.bootstrap = 20, .specimens = testing::kSanitized ? 200 : 1000};
   const SceneFitResult result = fit(targets, options);
   EXPECT_NEAR(result.parameters[0].value, 0.15, 1e-4);
   const double scatter = std::sqrt(squares / 8.0) / std::sqrt(8.0);

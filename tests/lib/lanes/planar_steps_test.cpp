@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "tests/lib/lanes/planar_fixture.hpp"
+#include "tests/support/sanitized.hpp"
 
 namespace plastica::lanes {
 namespace {
@@ -111,10 +112,11 @@ template <class Real>
 void expect_lanes_as_alone(const StepKernels<PlanarBeam<Real>>& kernel, const std::string& what) {
   constexpr std::size_t kWidth = kManyLanes<Real>;
   const RandomBeams<Real> all(9, kWidth);
-  kernel.many(all.beam(), 2e-3, 40, false);
+  const std::size_t steps = plastica::testing::kSanitized ? 8 : 40;
+  kernel.many(all.beam(), 2e-3, steps, false);
   for (std::size_t lane = 0; lane < kWidth; ++lane) {
     const RandomBeams<Real> alone(9, 1, static_cast<unsigned>(lane));
-    kernel.one(alone.beam(), 2e-3, 40, false);
+    kernel.one(alone.beam(), 2e-3, steps, false);
     for (std::size_t i = 0; i < 9; ++i) {
       for (std::size_t field = 0; field < PlanarState::kCount; ++field) {
         ASSERT_EQ(all.at(i, field, lane), alone.at(i, field))

@@ -5,7 +5,6 @@
 
 #include "plastica/chain/rotation.hpp"
 #include "tests/lib/lanes/spatial_fixture.hpp"
-#include "tests/support/sanitized.hpp"
 
 namespace plastica::lanes {
 namespace {
@@ -99,7 +98,6 @@ double distance(const std::vector<double>& a, const std::vector<double>& b) {
 TEST(SpatialMotion, HasTheOrderOfItsScheme) {
   for (const auto& make : {lively, pinned}) {
     for (const int order : {1, 2}) {
-      if (plastica::testing::kSanitized && order == 1) continue;
       const std::size_t coarse = order == 1 ? 3200 : 400;
       const auto a = angles_at(make(), order, 0.1, coarse);
       const auto b = angles_at(make(), order, 0.1, 2 * coarse);

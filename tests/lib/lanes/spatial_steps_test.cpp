@@ -10,6 +10,7 @@
 #include "plastica/chain/rotation.hpp"
 #include "tests/lib/lanes/planar_fixture.hpp"
 #include "tests/lib/lanes/spatial_fixture.hpp"
+#include "tests/support/sanitized.hpp"
 
 namespace plastica::lanes {
 namespace {
@@ -215,8 +216,8 @@ TEST(SpatialSteps, MoveInAPlaneAsPlanarOnes) {
   }
   // The midpoint's look ahead in other ways, so that they differ by the square of the step.
   const Pair coarse, fine;
-  coarse.step(2, 0, 0.1, 1000);
-  fine.step(2, 0, 0.1, 2000);
+  coarse.step(2, 0, 0.1, 250);
+  fine.step(2, 0, 0.1, 500);
   EXPECT_LT(fine.apart(), 1e-3);
   EXPECT_NEAR(coarse.apart() / fine.apart(), 4.0, 0.4);
 }
@@ -239,11 +240,12 @@ void expect_lanes_as_alone(const StepKernels<SpatialBeam<Real>>& kernel, const s
   const RandomSpatialBeams<Real> all(7, kWidth);
   // One lane leaves the range of the series.
   all.at(3, SpatialState::Angle + 1, 5) = 1.5;
-  kernel.many(all.beam(), 1e-3, 20, false);
+  const std::size_t steps = plastica::testing::kSanitized ? 4 : 20;
+  kernel.many(all.beam(), 1e-3, steps, false);
   for (std::size_t lane = 0; lane < kWidth; ++lane) {
     const RandomSpatialBeams<Real> alone(7, 1, static_cast<unsigned>(lane));
     if (lane == 5) alone.at(3, SpatialState::Angle + 1) = 1.5;
-    kernel.one(alone.beam(), 1e-3, 20, false);
+    kernel.one(alone.beam(), 1e-3, steps, false);
     for (std::size_t i = 0; i < 7; ++i) {
       for (std::size_t field = 0; field < SpatialState::kCount; ++field) {
         ASSERT_EQ(all.at(i, field, lane), alone.at(i, field))

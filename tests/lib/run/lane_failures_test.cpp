@@ -9,6 +9,7 @@
 #include "plastica/base/check.hpp"
 #include "plastica/run/batch.hpp"
 #include "tests/support/motion_scene.hpp"
+#include "tests/support/sanitized.hpp"
 
 /// Articulated schemes where steps fail, callers interrupt and samples are few.
 namespace plastica {
@@ -58,7 +59,7 @@ TEST(LaneFailures, DoNotBelieveStepsWhoseEnergiesDoNotBalance) {
   scene.loads.push_back(pull);
   add_probe(scene, ProbeQuantity::Displacement, Place::end(), Component::Y);
   const Response coarse = simulate(scene, options_of(1e-3, 0.2, 10));
-  const Response fine = simulate(scene, options_of(2e-5, 0.2, 10));
+  const Response fine = simulate(scene, options_of(testing::kSanitized ? 2e-4 : 2e-5, 0.2, 10));
   ASSERT_EQ(fine.status, Status::Completed);
   if (coarse.status == Status::Completed) {
     EXPECT_LT(coarse.energy_balance_error, 0.05);

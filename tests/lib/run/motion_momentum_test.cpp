@@ -5,7 +5,6 @@
 #include <string>
 
 #include "tests/support/motion_scene.hpp"
-#include "tests/support/sanitized.hpp"
 #include "tests/support/tolerance.hpp"
 
 // Momentum of what no support holds, against sums and integrals in closed form.
@@ -52,7 +51,6 @@ INSTANTIATE_TEST_SUITE_P(Levels, Spin, ::testing::Bool(),
 // One linear solve leaves a moment out of balance, in every step the same way.
 TEST_P(Spin, OfAFreeBarIsKeptByTheLinearlyImplicitMidpointAtEveryStep) {
   for (const double step : {4e-4, 2e-4, 1e-4, 5e-5}) {
-    if (testing::kSanitized && step < 2e-4) continue;
     const Scene scene = spinning_scene(8, GetParam());
     SolverOptions options = motion_options(Scheme::LinearlyImplicitMidpoint, step, 4);
     options.duration = 0.2;

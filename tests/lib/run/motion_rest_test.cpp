@@ -3,7 +3,6 @@
 #include <cmath>
 
 #include "tests/support/motion_scene.hpp"
-#include "tests/support/sanitized.hpp"
 
 namespace plastica {
 namespace {
@@ -108,7 +107,6 @@ TEST(Damping, TakesEnergyOutOfAVibrationByItsRatio) {
   blow.velocity = {0.0, 0.1, 0.0};
   scene.initial_motions = {blow};
   for (const Damping damping : {Damping::Stiffness, Damping::Relaxation}) {
-    if (testing::kSanitized && damping == Damping::Stiffness) continue;
     SolverOptions options = motion_options(Scheme::EnergyMomentum, 2e-4, 100);
     options.duration = 1.0;
     options.damping = damping;

@@ -7,6 +7,7 @@
 #include "plastica/run/scene_warnings.hpp"
 #include "plastica/run/simulate.hpp"
 #include "tests/support/chain_scene.hpp"
+#include "tests/support/sanitized.hpp"
 
 // Loads with smooth histories, against the closed form of one mass on one spring.
 
@@ -30,6 +31,7 @@ TEST(SmoothHistory, OfASineMakesTheForcedVibrationOfTheory) {
   const double own =
       2.0 * std::numbers::pi * unloaded_frequencies(swing(History::ramp()), {}, 1).front();
   for (const double ratio : {0.3, 0.9, 2.0}) {
+    if (testing::kSanitized && ratio < 2.0) continue;
     const double rate = ratio * own;
     const double period = 2.0 * std::numbers::pi / rate;
     SolverOptions options;
