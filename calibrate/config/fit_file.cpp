@@ -80,6 +80,7 @@ FitFile parse_fit_file(std::string text, const std::string& path) {
   io::refuse_rules_of_chains(root);
   file.targets = read_targets(root, folder, file.options);
   root.check_unused();
+  io::check_section_is_whole(root, file.options.setup);
   file.notes = root.notes();
   return file;
 }

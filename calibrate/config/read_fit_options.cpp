@@ -93,7 +93,6 @@ std::vector<Law> read_laws(const TomlValue& value) {
 FitOptions read_fit_options(const TomlTable& root) {
   FitOptions options;
   io::read_setup(root, options.setup);
-  io::check_section_is_whole(root, options.setup);
   const auto fit = root.find_table("fit");
   if (!fit) {
     options.parameters = default_parameters();

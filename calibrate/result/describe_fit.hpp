@@ -112,11 +112,6 @@ inline constexpr auto kDescribeFit = [](auto& d) {
 inline constexpr auto kDescribeSceneFit = [](auto& d) {
   d("degrees_of_freedom", "1", PLASTICA_MEMBER(degrees_of_freedom),
     "of the estimated noise; infinite: all targets state theirs");
-  d.since(11, [](auto& later) {
-    later("objective", "", PLASTICA_MEMBER(objective), "by which the samples counted");
-    later("stated_prior_squared", "1", PLASTICA_MEMBER(prior_squared),
-          "sum of the squares of what values are off their priors, over these's deviations");
-  });
   d("outcome", "", PLASTICA_MEMBER(outcome), "of the best search");
   d("runs", "1", PLASTICA_MEMBER(runs), "of scenes");
   d("search_runs", "1", PLASTICA_MEMBER(search_runs), "of these, what the search took");
@@ -125,6 +120,11 @@ inline constexpr auto kDescribeSceneFit = [](auto& d) {
   d.optional("remeshed", PLASTICA_MEMBER(segments), [](auto& inner) {
     inner("segments", "1", PLASTICA_MEMBER(segments), "of the first beam");
     inner("segments_note", "", PLASTICA_MEMBER(note), "why a fit with other segments is missing");
+  });
+  d.since(11, [](auto& later) {
+    later("objective", "", PLASTICA_MEMBER(objective), "by which the samples counted");
+    later("stated_prior_squared", "1", PLASTICA_MEMBER(prior_squared),
+          "sum of the squares of what values are off their priors, over their standard deviations");
   });
 };
 

@@ -339,12 +339,11 @@ INSTANTIATE_TEST_SUITE_P(
         bad_fit("NoBound", "{ bounds = [\"50 GPa\", \"500 GPa\"] }", "{ start = \"50 GPa\" }",
                 "fit.toml:4: material.youngs_modulus: needs a lower and an upper bound to be "
                 "fitted"),
-        bad_fit(
-            "ParameterInATarget", "scene = \"bar.toml\"",
-            "scene = \"bar.toml\"\nmaterial = { youngs_modulus = \"200 GPa\" }",
-            "fit.toml:8: target[1].material.youngs_modulus = \"200 GPa\": is a parameter of the "
-            "fit, which gives all targets its value: say it in fit.parameters, or leave it out "
-            "there"),
+        bad_fit("ParameterInATarget", "scene = \"bar.toml\"",
+                "scene = \"bar.toml\"\nmaterial = { youngs_modulus = \"200 GPa\" }",
+                "fit.toml:8: target[1].material.youngs_modulus = 200 GPa: is a parameter of the "
+                "fit, which gives all targets its value: say it in fit.parameters, or leave it out "
+                "there"),
         bad_fit("UnknownKey", "[fit]\n", "[fit]\nobjektive = \"path\"\n",
                 "fit.toml:2: fit.objektive…"),
         bad_fit("UnknownObjective", "[fit]\n", "[fit]\nobjective = \"squares\"\n",

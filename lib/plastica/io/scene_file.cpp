@@ -125,7 +125,6 @@ SceneFile parse_scene_file(std::string text, std::string name) {
   const auto title = root.find("name");
   scene.name = title ? title->string() : std::filesystem::path(file.path).stem().string();
   read_setup(root, file.setup);
-  check_section_is_whole(root, file.setup);
   read_beam(root, file.setup);
   if (is_coupon(root, file.setup.solver)) {
     read_coupon(root, file.path, file.setup);
@@ -133,6 +132,7 @@ SceneFile parse_scene_file(std::string text, std::string name) {
     read_chain(root, file.setup);
   }
   root.check_unused();
+  check_section_is_whole(root, file.setup);
   at_its_key(root, [&] {
     check_scene(scene, file.setup.solver);
     check_regions(scene);

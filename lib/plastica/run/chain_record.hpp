@@ -233,36 +233,38 @@ std::array<double, 3> ChainRecord<L, kElastic>::permanent_angle(const Joints& jo
   return joint_spin(left).at;
 }
 
-/// The histories of what acts on a scene, in the order in which factors are shown of them.
-inline std::vector<const History*> acting_histories(const Scene& scene) {
-  std::vector<const History*> all;
-  for (const Load& load : scene.loads) all.push_back(&load.history);
+/// The first history that something acts on a scene by and that is as asked, in the order in which
+/// factors are shown of them: loads, motions of supports, gravity; else null.
+template <class Is>
+const History* first_history(const Scene& scene, const Is& is) {
+  for (const Load& load : scene.loads) {
+    if (is(load.history)) return &load.history;
+  }
+  bool any = !scene.loads.empty();
   for (const Support& support : scene.supports) {
-    if (support.moves()) all.push_back(&support.history);
+    any = any || support.moves();
+    if (support.moves() && is(support.history)) return &support.history;
   }
-  if (all.empty() || scene.gravity != std::array<double, 3>{}) {
-    all.push_back(&scene.gravity_history);
-  }
-  return all;
+  const bool weighs = !any || scene.gravity != std::array<double, 3>{};
+  return weighs && is(scene.gravity_history) ? &scene.gravity_history : nullptr;
 }
 
 template <class L, bool kElastic>
 const History& ChainRecord<L, kElastic>::shown_history() const {
-  const auto all = acting_histories(model_->scene);
   // Beside a dead weight that stays, a factor tells nothing of what grows.
-  const auto changing = std::find_if(
-      all.begin(), all.end(), [](const History* history) { return history->factor.size() > 1; });
-  return changing != all.end() ? **changing : *all.front();
+  const Scene& scene = model_->scene;
+  const auto* changing = first_history(scene, [](const History& h) { return h.factor.size() > 1; });
+  if (changing != nullptr) return *changing;
+  return *first_history(scene, [](const History& /*any*/) { return true; });
 }
 
 template <class L, bool kElastic>
 double ChainRecord<L, kElastic>::growing_factor_at(double time) const {
-  const auto all = acting_histories(model_->scene);
   const double before = solve::just_before(time);
-  const auto growing = std::find_if(all.begin(), all.end(), [&](const History* history) {
-    return history->factor.size() > 1 && grows(*history, before);
+  const auto* growing = first_history(model_->scene, [&](const History& history) {
+    return history.factor.size() > 1 && grows(history, before);
   });
-  return growing != all.end() ? (*growing)->at(time) : factor_at(time);
+  return growing != nullptr ? growing->at(time) : factor_at(time);
 }
 
 template <class L, bool kElastic>

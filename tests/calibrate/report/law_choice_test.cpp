@@ -2,8 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <cstddef>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "tests/calibrate/report/records.hpp"
 #include "tests/calibrate/report/scene_records.hpp"
@@ -89,7 +92,13 @@ TEST(LawChoice, TakesTheAdvisedLawWhereNoneIsNamed) {
 SceneFitRecord scene_fit_of(Law law, double cost) {
   SceneFitRecord record = testing::lone_scene_record("bar", 205e9, 380e6);
   record.result.law = law;
-  record.result.targets[0].cost = cost;
+  TargetFit& fit = record.result.targets[0];
+  fit.cost = cost;
+  const std::vector<double>& measured = record.targets[0].ordinate;
+  const double off = std::sqrt(cost / static_cast<double>(measured.size()));
+  for (std::size_t i = 0; i < measured.size(); ++i) {
+    fit.fitted[i] = measured[i] + (i % 2 == 0 ? off : -off);
+  }
   return record;
 }
 

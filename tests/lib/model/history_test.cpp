@@ -134,7 +134,7 @@ TEST(History, SplineIsSmoothAndOfFourthOrder) {
     }
     return off;
   };
-  EXPECT_NEAR(std::log2(error(21) / error(41)), 4.0, 0.3);
+  EXPECT_NEAR(std::log2(error(81) / error(161)), 4.0, 0.3);
   const History spline = sampled(15);
   constexpr double kNear = 1e-9;
   for (std::size_t i = 1; i + 1 < spline.time.size(); ++i) {
