@@ -281,23 +281,27 @@ class Reader {
 
   /// What a target says of a parameter would be no more than where a search may begin.
   void refuse_own_parameters(const TomlTable& target) const {
+    const auto beam = target.find_table("beam");
     for (const Parameter& parameter : file_.options.parameters) {
-      std::string_view path = parameter.field->path;
-      std::optional<TomlTable> table = target;
-      for (std::size_t dot = path.find('.'); table && dot != std::string_view::npos;
-           dot = path.find('.')) {
-        const std::string_view part = path.substr(0, dot);
-        const auto inner = table->find(part);
-        table = inner && inner->is_table() ? std::optional(inner->table()) : std::nullopt;
-        path.remove_prefix(dot + 1);
-      }
-      const auto own = table ? table->find(path) : std::nullopt;
-      if (own) {
-        throw own->error(
-            "is a parameter of the fit, which gives all targets its value: say it in "
-            "fit.parameters, or leave it out there");
-      }
+      refuse_own(target, parameter.field->path);
+      // Material and section may stand in [beam], too.
+      if (beam) refuse_own(*beam, parameter.field->path);
     }
+  }
+
+  static void refuse_own(const TomlTable& said, std::string_view path) {
+    std::optional<TomlTable> table = said;
+    for (std::size_t dot = path.find('.'); table && dot != std::string_view::npos;
+         dot = path.find('.')) {
+      const auto inner = table->find(path.substr(0, dot));
+      table = inner && inner->is_table() ? std::optional(inner->table()) : std::nullopt;
+      path.remove_prefix(dot + 1);
+    }
+    const auto own = table ? table->find(path) : std::nullopt;
+    if (!own) return;
+    throw own->error(
+        "is a parameter of the fit, which gives all targets its value: say it in fit.parameters, "
+        "or leave it out there");
   }
 
   Setup read_scene(const TomlValue& value) {

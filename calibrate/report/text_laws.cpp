@@ -51,8 +51,8 @@ std::vector<LawParameter> parameters_of(const FitRecord& record) {
 std::vector<LawParameter> parameters_of(const SceneFitRecord& record) {
   std::vector<LawParameter> all;
   for (const FittedParameter& p : record.result.parameters) {
-    all.push_back(
-        {p.path, p.dimension, p.value, p.standard_error, p.verdict() != Verdict::NotIdentified});
+    all.push_back({p.path, p.dimension, p.value, p.standard_error,
+                   p.role == ParameterRole::Fixed || p.verdict() != Verdict::NotIdentified});
   }
   return all;
 }

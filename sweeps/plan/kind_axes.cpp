@@ -86,7 +86,7 @@ void require_dimensions(const Sweep& sweep) {
     if (axis.field->path != Shapes::kChoice) continue;
     for (const SectionKind* kind : kinds_of<Shapes>(sweep)) {
       for (const Field& field : kind->dimensions()) {
-        if (contains(base.dimensions(), field) || !kind->needs(field)) continue;
+        if (contains(base.dimensions(), field) || !must_be_said(*kind, field)) continue;
         const bool given = std::any_of(sweep.axes.begin(), sweep.axes.end(),
                                        [&](const Axis& a) { return a.field->path == field.path; });
         if (given) continue;

@@ -162,6 +162,11 @@ std::optional<std::vector<Act>> acts_on(const Setup& setup, const Response& resp
       acts.push_back({fraction, false, shape.point(fraction), times(pulls, scene.gravity), {}});
     }
   }
+  for (const Support& support : scene.supports) {
+    // What joints beside such a node carry is the chain's own affair (chain/README.md).
+    const double at = fraction_of(support.at, shape.ends());
+    if (support.rotational_stiffness != Space{} && at > 0.0 && at < 1.0) return std::nullopt;
+  }
   for (std::size_t s = 0; s < scene.supports.size(); ++s) {
     // Of a bed of springs the response has the sum alone.
     if (scene.supports[s].to) return std::nullopt;

@@ -237,6 +237,13 @@ class Builder {
       constraint.history = history;
       constraint.rotational = true;
       constraint.axis = unit_vector<typename L::Spin>(k);
+      // The twist of a pin is about the beam.
+      if constexpr (kR == 3) {
+        const Support& of = scene_.supports[support];
+        const bool twists = !held[0] && !held[1] && of.held() == traits_of(of).held;
+        const auto& axes = layout_.joint_frame[constraint.node];
+        if (twists) constraint.axis = view_.spin({{axes(0, k), axes(1, k), axes(2, k)}});
+      }
       constraint.frame = undeformed_.frame[segment];
       constraint.motion = rotation[k];
       build_.chain.constraints.push_back(constraint);

@@ -92,7 +92,7 @@ void Builder<L>::add_springs(const Support& support, std::size_t index, std::siz
     return;
   }
   if (fraction == 0.0) {
-    build_.joints[0].spring = rotational;
+    for (std::size_t k = 0; k < kR; ++k) build_.joints[0].spring[k] += rotational[k];
     return;
   }
   const auto motion = view_.spin(vector(support.rotation));

@@ -13,8 +13,8 @@
 /// names them about the world's axes; a joint has its own, which turn with the beam.
 namespace plastica::chain {
 
-/// Squares of cosines, and parts of a stiffness, below this are rounding.
-inline constexpr double kNotSkew = 1e-9;
+/// Axes that are off by no more are taken as not skew [rad].
+inline constexpr double kNotSkew = 1e-5;
 
 /// @param frame  of the joint, columns x, y, z
 /// @return empty where the held axes lie skew to the joint's: about some axis of it the support
@@ -28,7 +28,7 @@ inline std::optional<std::array<bool, 3>> held_rotations(const Support& support,
   for (std::size_t k = 0; k < 3; ++k) {
     double part = 0.0;
     for (std::size_t w = 0; w < 3; ++w) part += held[3 + w] ? frame(w, k) * frame(w, k) : 0.0;
-    if (part > kNotSkew && part < 1.0 - kNotSkew) return std::nullopt;
+    if (part > kNotSkew * kNotSkew && part < 1.0 - kNotSkew * kNotSkew) return std::nullopt;
     own[k] = part > 0.5;
   }
   return own;
@@ -46,7 +46,7 @@ inline std::optional<std::array<double, 3>> rotational_springs(const Support& su
       double sum = 0.0;
       for (std::size_t w = 0; w < 3; ++w) sum += frame(w, i) * of_world[w] * frame(w, j);
       if (i == j) {
-        own[i] = sum > kNotSkew * largest ? sum : 0.0;
+        own[i] = sum > kNotSkew * kNotSkew * largest ? sum : 0.0;
       } else if (std::fabs(sum) > kNotSkew * largest) {
         return std::nullopt;
       }

@@ -197,7 +197,7 @@ void read_section(const TomlValue& value, Setup& setup) {
   if (&kind == &before) return;
   for (const Field& field : kind.dimensions()) {
     const std::string_view key = key_of(field);
-    if (table.contains(key) || !kind.needs(field)) continue;
+    if (table.contains(key) || !must_be_said(kind, field)) continue;
     throw InputError(value.where(), "section." + std::string(key), "",
                      "is missing: shape = \"" + std::string(kind.word()) + "\" needs it");
   }

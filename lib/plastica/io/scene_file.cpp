@@ -105,13 +105,10 @@ void check_section_is_whole(const TomlTable& root, const Setup& setup) {
   const auto is_said = [&](const Field& field) {
     return table.contains(field.path.substr(std::string_view("section.").size()));
   };
-  const auto has_no_default = [&](const Field& field) { return kind.needs(field); };
   const std::span<const Field> dimensions = kind.dimensions();
   if (!table.contains("shape") && std::ranges::none_of(dimensions, is_said)) return;
-  // Of shapes with defaults for some, those may be left out: a radius of fillets.
-  const bool some = std::ranges::any_of(dimensions, has_no_default);
   for (const Field& field : dimensions) {
-    if (is_said(field) || (some && !kind.needs(field))) continue;
+    if (is_said(field) || !must_be_said(kind, field)) continue;
     throw InputError(section->where(), std::string(field.path), "",
                      "is missing: shape = \"" + std::string(kind.word()) + "\" needs it");
   }

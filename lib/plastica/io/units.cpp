@@ -12,6 +12,7 @@
 #include <mutex>
 #include <numbers>
 #include <optional>
+#include <span>
 #include <stdexcept>
 #include <utility>
 
@@ -114,7 +115,7 @@ bool has_zero(std::string_view text) {
   return false;
 }
 
-/// Whether a unit has a number that is no power, a percent sign within, or an offset in words. To
+/// Whether a unit has a number that is no power, a percent sign within, or an offset. To
 /// udunits2 "MPa 2" and "MPa (2)" are twice as much, "MPa @ 20" begins at 20 MPa, and "GPa 5%" is a
 /// twentieth: slips, in our files.
 bool has_factor(std::string_view text) {
@@ -135,10 +136,41 @@ bool has_factor(std::string_view text) {
                           (last == '*' && before > 0 && text[before - 1] == '*');
     if (!is_power) return true;
   }
-  for (const std::string_view word : {" from ", " since ", " after ", " ref "}) {
-    if (text.find(word) != std::string_view::npos) return true;
-  }
   return false;
+}
+
+bool is_angular(Dimension dimension) {
+  return dimension == Dimension::Curvature || dimension == Dimension::RotationalStiffness ||
+         dimension == Dimension::AngularVelocity;
+}
+
+/// Whether a unit has a word that is a number to udunits2 and none to us: "GPa deg" is no stress.
+/// Angles are in units of what turns alone; a frequency is never an angular velocity.
+bool has_wrong_word(std::string_view text, Dimension dimension) {
+  constexpr std::array<std::string_view, 7> kNumbers{"pi",    "ppm",     "ppb", "ppv",
+                                                     "dozen", "percent", "mole"};
+  constexpr std::array<std::string_view, 9> kAngles{"deg",     "degree", "degrees", "rad", "radian",
+                                                    "radians", "arcmin", "arcsec",  "turn"};
+  constexpr std::array<std::string_view, 3> kFrequencies{"hz", "hertz", "bq"};
+  const auto is_among = [](std::string_view word, std::span<const std::string_view> words) {
+    return std::ranges::find(words, word) != words.end();
+  };
+  for (std::size_t i = 0; i < text.size();) {
+    std::size_t length = 0;
+    while (i + length < text.size() && is_letter(text[i + length])) ++length;
+    const std::string_view word = text.substr(i, length);
+    std::string low(word);
+    for (char& c : low) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+    if (is_among(word, kNumbers) || (is_among(word, kAngles) && !is_angular(dimension)))
+      return true;
+    const bool frequency =
+        std::ranges::any_of(kFrequencies, [&](std::string_view f) { return low.ends_with(f); });
+    if (frequency && dimension == Dimension::AngularVelocity) return true;
+    i += std::max<std::size_t>(length, 1);
+  }
+  constexpr std::string_view kDegree = "°";
+  return !is_angular(dimension) && dimension != Dimension::Temperature &&
+         text.find(kDegree) != std::string_view::npos;
 }
 
 /// A unit in the spelling of udunits2.
@@ -239,6 +271,7 @@ class UnitTable {
   }
 
   Lookup look_up(std::string_view unit, Dimension dimension) {
+    if (has_wrong_word(unit, dimension)) return {};
     const Unit from = parsed(unit);
     if (!from) return {};
     const Unit to(ut_parse(system(), std::string(si_unit(dimension)).c_str(), UT_UTF8));
@@ -251,6 +284,7 @@ class UnitTable {
     cv_free(converter);
     // udunits2 also "converts" to the reciprocal (s to Hz) and to logarithms (dB): not a unit here.
     if (!std::isfinite(at_0) || !std::isfinite(at_1)) return {};
+    if (at_0 != 0.0 && dimension != Dimension::Temperature) return {};
     const double slope = at_1 - at_0;
     if (std::abs(at_2 - at_0 - 2.0 * slope) > 1e-9 * (std::abs(at_2) + std::abs(at_0))) return {};
     return {Refusal::None, {at_0 == 0.0 ? shortest(at_1, 1e-15) : shortest(slope, 1e-13), at_0}};
@@ -293,12 +327,6 @@ Lookup look_up(std::string_view unit, Dimension dimension) {
     case Dimension::Frequency:
       if (unit.empty() || unit == "1") return {Refusal::BareNumber, {}};
       return found(frequency_scale(unit));
-    case Dimension::AngularVelocity:
-      if (unit.find("Hz") != std::string_view::npos ||
-          unit.find("hertz") != std::string_view::npos) {
-        return {};
-      }
-      break;
     default: break;
   }
   if (unit.empty() || unit == "1") return {Refusal::BareNumber, {}};

@@ -137,8 +137,8 @@ void check_normal(const Support& support, const std::string& name) {
 }
 
 /// What a support does to each freedom: hold or spring. Those along a normal are compared by that.
-HeldFreedoms taken_freedoms(const Support& support) {
-  HeldFreedoms taken = support.held();
+HeldFreedoms taken_freedoms(const Scene& scene, const Support& support, Ends ends) {
+  HeldFreedoms taken = held_about_world(scene, support, ends);
   for (std::size_t i = 0; i < 3; ++i) {
     taken[i] = taken[i] || support.stiffness[i] > 0.0 ||
                (support.has_normal() && support.normal[i] != 0.0);
@@ -158,8 +158,8 @@ void check_translation(const Support& support, const std::string& name) {
           "goes across the normal, along which alone the support holds");
 }
 
-void check_motion(const Support& support, const std::string& name) {
-  const HeldFreedoms taken = taken_freedoms(support);
+void check_motion(const Scene& scene, const Support& support, Ends ends, const std::string& name) {
+  const HeldFreedoms taken = taken_freedoms(scene, support, ends);
   for (std::size_t i = 0; i < 6; ++i) {
     const double motion = i < 3 ? support.translation[i] : support.rotation[i - 3];
     if (motion == 0.0 || taken[i]) continue;
@@ -176,7 +176,7 @@ void check_motion(const Support& support, const std::string& name) {
 /// hold.
 void check_neighbours(const Scene& scene, std::size_t index, std::span<const double> ends) {
   const Support& support = scene.supports[index];
-  const HeldFreedoms taken = taken_freedoms(support);
+  const HeldFreedoms taken = taken_freedoms(scene, support, ends);
   const std::string field = item_name("support", index, ".at");
   for (std::size_t other = 0; other < index; ++other) {
     const Support& before = scene.supports[other];
@@ -190,7 +190,7 @@ void check_neighbours(const Scene& scene, std::size_t index, std::span<const dou
     }
     const bool normals = support.has_normal() && before.has_normal();
     if (normals && support.normal != before.normal) continue;
-    const HeldFreedoms taken_before = taken_freedoms(before);
+    const HeldFreedoms taken_before = taken_freedoms(scene, before, ends);
     for (std::size_t i = 0; i < taken.size(); ++i) {
       if (!taken[i] || !taken_before[i]) continue;
       throw InputError({}, field, place_text(support.at),
@@ -201,6 +201,22 @@ void check_neighbours(const Scene& scene, std::size_t index, std::span<const dou
 }
 
 }  // namespace
+
+HeldFreedoms held_about_world(const Scene& scene, const Support& support, Ends ends) {
+  HeldFreedoms held = support.held();
+  const bool twists = held == traits_of(support).held && held[5] && !held[3] && !held[4];
+  if (!twists) return held;
+  const double at = fraction_of(support.at, ends);
+  const auto from = axis_point(scene.beam, std::max(0.0, at - 1e-6));
+  const auto to = axis_point(scene.beam, std::min(1.0, at + 1e-6));
+  const double size = std::hypot(to[0] - from[0], to[1] - from[1], to[2] - from[2]);
+  for (std::size_t k = 0; k < 2; ++k) {
+    if (std::abs(to[k] - from[k]) < (1.0 - 1e-9) * size) continue;
+    held[5] = false;
+    held[3 + k] = true;
+  }
+  return held;
+}
 
 void check_supports(const Scene& scene, Ends ends) {
   for (std::size_t i = 0; i < scene.supports.size(); ++i) {
@@ -213,7 +229,7 @@ void check_supports(const Scene& scene, Ends ends) {
     check_rotation_place(support, ends, name + ".at");
     check_normal(support, name);
     check_holds(support, name);
-    check_motion(support, name);
+    check_motion(scene, support, ends, name);
     check_neighbours(scene, i, ends);
   }
 }

@@ -47,6 +47,10 @@ using Ends = std::span<const double>;
 /// @return where its segments end
 std::vector<double> check_beam(const Scene& scene);
 
+/// What a support holds, rotations about the world's axes: of a pin the twist of a beam that goes
+/// along x or y there.
+HeldFreedoms held_about_world(const Scene& scene, const Support& support, Ends ends);
+
 void check_supports(const Scene& scene, Ends ends);
 
 /// Hinges within the beam, and what must not act there.

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "plastica/model/beam_axis.hpp"
+#include "plastica/model/check_parts.hpp"
 #include "plastica/model/support_kind.hpp"
 
 namespace plastica::model_detail {
@@ -82,7 +83,7 @@ class Bodies {
 
   void add_support(const Support& support, std::size_t body, double fraction) {
     const Point point = point_at(fraction);
-    const HeldFreedoms held = support.held();
+    const HeldFreedoms held = held_about_world(scene_, support, ends_);
     const auto add = [&](const Point& direction) {
       motions_.push_back(none());
       put(direction, point, 1.0, &motions_.back()[6 * body]);

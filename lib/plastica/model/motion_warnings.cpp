@@ -156,7 +156,9 @@ std::optional<std::string> jumping_supports(const Facts& facts) {
       const double before = history.slope_at(history.time[k - 1]);
       const double after = history.slope_at(history.time[k]);
       constexpr double kRounding = 1e-9;
-      const bool jump = std::fabs(after - before) > kRounding * std::fabs(before);
+      // Where it turns back, as cycles do, a corner is meant.
+      const bool jump =
+          before * after >= 0.0 && std::fabs(after - before) > kRounding * std::fabs(before);
       if (jump && history.time[k] < facts.duration) ++jumps;
     }
     if (jumps <= kMeant) continue;

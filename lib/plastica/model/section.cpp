@@ -1,5 +1,6 @@
 #include "plastica/model/section.hpp"
 
+#include <algorithm>
 #include <array>
 #include <stdexcept>
 #include <string>
@@ -76,6 +77,12 @@ void check_section(const Section& section, const SourceLocation& where) {
   if (section.shear_coefficient) {
     require_positive(*section.shear_coefficient, where, "section.shear_coefficient");
   }
+}
+
+bool must_be_said(const SectionKind& kind, const Field& dimension) {
+  const bool some =
+      std::ranges::any_of(kind.dimensions(), [&](const Field& field) { return kind.needs(field); });
+  return !some || kind.needs(dimension);
 }
 
 }  // namespace plastica

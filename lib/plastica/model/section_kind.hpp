@@ -106,6 +106,10 @@ class SectionKind {
   virtual std::vector<SectionWall> walls(const Section& /*section*/) const { return {}; }
 };
 
+/// Whether a file that says a shape must say one of its dimensions: all of them, or those without a
+/// default where some have one.
+bool must_be_said(const SectionKind& kind, const Field& dimension);
+
 /// All shapes, in the order of `SectionShape`.
 std::span<const SectionKind* const> section_kinds();
 

@@ -109,7 +109,8 @@ class ChainRecord {
   const History& shown_history() const;
   /// That of what ends a path at a time, or breaks the beam: of the first that grows there; where
   /// none does, the one above.
-  double growing_factor_at(double time) const;
+  double growing_factor_at(double time) const { return growing_history(time).at(time); }
+  const History& growing_history(double time) const;
 
   /// Force and moment of a support on the beam, and on what acts on the support itself.
   std::array<double, 6> reaction(const Work& w, std::size_t support) const;
@@ -259,12 +260,12 @@ const History& ChainRecord<L, kElastic>::shown_history() const {
 }
 
 template <class L, bool kElastic>
-double ChainRecord<L, kElastic>::growing_factor_at(double time) const {
+const History& ChainRecord<L, kElastic>::growing_history(double time) const {
   const double before = solve::just_before(time);
   const auto* growing = first_history(model_->scene, [&](const History& history) {
     return history.factor.size() > 1 && grows(history, before);
   });
-  return growing != nullptr ? growing->at(time) : factor_at(time);
+  return growing != nullptr ? *growing : shown_history();
 }
 
 template <class L, bool kElastic>

@@ -138,8 +138,9 @@ void ChainRunner<L, kElastic>::finish() {
   response.limit = continuation_->limit();
   body_.finish_axial(response);
   if (response.limit) {
-    response.limit->below = body_.record.growing_factor_at(response.limit->below);
-    response.limit->above = body_.record.growing_factor_at(response.limit->above);
+    const History& grows = body_.record.growing_history(response.limit->below);
+    response.limit->below = grows.at(response.limit->below);
+    response.limit->above = grows.at(response.limit->above);
     note_limit_mode(*response.limit);
   }
   if (!continuation_->critical().empty()) {

@@ -7,10 +7,20 @@
 #include "plastica/chain/support_axes.hpp"
 #include "plastica/model/beam_axis.hpp"
 #include "plastica/model/check_parts.hpp"
+#include "plastica/model/shared_moments.hpp"
 
 namespace plastica {
 
 void check_support_axes(const Scene& scene, const chain::Layout& layout) {
+  for (std::size_t i = 0; i < scene.loads.size(); ++i) {
+    Scene alone = scene;
+    alone.loads = {scene.loads[i]};
+    if (!scene.loads[i].follows || !model_detail::shares_moments(alone, layout.ends)) continue;
+    throw InputError(
+        {}, model_detail::item_name("load", i, ".moment"), "",
+        "follows the beam where a rotational spring holds it within: the spring takes a "
+        "share of the moment that does not follow; move one of them by a segment");
+  }
   // A rigid clamp holds about the world's axes.
   const bool half = layout.end_rule == EndRule::HalfJoint;
   for (std::size_t i = 0; i < scene.supports.size(); ++i) {

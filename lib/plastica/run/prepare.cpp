@@ -67,7 +67,7 @@ std::shared_ptr<const ChainModel> prepare_chain(const Scene& scene, const Solver
   chain->level = checked.level.level;
   chain->across = checked.level.bending == BendingAxis::X ? 1 : 0;
   chain->layout = chain::make_layout(scene, std::move(checked.ends), yields_about(checked.level));
-  if (chain->level == Level::Spatial) check_support_axes(scene, chain->layout);
+  check_support_axes(scene, chain->layout);
   set_cuts(checked.cuts, *chain);
   set_stops(*chain);
   set_frames(*chain);

@@ -90,7 +90,7 @@ TEST(Units, TellFrequenciesFromAngularVelocities) {
   for (const char* unit : {"rad/s", "rpm", "deg/s", "s"}) {
     EXPECT_THROW(unit_conversion(unit, Dimension::Frequency), InputError) << unit;
   }
-  for (const char* unit : {"Hz", "kHz", "hertz"}) {
+  for (const char* unit : {"Hz", "kHz", "hertz", "Hertz", "HERTZ", "Bq"}) {
     EXPECT_THROW(unit_conversion(unit, Dimension::AngularVelocity), InputError) << unit;
   }
   EXPECT_EQ(message_from<InputError>([] { parse_quantity("5 rad/s", Dimension::Frequency); }),
@@ -109,10 +109,13 @@ TEST(Units, ConvertWhatMotionsHave) {
 
 /// What udunits2 makes a factor or an offset of: "MPa 2" is no unit of ours.
 TEST(Units, HaveNoFactorsAndNoOffsets) {
-  for (const char* unit : {"GPa 5%", "GPa (5)", "GPa @ 20", "GPa from 20", "GPa 2", "MPa.2",
-                           "2 MPa", "MPa %", "MPa*2", "MPa/2", "MPa since 2"}) {
+  for (const char* unit : {"GPa 5%", "GPa (5)", "GPa @ 20", "GPa 2", "MPa.2", "2 MPa", "MPa %",
+                           "MPa*2", "MPa/2", "MPa since 2"}) {
     EXPECT_THROW(unit_conversion(unit, Dimension::Stress), InputError) << unit;
     EXPECT_FALSE(is_unit(unit)) << unit;
+  }
+  for (const char* unit : {"GPa from20", "GPa pi", "GPa ppm", "GPa deg", "GPa °"}) {
+    EXPECT_THROW(unit_conversion(unit, Dimension::Stress), InputError) << unit;
   }
   for (const char* unit : {"N/mm^2", "N/mm2", "N mm-2", "N mm**-2", "N mm^-2", "N/mm²"}) {
     EXPECT_EQ(scale(unit, Dimension::Stress), 1e6) << unit;

@@ -91,6 +91,12 @@ TEST(SupportAxes, OfHeldRotationsAreTheWorlds) {
 TEST(SupportAxes, ThatLieSkewAreRefused) {
   const std::string skew = "['0 m', '0.6 m', '0.5 m']";
   const std::string round = "shape = 'circle', radius = '10 mm'";
+  // In a plane stability out of it would see half of what is held.
+  EXPECT_TRUE(message_of([&] {
+                (void)run_beam("['0 m', '0.6 m', '0.6 m']",
+                               "[[support]]\nat = 'end'\nkind = 'clamp'\nhold = ['x', 'ry']\n"
+                               "[[load]]\nat = 'end'\nforce = ['0 N', '-1 N', '0 N']\n");
+              }).find("lie skew") != std::string::npos);
   const std::string out = "[[load]]\nat = 'end'\nforce = ['1 N', '0 N', '0 N']\n";
   const auto refusal = [&](const std::string& support) {
     return message_of(
@@ -157,6 +163,66 @@ TEST(SupportAxes, MomentsAtSpringsAreSharedAboutEachAxisAndBetweenRegions) {
     EXPECT_NEAR(response.probes[0][1] / (-2.0 * bend / (bend + 600.0)), 1.0, tolerance(1e-5));
     EXPECT_NEAR(response.probes[1][1] / (-5.0 * twist / (twist + 800.0)), 1.0, tolerance(1e-5));
   }
+}
+
+/// A pin holds the twist of the beam, wherever it goes, by each end rule, and alone keeps none of
+/// its own motions from being found free.
+TEST(SupportAxes, APinsTwistIsAboutTheBeam) {
+  const std::string pinned =
+      "[[support]]\nat = 'end'\nkind = 'pin'\n"
+      "[[load]]\nat = 0.5\nforce = ['1 N', '0 N', '0 N']\n";
+  for (const std::string& rule : {std::string("half_joint"), std::string("equal")}) {
+    double along_z = 0.0;
+    for (const std::string& to :
+         {std::string("['0 m', '0 m', '0.8 m']"), std::string("['0 m', '0.8 m', '0 m']")}) {
+      const Response response =
+          run_beam(to, pinned + "[rules]\nend_rule = '" + rule + "'\nyield_model = 'elastic'\n" +
+                           probe("displacement", "x", "0.5"));
+      if (along_z == 0.0) along_z = response.probes[0][1];
+      EXPECT_NEAR(response.probes[0][1] / along_z, 1.0, 1e-9) << rule << to;
+    }
+  }
+  const auto start_pinned = [](const std::string& to) {
+    return message_of([&] {
+      const io::SceneFile file = io::parse_scene_file(
+          "[beam]\nshape = 'polyline'\npoints = [['0 m', '0 m', '0 m'], " + to +
+              "]\nsegments = 8\nmaterial = 'S355'\n[[support]]\nat = 'start'\nkind = 'pin'\n"
+              "[[support]]\nat = 'end'\nkind = 'clamp'\nhold = ['x', 'y', 'z']\n"
+              "[[load]]\nat = 0.5\nforce = ['1 N', '0 N', '0 N']\n",
+          "s.toml");
+      (void)simulate(file.setup.scene, file.setup.solver);
+    });
+  };
+  EXPECT_EQ(start_pinned("['0 m', '0 m', '0.8 m']"), "no error");
+  EXPECT_EQ(start_pinned("['0 m', '0.8 m', '0 m']"), "no error");
+  // And who holds it once more is refused.
+  EXPECT_EQ(message_of([&] {
+              (void)run_beam("['0 m', '0.8 m', '0 m']",
+                             pinned + "[[support]]\nat = 'end'\nkind = 'clamp'\nhold = ['ry']\n");
+            }),
+            "s.toml:20: support[3].at = end: support[2] holds ry at the same place");
+}
+
+/// Springs at the start add up: about x by one support, about z by another.
+TEST(SupportAxes, SpringsAtTheStartAddUp) {
+  const auto tip = [](const std::string& supports) {
+    const io::SceneFile file = io::parse_scene_file(
+        "[beam]\nlength = '0.8 m'\nsegments = 8\nmaterial = 'S355'\nsection = { shape = "
+        "'rectangle', width = '20 mm', height = '30 mm' }\n[rules]\nyield_model = 'elastic'\n"
+        "[solver]\nlevel = 'spatial'\nsteps = 1\n[[support]]\nat = 'start'\nkind = 'clamp'\n"
+        "hold = ['x', 'y', 'z']\n" +
+            supports +
+            "[[load]]\nat = 'end'\nforce = ['0.5 N', '1 N', '0 N']\n[[probe]]\nkind = "
+            "'displacement'\n",
+        "s.toml");
+    return simulate(file.setup.scene, file.setup.solver).probes[0][1];
+  };
+  const std::string spring = "[[support]]\nat = 'start'\nkind = 'elastic'\nrotational_stiffness = ";
+  const double apart = tip(spring + "['900 N m/rad', '0 N m/rad', '0 N m/rad']\n" + spring +
+                           "['0 N m/rad', '700 N m/rad', '800 N m/rad']\n");
+  EXPECT_EQ(apart, tip(spring + "['900 N m/rad', '700 N m/rad', '800 N m/rad']\n"));
+  const double exact = std::pow(kLength, 3) / (3.0 * kE * kAboutLong) + kLength * kLength / 900.0;
+  EXPECT_NEAR(apart / exact, 1.0, 0.01);
 }
 
 /// What a fit moves would move the shares.
