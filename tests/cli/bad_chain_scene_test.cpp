@@ -205,8 +205,9 @@ INSTANTIATE_TEST_SUITE_P(
             "ReportWithInteraction", "yield_model = 'interaction'", "formulas = 'report'",
             "6: rules.yield_model: must be per_axis (or elastic) with Wendelius' formulas, "
             "which clip each moment on its own"),
-        change_chain("TubeThatDoesNotFit", "shape = 'rectangle'", "shape = 'rectangular_tube'",
-                     "4: section.inner_width = 0.08: must be below section.width = 0.02"),
+        change_chain("TubeThatDoesNotFit", "shape = 'rectangle'",
+                     "shape = 'rectangular_tube', inner_width = '30 mm', inner_height = '10 mm'",
+                     "4: section.inner_width = 0.03: must be below section.width = 0.02"),
         change_chain("ReportWithHalfJoints", "yield_model = 'interaction'",
                      "yield_model = 'per_axis'\nformulas = 'report'\nend_rule = 'half_joint'",
                      "9: rules.end_rule = half_joint: Wendelius' report clamps its ends rigidly: "

@@ -151,8 +151,8 @@ TEST_F(SweepRunTest, KeepsAFailedCaseAsARowAndRunsItAgainWhenAsked) {
 TEST_F(SweepRunTest, MakesARejectedCaseARow) {
   const Sweep sweep = cantilever_sweep(
       "[[axis]]\nfield = 'section.shape'\nvalues = ['rectangle', 'round_tube']\n"
-      "[[axis]]\nfield = 'section.inner_radius'\nvalues = ['40 mm', '60 mm']\n[error]\n"
-      "probe = 'tip'\n");
+      "[[axis]]\nfield = 'section.inner_radius'\nvalues = ['40 mm', '60 mm']\n"
+      "[[axis]]\nfield = 'section.radius'\nvalues = ['50 mm']\n[error]\nprobe = 'tip'\n");
   const auto results = run_plainly(sweep);
   EXPECT_EQ(results[3].status, Status::Rejected);
   EXPECT_NE(results[3].reason.find("section.inner_radius"), std::string::npos);
