@@ -12,9 +12,10 @@
 #include <mutex>
 #include <numbers>
 #include <optional>
-#include <span>
 #include <stdexcept>
 #include <utility>
+
+#include "plastica/io/unit_words.hpp"
 
 namespace plastica::io {
 namespace {
@@ -25,8 +26,6 @@ std::string_view without_blanks(std::string_view text) {
   if (first == std::string_view::npos) return {};
   return text.substr(first, text.find_last_not_of(kBlanks) - first + 1);
 }
-
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
 /// Why a unit is refused.
 enum class Refusal { None, Unknown, BareNumber };
@@ -97,8 +96,6 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 21> kSpellin
     {"SEC", "s"},
 }};
 
-bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; }
-
 /// Whether a number in a text is zero. As a factor it makes no unit, and udunits2 loses the memory
 /// of the word that follows it.
 bool has_zero(std::string_view text) {
@@ -113,64 +110,6 @@ bool has_zero(std::string_view text) {
     text.remove_prefix(std::max<std::size_t>(static_cast<std::size_t>(end - text.data()), 1));
   }
   return false;
-}
-
-/// Whether a unit has a number that is no power, a percent sign within, or an offset. To
-/// udunits2 "MPa 2" and "MPa (2)" are twice as much, "MPa @ 20" begins at 20 MPa, and "GPa 5%" is a
-/// twentieth: slips, in our files.
-bool has_factor(std::string_view text) {
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    const char c = text[i];
-    if (c == '@' || (c == '%' && i > 0)) return true;
-    if (!is_digit(c)) continue;
-    if (i == 0) {
-      // That of "1/s".
-      if (text.substr(0, 2) == "1/") continue;
-      return true;
-    }
-    std::size_t before = i - 1;
-    const bool is_signed = (text[before] == '-' || text[before] == '+') && before > 0;
-    if (is_signed) --before;
-    const char last = text[before];
-    const bool is_power = is_letter(last) || is_digit(last) || last == '^' ||
-                          (last == '*' && before > 0 && text[before - 1] == '*');
-    if (!is_power) return true;
-  }
-  return false;
-}
-
-bool is_angular(Dimension dimension) {
-  return dimension == Dimension::Curvature || dimension == Dimension::RotationalStiffness ||
-         dimension == Dimension::AngularVelocity;
-}
-
-/// Whether a unit has a word that is a number to udunits2 and none to us: "GPa deg" is no stress.
-/// Angles are in units of what turns alone; a frequency is never an angular velocity.
-bool has_wrong_word(std::string_view text, Dimension dimension) {
-  constexpr std::array<std::string_view, 7> kNumbers{"pi",    "ppm",     "ppb", "ppv",
-                                                     "dozen", "percent", "mole"};
-  constexpr std::array<std::string_view, 9> kAngles{"deg",     "degree", "degrees", "rad", "radian",
-                                                    "radians", "arcmin", "arcsec",  "turn"};
-  constexpr std::array<std::string_view, 3> kFrequencies{"hz", "hertz", "bq"};
-  const auto is_among = [](std::string_view word, std::span<const std::string_view> words) {
-    return std::ranges::find(words, word) != words.end();
-  };
-  for (std::size_t i = 0; i < text.size();) {
-    std::size_t length = 0;
-    while (i + length < text.size() && is_letter(text[i + length])) ++length;
-    const std::string_view word = text.substr(i, length);
-    std::string low(word);
-    for (char& c : low) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-    if (is_among(word, kNumbers) || (is_among(word, kAngles) && !is_angular(dimension)))
-      return true;
-    const bool frequency =
-        std::ranges::any_of(kFrequencies, [&](std::string_view f) { return low.ends_with(f); });
-    if (frequency && dimension == Dimension::AngularVelocity) return true;
-    i += std::max<std::size_t>(length, 1);
-  }
-  constexpr std::string_view kDegree = "°";
-  return !is_angular(dimension) && dimension != Dimension::Temperature &&
-         text.find(kDegree) != std::string_view::npos;
 }
 
 /// A unit in the spelling of udunits2.
