@@ -344,6 +344,12 @@ INSTANTIATE_TEST_SUITE_P(
                 "fit.toml:8: target[1].material.youngs_modulus = 200 GPa: is a parameter of the "
                 "fit, which gives all targets its value: say it in fit.parameters, or leave it out "
                 "there"),
+        bad_fit(
+            "ParameterInTheBeamOfATarget", "scene = \"bar.toml\"",
+            "scene = \"bar.toml\"\nbeam = { material = { youngs_modulus = \"200 GPa\" } }",
+            "fit.toml:8: target[1].beam.material.youngs_modulus = 200 GPa: is a parameter of the "
+            "fit, which gives all targets its value: say it in fit.parameters, or leave it out "
+            "there"),
         bad_fit("UnknownKey", "[fit]\n", "[fit]\nobjektive = \"path\"\n",
                 "fit.toml:2: fit.objektive…"),
         bad_fit("UnknownObjective", "[fit]\n", "[fit]\nobjective = \"squares\"\n",

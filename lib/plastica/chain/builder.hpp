@@ -90,7 +90,7 @@ class Builder {
   }
 
   /// Which rotations a support holds, about the axes of the joint at a node; as the scene names
-  /// them where these lie skew, which `check_support_axes` refuses in space.
+  /// them where these lie skew, which `check_support_axes` refuses.
   HeldFreedoms held_at(const Support& support, std::size_t node) const {
     HeldFreedoms held = support.held();
     if (const auto own = held_rotations(support, layout_.joint_frame[node])) {

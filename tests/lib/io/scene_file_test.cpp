@@ -233,6 +233,17 @@ TEST(SceneFileErrors, ASectionThatLacksADimensionIsRefused) {
             "s.toml:2: section.width: is missing: shape = \"rectangle\" needs it");
   EXPECT_EQ(refusal("shape = 'circle'\n"),
             "s.toml:2: section.radius: is missing: shape = \"circle\" needs it");
+  // A region has the beam's shape, of which it need say what differs alone.
+  const auto region = [](const std::string& section) {
+    return message_of([&] {
+      (void)parse_scene_file(
+          kChain + "[[region]]\nfrom = 0.5\nto = 1.0\nsection = { " + section + " }\n", "s.toml");
+    });
+  };
+  EXPECT_EQ(region("width = '20 mm'"), "no error");
+  EXPECT_TRUE(region("shape = 'circle'")
+                  .ends_with("section.radius: is missing: shape = \"circle\" "
+                             "needs it"));
 }
 
 TEST(SceneFile, TakesANamedMaterialAsTheBase) {

@@ -165,6 +165,24 @@ TEST(SupportAxes, MomentsAtSpringsAreSharedAboutEachAxisAndBetweenRegions) {
   }
 }
 
+/// The spring's share of a moment would stand still while the rest follows.
+TEST(SupportAxes, AMomentThatFollowsAtASpringIsRefused) {
+  const auto with = [](const std::string& at) {
+    return message_of([&] {
+      (void)run_beam("['0 m', '0 m', '0.8 m']",
+                     "[[support]]\nat = 0.5\nkind = 'elastic'\n"
+                     "rotational_stiffness = ['9 N m/rad', '0 N m/rad', '0 N m/rad']\n"
+                     "[[load]]\nat = " +
+                         at + "\nmoment = ['1 N m', '0 N m', '0 N m']\nfollows = true\n");
+    });
+  };
+  EXPECT_EQ(
+      with("0.5"),
+      "load[1].moment: follows the beam where a rotational spring holds it within: the spring "
+      "takes a share of the moment that does not follow; move one of them by a segment");
+  EXPECT_EQ(with("0.625"), "no error");
+}
+
 /// A pin holds the twist of the beam, wherever it goes, by each end rule, and alone keeps none of
 /// its own motions from being found free.
 TEST(SupportAxes, APinsTwistIsAboutTheBeam) {
