@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "calibrate/target/characteristics.hpp"
+
 namespace plastica::calibrate {
 
 BreakFound broken_after(const Curve& curve, std::size_t last, Loading loading, const char* rule) {

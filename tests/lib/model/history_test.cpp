@@ -99,7 +99,7 @@ TEST(History, SplineOfACubicIsThatCubic) {
     std::vector<double> time(rows.begin(), rows.begin() + static_cast<std::ptrdiff_t>(count));
     std::vector<double> factor;
     for (const double t : time) factor.push_back(function(t));
-    const History spline = History::spline(time, factor);
+    History spline = History::spline(time, factor);
     for (double t = time.front(); t < time.back(); t += 0.0173) {
       EXPECT_NEAR(spline.at(t), function(t), 1e-13) << count << " at " << t;
     }
