@@ -11,8 +11,8 @@ namespace plastica::calibrate {
 /// How one algorithm alone searches.
 struct AlgorithmOptions {
   std::string_view name;  ///< of `algorithm_names()`, but "auto" and "gauss-newton"
-  int evaluations =
-      200;  ///< largest number of points, those of slopes included; at least 2 (n + 1)
+  /// Largest number of points, those of slopes included; at least 2 (n + 1).
+  int evaluations = 200;
   double tolerance = 1e-9;
   std::uint64_t seed = 1;
 };

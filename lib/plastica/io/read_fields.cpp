@@ -174,6 +174,16 @@ void read_material(const TomlValue& value, Setup& setup) {
   }
 }
 
+void refuse_missing_dimensions(const TomlValue& section, const Section& read) {
+  const SectionKind& kind = section_kind(read);
+  const TomlTable table = section.table();
+  for (const Field& field : kind.dimensions()) {
+    if (table.contains(key_of(field)) || !must_be_said(kind, field)) continue;
+    throw InputError(section.where(), std::string(field.path), "",
+                     "is missing: shape = \"" + std::string(kind.word()) + "\" needs it");
+  }
+}
+
 void read_section(const TomlValue& value, Setup& setup) {
   Section& section = setup.scene.section;
   const auto profile = value.is_string() ? value : value.table().find("profile");
@@ -194,13 +204,7 @@ void read_section(const TomlValue& value, Setup& setup) {
   const SectionKind& kind = section_kind(section);
   refuse_others(table, "shape", section_kinds(), kind,
                 [](const SectionKind& k) { return k.dimensions(); });
-  if (&kind == &before) return;
-  for (const Field& field : kind.dimensions()) {
-    const std::string_view key = key_of(field);
-    if (table.contains(key) || !must_be_said(kind, field)) continue;
-    throw InputError(value.where(), "section." + std::string(key), "",
-                     "is missing: shape = \"" + std::string(kind.word()) + "\" needs it");
-  }
+  if (&kind != &before) refuse_missing_dimensions(value, section);
 }
 
 std::vector<std::string> paths_said(const TomlValue& value, const std::string& part) {

@@ -22,6 +22,9 @@ void read_part(const TomlTable& table, std::string_view prefix, Setup& setup);
 /// Reads a material: the name of one, or a table of fields with a `name` as their base.
 void read_material(const TomlValue& value, Setup& setup);
 
+/// Refuses a section that lacks a dimension of its shape. @throws InputError
+void refuse_missing_dimensions(const TomlValue& section, const Section& read);
+
 /// Reads a section: the name of a profile, or a table of fields, or of a `profile` alone.
 /// @throws InputError if a shape that has no defaults lacks a dimension
 void read_section(const TomlValue& value, Setup& setup);

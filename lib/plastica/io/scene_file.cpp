@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <filesystem>
-#include <span>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -100,18 +99,13 @@ void read_setup(const TomlTable& root, Setup& setup) {
 void check_section_is_whole(const TomlTable& root, const Setup& setup) {
   const auto section = part_of_beam(root, "section");
   if (!section || section->is_string() || section->table().contains("profile")) return;
-  const SectionKind& kind = section_kind(setup.scene.section);
   const TomlTable table = section->table();
   const auto is_said = [&](const Field& field) {
     return table.contains(field.path.substr(std::string_view("section.").size()));
   };
-  const std::span<const Field> dimensions = kind.dimensions();
+  const auto dimensions = section_kind(setup.scene.section).dimensions();
   if (!table.contains("shape") && std::ranges::none_of(dimensions, is_said)) return;
-  for (const Field& field : dimensions) {
-    if (is_said(field) || !must_be_said(kind, field)) continue;
-    throw InputError(section->where(), std::string(field.path), "",
-                     "is missing: shape = \"" + std::string(kind.word()) + "\" needs it");
-  }
+  refuse_missing_dimensions(*section, setup.scene.section);
 }
 
 SceneFile parse_scene_file(std::string text, std::string name) {

@@ -39,8 +39,7 @@ bool is_angular(Dimension dimension) {
 }  // namespace
 
 bool has_wrong_word(std::string_view text, Dimension dimension) {
-  constexpr std::array<std::string_view, 7> kNumbers{"pi",    "ppm",     "ppb", "ppv",
-                                                     "dozen", "percent", "mole"};
+  constexpr std::array<std::string_view, 6> kNumbers{"pi", "ppm", "ppb", "ppv", "dozen", "percent"};
   constexpr std::array<std::string_view, 9> kAngles{"deg",     "degree", "degrees", "rad", "radian",
                                                     "radians", "arcmin", "arcsec",  "turn"};
   constexpr std::array<std::string_view, 3> kFrequencies{"hz", "hertz", "bq"};

@@ -8,17 +8,20 @@
 
 namespace plastica::model_detail {
 
-bool shares_moments(const Scene& scene, std::span<const double> ends) {
+bool shares_moment(const Scene& scene, const Load& load, std::span<const double> ends) {
   constexpr std::array<double, 3> kNone{};
   constexpr double kSamePlace = 1e-9;  // as chain/builder.hpp has it
-  return std::ranges::any_of(scene.supports, [&](const Support& support) {
-    if (support.to || support.rotational_stiffness == kNone) return false;
-    const double at = fraction_of(support.at, ends);
-    return at > 0.0 && at < 1.0 && std::ranges::any_of(scene.loads, [&](const Load& load) {
-             return !load.to && load.moment != kNone &&
-                    std::fabs(fraction_of(load.at, ends) - at) < kSamePlace;
-           });
-  });
+  if (load.to || load.moment == kNone) return false;
+  const double at = fraction_of(load.at, ends);
+  return at > 0.0 && at < 1.0 && std::ranges::any_of(scene.supports, [&](const Support& support) {
+           return !support.to && support.rotational_stiffness != kNone &&
+                  std::fabs(fraction_of(support.at, ends) - at) < kSamePlace;
+         });
+}
+
+bool shares_moments(const Scene& scene, std::span<const double> ends) {
+  return std::ranges::any_of(scene.loads,
+                             [&](const Load& load) { return shares_moment(scene, load, ends); });
 }
 
 }  // namespace plastica::model_detail

@@ -13,9 +13,8 @@ namespace plastica {
 
 void check_support_axes(const Scene& scene, const chain::Layout& layout) {
   for (std::size_t i = 0; i < scene.loads.size(); ++i) {
-    Scene alone = scene;
-    alone.loads = {scene.loads[i]};
-    if (!scene.loads[i].follows || !model_detail::shares_moments(alone, layout.ends)) continue;
+    const Load& load = scene.loads[i];
+    if (!load.follows || !model_detail::shares_moment(scene, load, layout.ends)) continue;
     throw InputError(
         {}, model_detail::item_name("load", i, ".moment"), "",
         "follows the beam where a rotational spring holds it within: the spring takes a "
