@@ -100,7 +100,7 @@ int print_dry_run(const sweeps::Sweep& sweep, const std::string& output) {
       static_cast<double>(response_size(model).bytes()) / 1e6);
   say("  compared: {}{}{}\n", sweep.quantity.name,
       sweep.against.kind == sweeps::AgainstKind::Nothing ? "" : " against ",
-      sweeps::words_of(sweep.against));
+      sweeps::words_of(sweep.against, sweep.quantity));
   say("nothing was run; the result would be {}\n", output);
   return kDone;
 }

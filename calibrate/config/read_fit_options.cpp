@@ -7,6 +7,7 @@
 #include "calibrate/config/read_parameters.hpp"
 #include "calibrate/result/words.hpp"
 #include "calibrate/search/optimizer.hpp"
+#include "plastica/io/read_fields.hpp"
 #include "plastica/io/scene_file.hpp"
 
 namespace plastica::calibrate {
@@ -93,6 +94,9 @@ std::vector<Law> read_laws(const TomlValue& value) {
 FitOptions read_fit_options(const TomlTable& root) {
   FitOptions options;
   io::read_setup(root, options.setup);
+  if (const auto material = io::part_of_beam(root, "material")) {
+    options.stated = io::paths_said(*material, "material");
+  }
   const auto fit = root.find_table("fit");
   if (!fit) {
     options.parameters = default_parameters();

@@ -50,8 +50,8 @@ std::optional<double> held_value(const Parameter& held, const SceneFitRecord& re
   return std::nullopt;
 }
 
-/// Takes what the fit's file says of the material besides its parameters: what is not the
-/// default's, and Young's modulus, which a fit to normal stresses was told where it did not fit it.
+/// Takes what the fit was told of the material besides its parameters: what its file says, what is
+/// not the default's, and Young's modulus of a fit to normal stresses.
 void take_stated(const FitRecord& record, const FitOptions& options, FittedScene& fitted) {
   const Setup defaults;
   Setup out{fitted.scene, {}};
@@ -64,7 +64,10 @@ void take_stated(const FitRecord& record, const FitOptions& options, FittedScene
     const FieldValue stated = field.get(options.setup);
     const bool is_told = field.path == "material.youngs_modulus" &&
                          record.target.test != Test::Torsion && !options.parameters.empty();
-    if (!is_told && stated == field.get(defaults)) continue;
+    const bool is_said = std::ranges::any_of(options.stated, [&](const std::string& said) {
+      return said == field.path || said == "material";
+    });
+    if (!is_told && !is_said && stated == field.get(defaults)) continue;
     if (stated == field.get(out)) continue;
     field.set(out, stated);
     const auto* number = std::get_if<double>(&stated);

@@ -297,7 +297,8 @@ double SceneSearch::rescale(std::vector<TargetNoise> noise) {
   return change;
 }
 
-/// Weights targets by the noise that they turn out to have.
+/// Weights targets by the noise that they turn out to have. The last search is with the weights that
+/// stand in the result, so that its values are their minimum.
 void SceneSearch::settle_noise() {
   for (int round = 0;; ++round) {
     const SceneErrors errors(problem_, best_.x, best_.residual);
@@ -306,12 +307,14 @@ void SceneSearch::settle_noise() {
         rescale(noise_of_targets(problem_, costs(), degrees_left_, problem_.noise()));
     const bool alone =
         problem_.targets().size() == 1 && problem_.squares().residuals == problem_.samples();
-    if (knows_noise_ || alone || change < kSameNoise || round == kMaxRounds) return;
+    if (knows_noise_ || alone) return;
     const std::string stage = "weights " + std::to_string(round);
     LeastSquares again = search_from(stage, {best_.x}, options_.evaluations).front().found;
-    if (again.outcome == LeastSquaresOutcome::NoStart) continue;
-    best_ = std::move(again);
-    pass_kinks("kinks of " + stage);
+    if (again.outcome != LeastSquaresOutcome::NoStart) {
+      best_ = std::move(again);
+      pass_kinks("kinks of " + stage);
+    }
+    if (change < kSameNoise || round == kMaxRounds) return;
   }
 }
 

@@ -133,6 +133,7 @@ void write_options(io::Hdf5Group& group, const FitOptions& options) {
   io::Hdf5Group parameters = group.group("parameters");
   write_parameters(parameters, options.parameters);
   io::write_setup(group, options.setup);
+  group.write_texts("stated", options.stated);
 }
 
 FitOptions read_options(const io::Hdf5Group& group, int version) {
@@ -158,6 +159,7 @@ FitOptions read_options(const io::Hdf5Group& group, int version) {
                        count("bootstrap_specimens")};
   options.parameters = read_parameters(group.open_group("parameters"), version);
   io::read_setup(group, options.setup);
+  if (version >= 10) options.stated = group.read_texts("stated");
   return options;
 }
 

@@ -18,7 +18,8 @@ struct ClosedForm {
   /// @throws InputError without a place if the scene or the quantity is not one it holds for
   std::vector<double> (*values)(const Setup& setup, const Quantity& quantity,
                                 std::span<const double> time);
-  bool at_end = false;  ///< of the state at the end of the run, to which it must have come
+  bool at_end = false;      ///< of the state at the end of the run, to which it must have come
+  bool in_bending = false;  ///< of a beam that bends and does not shear
 };
 
 /// All closed forms, by name.

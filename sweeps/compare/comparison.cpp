@@ -10,6 +10,19 @@
 namespace plastica::sweeps {
 namespace {
 
+/// Says where cases shear, and what they are compared with does not.
+void note_shear(const CaseTable& cases, const ClosedForm& form, Comparison& comparison) {
+  if (!form.in_bending) return;
+  for (std::size_t i = 0; i < cases.size(); ++i) {
+    if (cases.setup(i).solver.translation != JointTranslation::Elastic) continue;
+    comparison.notes.push_back(
+        "the closed form does not shear: the error of cases with solver.translation = \"elastic\" "
+        "is "
+        "the shear's, too");
+    return;
+  }
+}
+
 /// A stored reference: its whole curve, or what the sweep takes of it.
 void with_file(const Sweep& sweep, std::size_t cases, Comparer& comparer) {
   const Against& against = sweep.against;
@@ -33,6 +46,7 @@ Comparison compare(const Sweep& sweep, const CaseTable& cases,
     case AgainstKind::Theory: {
       const ClosedForm& form = find_closed_form(sweep.against.name);
       for (std::size_t i = 0; i < results.size(); ++i) comparer.with_theory(i, form);
+      note_shear(cases, form, comparer.out());
       break;
     }
     case AgainstKind::File: with_file(sweep, results.size(), comparer); break;

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -30,6 +31,24 @@ Values tip_value(const Setup& setup, const Quantity& quantity, const theory::Ela
   return {-sign * tip.slope};
 }
 
+/// The largest size of the load's factor over that at the end; of a load that ends at nothing, 1.
+double most_of_run(const Setup& setup) {
+  const Scene& scene = setup.scene;
+  const History& history = scene.loads.empty() ? scene.gravity_history : scene.loads[0].history;
+  const double last = std::abs(history.at(end_time(setup)));
+  return last == 0.0 ? 1.0 : largest_factor(history, setup) / last;
+}
+
+/// The largest size of the moment along a beam under a small load.
+double largest_moment(const theory::BeamCase& beam) {
+  double largest = std::abs(theory::beam_moment(beam, beam.load.position * (1.0 - 1e-12)));
+  constexpr int kPlaces = 400;
+  for (int i = 0; i <= kPlaces; ++i) {
+    largest = std::max(largest, std::abs(theory::beam_moment(beam, beam.length * i / kPlaces)));
+  }
+  return largest;
+}
+
 Values elastica(const Setup& setup, const Quantity& quantity, std::span<const double> /*time*/) {
   const Cantilever beam = cantilever_of(setup);
   const bool across = beam.force[0] == 0.0 && beam.force[2] == 0.0 && beam.force[1] != 0.0 &&
@@ -38,7 +57,9 @@ Values elastica(const Setup& setup, const Quantity& quantity, std::span<const do
   const double size = std::abs(beam.force[1]);
   const double load = size * beam.length * beam.length / beam.bending_stiffness;
   require_scene(load <= 1e4, "is for P L^2/(E I) up to 1e4");
-  return tip_value(setup, quantity, theory::elastica_tip_force(load), beam.force[1] / size);
+  const theory::ElasticaTip tip = theory::elastica_tip_force(load);
+  require_elastic(setup, most_of_run(setup) * size * tip.position * beam.length);
+  return tip_value(setup, quantity, tip, beam.force[1] / size);
 }
 
 Values elastica_moment(const Setup& setup, const Quantity& quantity,
@@ -48,6 +69,7 @@ Values elastica_moment(const Setup& setup, const Quantity& quantity,
                        beam.moment[1] == 0.0 && beam.moment[2] == 0.0;
   require_scene(about_x, "is for a tip moment about x");
   const double size = std::abs(beam.moment[0]);
+  require_elastic(setup, most_of_run(setup) * size);
   const auto tip = theory::elastica_tip_moment(size * beam.length / beam.bending_stiffness);
   return tip_value(setup, quantity, tip, -beam.moment[0] / size);
 }
@@ -85,6 +107,7 @@ Values lumped_chain(const Setup& setup, const Quantity& quantity,
   require_scene(probe.quantity == ProbeQuantity::Displacement && probe.component == Component::Y &&
                     is_at_end(probe.at, 1.0, setup),
                 "is for the displacement of the tip along y");
+  require_elastic(setup, most_of_run(setup) * largest_moment(bent.beam));
   const auto [convention, count] = chain_of(setup);
   // What each part of the load does to the continuous beam.
   const auto tip = [&](const theory::BeamLoad& part) {
@@ -116,6 +139,7 @@ Values beam(const Setup& setup, const Quantity& quantity, std::span<const double
            (sizes && largest_factor(history, setup) == std::abs(history.at(end_time(setup))))),
       "is for a probe at the end of the run, or its size where the load is largest there");
   const Probe& probe = scene.probes[quantity.probe];
+  require_elastic(setup, most_of_run(setup) * largest_moment(bent.beam));
   const double at = distance_of(probe.at, setup);
   const auto taken = [&](double value) { return Values{sizes ? std::abs(value) : value}; };
   if (probe.quantity == ProbeQuantity::Displacement && probe.component == Component::Y) {
@@ -172,20 +196,20 @@ std::span<const ClosedForm> elastic_forms() {
       ClosedForm{"elastica",
                  "cantilever under a tip force along y: tip displacement y, z, or rotation x; "
                  "displacements of any size",
-                 elastica, true},
+                 elastica, true, true},
       ClosedForm{"elastica_moment",
                  "cantilever that a tip moment about x rolls up: tip displacement y, z, or "
                  "rotation x",
-                 elastica_moment, true},
+                 elastica_moment, true, true},
       ClosedForm{"lumped_chain",
                  "the chain itself: tip displacement y of a cantilever of N segments under a small "
                  "tip force, tip moment, even load or weight",
-                 lumped_chain, true},
+                 lumped_chain, true, true},
       ClosedForm{
           "beam",
           "clamped, pinned and free beams under a point force, a moment, an even load or "
           "weight, small displacements: displacement, rotation, reaction, size of the moment",
-          beam, true},
+          beam, true, true},
       ClosedForm{"torsion",
                  "bar that is clamped and twisted at its end: rotation z; elastic, or a solid "
                  "circle beyond first yield",

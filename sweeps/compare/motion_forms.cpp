@@ -96,13 +96,13 @@ std::span<const ClosedForm> motion_forms() {
   static constexpr std::array kForms{
       ClosedForm{"cantilever_frequency",
                  "natural frequencies of a planar cantilever, with rotary inertia where it is on",
-                 cantilever_frequency},
+                 cantilever_frequency, false, true},
       ClosedForm{"torsion_frequency", "natural frequencies of a clamped bar that is only twisted",
                  torsion_frequency},
       ClosedForm{"released_cantilever",
                  "tip of a cantilever that is let go straight under gravity along y, over time; "
                  "small displacements, no rotary inertia",
-                 released_cantilever},
+                 released_cantilever, false, true},
   };
   return kForms;
 }

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "plastica/model/beam_axis.hpp"
+#include "plastica/model/check_value.hpp"
 #include "plastica/run/chain_model.hpp"
 #include "plastica/run/simulate.hpp"
 
@@ -123,6 +124,20 @@ BentBeam bent_beam_of(const Setup& setup) {
     bent.beam.load.moment = -factor * load.moment[0];  // turns the slope dy/dz up
   }
   return bent;
+}
+
+void require_elastic(const Setup& setup, double moment) {
+  const Scene& scene = setup.scene;
+  if (scene.yield_model == YieldModel::Elastic) return;
+  const bool at_cap =
+      scene.yield_model != YieldModel::Fibre && scene.yield_cap == YieldCap::FullyPlastic;
+  const auto section = section_properties(scene.section, scene.material.poisson_ratio);
+  const double modulus = at_cap ? section.plastic_section_modulus_x : section.section_modulus_x;
+  const double limit = scene.material.yield_stress * modulus;
+  require_scene(moment <= limit * (1.0 + 1e-9),
+                "is for a beam that stays elastic: this one yields at a moment of " +
+                    model_detail::figure(limit) + " N m, and the largest is " +
+                    model_detail::figure(moment) + " N m");
 }
 
 double largest_factor(const History& history, const Setup& setup) {

@@ -42,6 +42,10 @@ struct BentBeam {
 ///         held across at its end, with one load along y, one moment about x, or gravity along y
 BentBeam bent_beam_of(const Setup& setup);
 
+/// Refuses a beam that yields about x.
+/// @param moment  the largest of the run [N m], >= 0
+void require_elastic(const Setup& setup, double moment);
+
 /// The largest size of a history's factor up to the end of the run.
 double largest_factor(const History& history, const Setup& setup);
 

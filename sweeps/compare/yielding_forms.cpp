@@ -128,7 +128,7 @@ std::span<const ClosedForm> yielding_forms() {
       ClosedForm{"elastoplastic_cantilever",
                  "tip of a cantilever of rectangular section beyond first yield, or what stays of "
                  "it after release; small displacements",
-                 elastoplastic_cantilever, true},
+                 elastoplastic_cantilever, true, true},
       ClosedForm{"hinge_break", "rotation at which a plastic hinge breaks", hinge_break},
       ClosedForm{
           "uniaxial",

@@ -12,12 +12,14 @@ bool SweepRecord::has_errors() const {
                      [](const auto& error) { return error.has_value(); });
 }
 
-std::string words_of(const Against& against) {
+std::string words_of(const Against& against, const Quantity& quantity) {
   switch (against.kind) {
     case AgainstKind::Nothing: return "";
     case AgainstKind::Theory: return "theory:" + against.name;
     case AgainstKind::File: return "reference:" + against.name;
-    case AgainstKind::Value: return "value:" + model_detail::number_text(against.value);
+    case AgainstKind::Value:
+      return "value:" + model_detail::number_text(against.value) +
+             (quantity.unit == "1" ? "" : " " + quantity.unit);
     case AgainstKind::Finest: return "finest";
     case AgainstKind::Richardson: return "richardson";
   }
@@ -31,7 +33,7 @@ SweepRecord make_record(const Sweep& sweep, const CaseTable& cases, std::vector<
   record.scene_name = sweep.setup.scene.name;
   record.axes = sweep.axes;
   record.quantity = sweep.quantity;
-  record.against = words_of(sweep.against);
+  record.against = words_of(sweep.against, sweep.quantity);
   record.error_scale = sweep.error_scale;
   record.refined = sweep.refined;
   record.timed_runs = sweep.timed_runs;

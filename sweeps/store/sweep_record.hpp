@@ -40,7 +40,7 @@ struct SweepRecord {
 };
 
 /// The reference as a file has it: "theory:elastica".
-std::string words_of(const Against& against);
+std::string words_of(const Against& against, const Quantity& quantity);
 
 /// Puts together what is known of a sweep and its results; without meta.
 SweepRecord make_record(const Sweep& sweep, const CaseTable& cases, std::vector<std::string> ids,

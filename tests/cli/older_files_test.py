@@ -81,6 +81,7 @@ def give_old_roles(file):
         objective = options["objective"].asstr()[()]
         del options["objective"]
         options["objective"] = words.get(objective, objective)
+        del options["stated"]
     for name in ("objective", "stated_prior_squared"):
         if "outcome" in file["fits"]:  # through scenes
             del file["fits"][name]
@@ -266,7 +267,7 @@ class OlderFiles(unittest.TestCase):
         done = subprocess.run([COMMAND, "show", "older.h5"], cwd=self.folder, capture_output=True,
                               text=True)
         self.assertEqual(done.returncode, 2)
-        self.assertIn("older.h5: version = 2: must be 3 to 9, which this Plastica reads", done.stderr)
+        self.assertIn("older.h5: version = 2: must be 3 to 10, which this Plastica reads", done.stderr)
 
 
 if __name__ == "__main__":

@@ -221,6 +221,10 @@ class Builder {
     if (outer) plan.before = plan.length;
     plan.active = held;
     plan.node = joint.node;
+    if (layout_.has_corners) {
+      plan.axes_a = plan.axes_b =
+          axis_squares(layout_.joint_frame[joint.node], layout_.segment_frame[segment]);
+    }
     const SegmentRegions& regions = layout_.segment_regions[segment];
     plan.region_a = plan.region_b = outer ? regions.outer : regions.inner;
     build_.joints.push_back(plan);

@@ -53,68 +53,97 @@ S node_compliance(const JointPlan& plan, const S& spring, const std::array<S, 2>
   return own + (one + own / other) / acts;
 }
 
+/// kappa_x G A, kappa_y G A and EA of a region [N]
+template <class S>
+std::array<S, 3> shift_stiffness(const BeamRegion& region, const RegionNumbers<S>& numbers) {
+  const SectionProperties& p = region.properties;
+  return {numbers.shear_modulus * constant<S>(p.shear_coefficient_x * p.area),
+          numbers.shear_modulus * constant<S>(p.shear_coefficient_y * p.area),
+          numbers.stiffness[law::kAxial]};
+}
+
+/// Sets a joint's axial length and its stiffness across the beam.
+/// @param stiffness  `shift_stiffness` of each region (regions)
+template <class L, class S = typename L::Scalar>
+void set_shifts(const JointPlan& plan, const std::vector<std::array<S, 3>>& stiffness,
+                const View<L>& view, SectionJoint<L>& joint) {
+  constexpr std::size_t kAlong = 2;
+  const auto& of_a = stiffness[plan.region_a];
+  const auto& of_b = stiffness[plan.region_b];
+  const auto shears = [&](std::size_t axis) {
+    return any(of_a[axis] > constant<S>(0)) && any(of_b[axis] > constant<S>(0));
+  };
+  JointPlan shifts = plan;
+  // A section that is given by its numbers may not shear.
+  if (!shears(0) || !shears(1)) shifts.axes_a = shifts.axes_b = kSameAxes;
+  const bool alike = plan.region_a == plan.region_b && !shifts.turns(kAlong);
+  const auto give = [&](std::size_t axis) {
+    const auto parts = part_compliances(shifts, axis, kLengthsOfShifts, of_a, of_b);
+    return parts[0] + parts[1];
+  };
+  if (!alike) joint.length[law::kAxial] = joint.stiffness[law::kAxial] * give(kAlong);
+  joint.shear_stiffness = {};
+  for (std::size_t k = 0; k < L::kTranslations; ++k) {
+    const std::size_t axis = view.section_axes().translation(k);
+    if (axis == kAlong) continue;
+    joint.shear_stiffness[k] = alike || !shears(axis) ? stiffness[joint.law][axis]
+                                                      : joint.length[law::kAxial] / give(axis);
+  }
+}
+
 /// The numbers of a level's joints.
 ///
 /// Where two regions meet, one of them owns the joint (`owns_joint`): the joint has its law, lever
-/// and break limits, and in each component the stiffness of both lengths in a row:
-/// l_k = K_k (l_a/K_ak + l_b/K_bk).
+/// and break limits. In each component it gives way as both parts do in a row
+/// (`part_compliances`): l_k = K_k (c_ak + c_bk), l_a + l_b where both are alike and in line.
 /// @param materials  numbers of each region (regions)
 template <class L>
 std::vector<SectionJoint<L>> joint_numbers(
     const std::vector<JointPlan>& plans, const std::vector<BeamRegion>& regions,
     const std::vector<MaterialValues<typename L::Scalar>>& materials, const View<L>& view) {
   using S = typename L::Scalar;
+  using Numbers = std::array<S, 3>;
   std::vector<RegionNumbers<S>> numbers;
-  std::vector<typename L::Point> shear;
+  std::vector<Numbers> rotational, shifting;
   for (std::size_t p = 0; p < regions.size(); ++p) {
-    numbers.push_back(region_numbers(regions[p], materials[p]));
-    const SectionProperties& properties = regions[p].properties;
-    shear.push_back(numbers[p].shear_modulus *
-                    view.point({{properties.shear_coefficient_x * properties.area,
-                                 properties.shear_coefficient_y * properties.area, 0.0}}));
+    const RegionNumbers<S>& own = numbers.emplace_back(region_numbers(regions[p], materials[p]));
+    rotational.push_back({own.stiffness[0], own.stiffness[1], own.stiffness[2]});
+    shifting.push_back(shift_stiffness(regions[p], own));
   }
   std::vector<SectionJoint<L>> joints;
+  joints.reserve(plans.size());
   for (const JointPlan& plan : plans) {
     const std::size_t a = plan.region_a;
     const std::size_t b = plan.region_b;
     SectionJoint<L> joint;
     joint.stretches = plan.stretches;
     joint.law = owns_joint(a, b, numbers, view) ? a : b;
-    // The length of the owner's region that has the compliance of both.
-    const auto in_a_row = [&](std::size_t k, const S& own, const S& of_a, const S& of_b) {
-      return constant<S>(plan.before[k]) * own / of_a +
-             constant<S>(plan.length[k] - plan.before[k]) * own / of_b;
-    };
     // A half joint has the law of its own region.
     if (plan.half_of_node) joint.law = plan.is_before ? a : b;
     joint.stiffness = numbers[joint.law].stiffness;
     joint.axial_yield = numbers[joint.law].yield[law::kAxial];
+    // The length of the owner's region that gives way as much.
     for (std::size_t k = 0; k < law::kSectionAxes; ++k) {
-      joint.length[k] = a == b ? constant<S>(plan.length[k])
-                               : in_a_row(k, joint.stiffness[k], numbers[a].stiffness[k],
-                                          numbers[b].stiffness[k]);
+      joint.length[k] = constant<S>(plan.length[k]);
+    }
+    for (std::size_t axis = 0; axis < law::kAxial; ++axis) {
+      if (a == b && !plan.turns(axis)) continue;
+      const auto parts =
+          part_compliances(plan, axis, kLengthsOfRotations, rotational[a], rotational[b]);
+      joint.length[axis] = joint.stiffness[axis] * (parts[0] + parts[1]);
     }
     for (std::size_t k = 0; k < L::kRotations; ++k) {
       const std::size_t axis = view.section_axes().rotation(k);
-      const auto halves = std::array{
-          constant<S>(plan.before[axis]) / numbers[a].stiffness[axis],
-          constant<S>(plan.length[axis] - plan.before[axis]) / numbers[b].stiffness[axis]};
       if (plan.half_of_node || plan.node_spring[k] > 0.0) {
+        const auto parts =
+            part_compliances(plan, axis, kLengthsOfRotations, rotational[a], rotational[b]);
         joint.length[axis] =
-            joint.stiffness[axis] * node_compliance(plan, constant<S>(plan.node_spring[k]), halves);
+            joint.stiffness[axis] * node_compliance(plan, constant<S>(plan.node_spring[k]), parts);
       }
       joint.active[k] = constant<S>(plan.active[k] ? 1.0 : 0.0);
       joint.spring[k] = constant<S>(plan.spring[k]);
     }
-    joint.shear_stiffness = shear[joint.law];
-    if (a != b) {
-      for (std::size_t k = 0; k < L::kTranslations; ++k) {
-        const S own = joint.shear_stiffness[k];
-        if (!any(own > constant<S>(0))) continue;  // along the beam
-        const S length = in_a_row(law::kAxial, own, shear[a][k], shear[b][k]);
-        joint.shear_stiffness[k] = own * joint.length[law::kAxial] / length;
-      }
-    }
+    set_shifts(plan, shifting, view, joint);
     joints.push_back(joint);
   }
   return joints;

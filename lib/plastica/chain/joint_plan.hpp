@@ -1,6 +1,5 @@
 #pragma once
 
-#include <algorithm>
 #include <array>
 #include <cstddef>
 
@@ -8,6 +7,11 @@
 #include "plastica/model/material_field.hpp"
 
 namespace plastica::chain {
+
+/// How the axes of a segment lie to those of a joint: squares of the cosines, the joint's axis
+/// first.
+using AxisSquares = std::array<std::array<double, 3>, 3>;
+inline constexpr AxisSquares kSameAxes{{{1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {0.0, 0.0, 1.0}}};
 
 /// What a joint stands for; its law and numbers follow from the regions of the beam beside it.
 struct JointPlan {
@@ -20,12 +24,56 @@ struct JointPlan {
   std::array<double, 3> node_spring{};
   /// The joint is to the ground, of one half and that spring; lengths and regions are of both.
   bool half_of_node = false;
-  bool is_before = false;    ///< which half: that in region a
-  bool stretches = false;    ///< where joints do: whether this one stretches and shears
-  std::size_t node = 0;      ///< where it is
-  std::size_t region_a = 0;  ///< the regions that it joins
+  bool is_before = false;          ///< which half: that in region a
+  bool stretches = false;          ///< where joints do: whether this one stretches and shears
+  AxisSquares axes_a = kSameAxes;  ///< of the segment before a corner
+  AxisSquares axes_b = kSameAxes;  ///< of the segment beyond it
+  std::size_t node = 0;            ///< where it is
+  std::size_t region_a = 0;        ///< the regions that it joins
   std::size_t region_b = 0;
+
+  /// Whether segments meet at an angle there, and not about this axis.
+  bool turns(std::size_t axis) const {
+    return axes_a[axis] != kSameAxes[axis] || axes_b[axis] != kSameAxes[axis];
+  }
 };
+
+inline AxisSquares axis_squares(const Mat<double, 3, 3>& joint, const Mat<double, 3, 3>& segment) {
+  const Mat<double, 3, 3> cosines = transpose(joint) * segment;
+  AxisSquares squares{};
+  for (std::size_t k = 0; k < 3; ++k) {
+    for (std::size_t m = 0; m < 3; ++m) squares[k][m] = cosines(k, m) * cosines(k, m);
+    // The axis that they turn about.
+    if (squares[k][k] > 1.0 - 1e-12) squares[k] = kSameAxes[k];
+  }
+  return squares;
+}
+
+/// Which of a plan's lengths the parts about x, y, z have, and those along x, y, z.
+inline constexpr std::array<std::size_t, 3> kLengthsOfRotations{0, 1, 2};
+inline constexpr std::array<std::size_t, 3> kLengthsOfShifts{3, 3, 3};
+
+/// What the parts of a joint before and beyond its node give way by, per moment about or force
+/// along an axis of the joint [rad/(N m)], [m/N]. At a corner each part bends and twists about its
+/// own axes: sum_m c_km^2 l_m/K_m, c the cosines between these and the joint's. Of two parts of one
+/// length and section that is all: what couples two axes is of opposite sign in them.
+/// @param of_a, of_b  stiffness per length of the regions of both, about or along x, y, z
+template <class S>
+std::array<S, 2> part_compliances(const JointPlan& plan, std::size_t axis,
+                                  const std::array<std::size_t, 3>& lengths,
+                                  const std::array<S, 3>& of_a, const std::array<S, 3>& of_b) {
+  const auto before = [&](std::size_t m) { return constant<S>(plan.before[lengths[m]]) / of_a[m]; };
+  const auto beyond = [&](std::size_t m) {
+    return constant<S>(plan.length[lengths[m]] - plan.before[lengths[m]]) / of_b[m];
+  };
+  if (!plan.turns(axis)) return {before(axis), beyond(axis)};
+  std::array<S, 2> sum{constant<S>(0), constant<S>(0)};
+  for (std::size_t m = 0; m < 3; ++m) {
+    sum[0] = sum[0] + constant<S>(plan.axes_a[axis][m]) * before(m);
+    sum[1] = sum[1] + constant<S>(plan.axes_b[axis][m]) * beyond(m);
+  }
+  return sum;
+}
 
 /// The tributary lengths of the joint at the inner end of a segment.
 inline JointPlan joint_plan(const Layout& layout, std::size_t i) {
@@ -40,6 +88,10 @@ inline JointPlan joint_plan(const Layout& layout, std::size_t i) {
   joint.stretches = i > 0;
   joint.length.fill(layout.joint_length[i]);
   if (i > 0) joint.before.fill(layout.length_before[i]);
+  if (i > 0 && layout.has_corners) {
+    joint.axes_a = axis_squares(layout.joint_frame[i], layout.segment_frame[i - 1]);
+    joint.axes_b = axis_squares(layout.joint_frame[i], layout.segment_frame[i]);
+  }
   for (std::size_t k = 0; k < joint.length.size(); ++k) {
     if (first) joint.length[k] += layout.bare_half[0][k];
     if (first) joint.before[k] += layout.bare_half[0][k];
@@ -64,33 +116,33 @@ struct NodeShares {
 inline NodeShares node_shares(const Layout& layout, std::size_t node,
                               const std::array<double, 3>& spring) {
   const JointPlan plan = joint_plan(layout, node);
-  const auto stiffness = [&](std::size_t number) -> std::array<double, 6> {
+  using Numbers = std::array<double, 3>;
+  const auto stiffness = [&](std::size_t number) -> std::array<Numbers, 2> {
     const BeamRegion& region = layout.regions[number];
     const auto of = region_numbers(region, material_values(region.material));
     const double shear = of.shear_modulus * region.properties.area;
-    return {of.stiffness[0],
-            of.stiffness[1],
-            of.stiffness[2],
-            shear * region.properties.shear_coefficient_x,
-            shear * region.properties.shear_coefficient_y,
-            of.stiffness[3]};
+    return {Numbers{of.stiffness[0], of.stiffness[1], of.stiffness[2]},
+            Numbers{shear * region.properties.shear_coefficient_x,
+                    shear * region.properties.shear_coefficient_y, of.stiffness[3]}};
   };
   const bool springs = spring != std::array<double, 3>{};
-  std::array<double, 6> a{1.0, 1.0, 1.0, 1.0, 1.0, 1.0};
-  std::array<double, 6> b = a;
-  if (plan.region_a != plan.region_b || springs) {
+  // Of one region in a row only the lengths count.
+  const Numbers one{1.0, 1.0, 1.0};
+  std::array<Numbers, 2> a{one, one};
+  std::array<Numbers, 2> b = a;
+  if (plan.region_a != plan.region_b || springs || layout.has_corners) {
     a = stiffness(plan.region_a);
     b = stiffness(plan.region_b);
   }
   NodeShares shares;
-  for (std::size_t k = 0; k < 6; ++k) {
-    const std::size_t length = std::min<std::size_t>(k, 3);
-    const double before = plan.before[length] / a[k];
-    const double behind = (plan.length[length] - plan.before[length]) / b[k];
-    const double held = k < 3 ? spring[k] * before * behind : 0.0;
-    const double all = before + behind + held;
-    (k < 3 ? shares.rotational[k] : shares.shifting[k - 3]) = before / all;
-    if (k < 3) shares.spring[k] = held / all;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const auto [before, beyond] = part_compliances(plan, k, kLengthsOfRotations, a[0], b[0]);
+    const double held = spring[k] * before * beyond;
+    const double all = before + beyond + held;
+    shares.rotational[k] = before / all;
+    shares.spring[k] = held / all;
+    const auto [shift, shift_beyond] = part_compliances(plan, k, kLengthsOfShifts, a[1], b[1]);
+    shares.shifting[k] = shift / (shift + shift_beyond);
   }
   return shares;
 }

@@ -182,6 +182,7 @@ Layout make_layout(const Scene& scene, std::vector<double> ends,
   Layout layout;
   layout.ends = std::move(ends);
   layout.end_rule = resolved_end_rule(scene);
+  layout.has_corners = scene.beam.shape == BeamShape::Polyline;
   for (const double fraction : layout.ends) {
     const auto at = axis_point(scene.beam, fraction);
     layout.node.push_back({{at[0], at[1], at[2]}});

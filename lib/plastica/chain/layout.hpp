@@ -56,6 +56,9 @@ struct Layout {
   /// rotation. For stretch and shear: always. 0 where there is no need, or the end rule sees to it.
   std::array<std::array<double, 4>, 2> bare_half{};
   EndRule end_rule = EndRule::HalfJoint;  ///< never Auto
+  /// Of a polyline, whose segments are straight up to a corner. The chords of an arc are not, and
+  /// its joints follow it.
+  bool has_corners = false;
 
   std::vector<BeamRegion> regions;              ///< the scene's own, its regions', those of tapers
   std::vector<SegmentRegions> segment_regions;  ///< numbers of regions (N)

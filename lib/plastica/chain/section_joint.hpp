@@ -12,7 +12,8 @@
 namespace plastica::chain {
 
 /// Where the freedoms of a level's joints stand among the strains of a section law (curvature
-/// about x, about y, twist, axial). A planar chain bends about one axis only.
+/// about x, about y, twist, axial), and along which of its axes x, y, z the level shifts. A planar
+/// chain bends about one axis only.
 template <class L>
 struct SectionAxes;
 
@@ -20,6 +21,7 @@ template <class S>
 struct SectionAxes<Twist<S>> {
   static constexpr std::size_t kTwist = 2;
   std::size_t rotation(std::size_t /*k*/) const { return kTwist; }
+  std::size_t translation(std::size_t k) const { return k; }
   /// Calls `use` with the number of the first rotation's strain as a constant.
   template <class Use>
   void with_first(const Use& use) const {
@@ -31,6 +33,7 @@ template <class S>
 struct SectionAxes<Planar<S>> {
   std::size_t bending = 0;  ///< 0: about x, 1: about y
   std::size_t rotation(std::size_t /*k*/) const { return bending; }
+  std::size_t translation(std::size_t k) const { return k == kAxialShift ? 2 : 1 - bending; }
   template <class Use>
   void with_first(const Use& use) const {
     if (bending == 0) {
@@ -45,6 +48,7 @@ struct SectionAxes<Planar<S>> {
 template <class S>
 struct SectionAxes<Spatial<S>> {
   std::size_t rotation(std::size_t k) const { return k; }
+  std::size_t translation(std::size_t k) const { return k; }
   template <class Use>
   void with_first(const Use& use) const {
     use(std::integral_constant<std::size_t, 0>{});

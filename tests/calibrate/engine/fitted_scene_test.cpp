@@ -100,6 +100,24 @@ TEST(FittedScene, HasTheMaterialThatTheFitWasTold) {
   EXPECT_EQ(fitted_scene(scene, twisted, untold).scene.material.youngs_modulus, 200e9);
 }
 
+/// What the fit's file says holds, be it what a material has by default.
+TEST(FittedScene, HasWhatTheFitsFileSaysThoughItIsTheDefault) {
+  Scene scene = breakable_scene();
+  scene.material.poisson_ratio = 0.4;
+  scene.material.density = 2000.0;
+  FitOptions options;
+  const Material defaults = options.setup.scene.material;
+  const auto fitted = [&] {
+    return fitted_scene(scene, fit_of({yield()}), options).scene.material;
+  };
+  EXPECT_EQ(fitted().poisson_ratio, 0.4);
+  options.stated = {"material.poisson_ratio"};
+  EXPECT_EQ(fitted().poisson_ratio, defaults.poisson_ratio);
+  EXPECT_EQ(fitted().density, 2000.0);
+  options.stated = {"material"};
+  EXPECT_EQ(fitted().density, defaults.density);
+}
+
 TEST(FittedScene, TakesFixedNumbersAndSaysWhatIsAtABound) {
   FittedParameter fixed = break_strain();
   fixed.role = ParameterRole::Fixed;

@@ -98,6 +98,20 @@ TEST(SceneJointFit, IsTighterThanEachTargetAlone) {
   EXPECT_EQ(both.parameter("yield_stress").verdict(), Verdict::Identified);
 }
 
+/// Whoever states the noise that a fit found gets the same values, though the targets disagree.
+TEST(SceneJointFit, HasTheValuesOfTheWeightsThatItReports) {
+  std::vector<WeightedTarget> targets{bent(8, 5.0, 1), twisted(8, 3.0, 2)};
+  make_curve(targets[1], {.youngs_modulus = 1.05 * Truth{}.youngs_modulus}, 3.0, 2);
+  const SceneFitOptions options{
+      .parameters = stiffness_and_yield(), .starts = 1, .segments_error = false};
+  const SceneFitResult found = fit(targets, options);
+  for (std::size_t t = 0; t < 2; ++t) targets[t].target.noise = found.targets[t].noise;
+  const SceneFitResult stated = fit(targets, options);
+  for (const char* name : {"youngs_modulus", "yield_stress"}) {
+    EXPECT_NEAR(found.parameter(name).value / stated.parameter(name).value, 1.0, 1e-7) << name;
+  }
+}
+
 TEST(SceneFitMisfit, AddsErrorsWhereResidualsLieInRuns) {
   SceneFitOptions options{.parameters = stiffness_and_yield()};
   options.segments_error = false;

@@ -1,7 +1,9 @@
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <functional>
+#include <utility>
 #include <vector>
 
 #include "plastica/theory/lumped_chain.hpp"
@@ -195,6 +197,74 @@ TEST(ChainBeams, BendAndTwistAroundACorner) {
         return error_of(scene, Component::X, kForce * (2.0 * 0.125 / 3.0 / ei + 0.25 * 0.5 / gj));
       },
       0.01);
+}
+
+/// Tip deflection along an axis of legs between points under a force there, by the method of the
+/// unit load: int (m_u m_w/EI_u + m_v m_w/EI_v + T^2/GJ) ds along each leg, of a section that is
+/// alike about all axes.
+double unit_load_tip(const std::vector<std::array<double, 3>>& points, std::size_t along,
+                     double bending, double torsion) {
+  const auto tip = points.back();
+  double sum = 0.0;
+  for (std::size_t leg = 0; leg + 1 < points.size(); ++leg) {
+    std::array<double, 3> tangent{};
+    double length = 0.0;
+    for (std::size_t k = 0; k < 3; ++k) {
+      tangent[k] = points[leg + 1][k] - points[leg][k];
+      length += tangent[k] * tangent[k];
+    }
+    length = std::sqrt(length);
+    for (double& t : tangent) t /= length;
+    // The moment is linear along a leg: Simpson's rule is exact.
+    for (const auto& [at, weight] : {std::pair{0.0, 1.0}, {0.5, 4.0}, {1.0, 1.0}}) {
+      std::array<double, 3> arm{};
+      for (std::size_t k = 0; k < 3; ++k)
+        arm[k] = tip[k] - points[leg][k] - at * length * tangent[k];
+      std::array<double, 3> moment{};
+      moment[(along + 1) % 3] = arm[(along + 2) % 3];
+      moment[(along + 2) % 3] = -arm[(along + 1) % 3];
+      double square = 0.0;
+      double twist = 0.0;
+      for (std::size_t k = 0; k < 3; ++k) {
+        square += moment[k] * moment[k];
+        twist += moment[k] * tangent[k];
+      }
+      sum += weight * length / 6.0 * ((square - twist * twist) / bending + twist * twist / torsion);
+    }
+  }
+  return kForce * sum;
+}
+
+/// At a corner a joint stands for a part of each leg, which bends and twists about its own axes.
+TEST(ChainBeams, BendAndTwistOverLegsThatLieInNoPlane) {
+  // Both corners are turned about axes of the section, the first about x, the second about y.
+  const double rise = std::sqrt(3.0) / 8.0;
+  const std::vector<std::array<double, 3>> right{
+      {0.0, 0.0, 0.0}, {0.0, 0.0, 0.25}, {0.0, 0.5, 0.25}, {0.25, 0.5, 0.25}};
+  const std::vector<std::array<double, 3>> oblique{
+      {0.0, 0.0, 0.0}, {0.0, 0.0, 0.25}, {0.0, rise, 0.375}, {2.0 * rise, 2.0 * rise, 0.5}};
+  // In a plane, and bent out of it along x.
+  const std::vector<std::array<double, 3>> flat{
+      {0.0, 0.0, 0.0}, {0.0, 0.0, 0.5}, {0.0, 2.0 * rise, 0.75}};
+  for (const auto& points : {right, oblique, flat}) {
+    for (std::size_t along = 0; along < 3; ++along) {
+      SCOPED_TRACE(::testing::Message() << "along "
+                                        << "xyz"[along]);
+      expect_order_two(
+          [&](int segments) {
+            Scene scene = cantilever_scene(segments);
+            scene.section.height = scene.section.width;
+            scene.beam.shape = BeamShape::Polyline;
+            scene.beam.points = points;
+            const SectionProperties p = testing::properties_of(scene);
+            const double ei = scene.material.youngs_modulus * p.second_moment_y;
+            const double gj = resolved_shear_modulus(scene.material) * p.torsion_constant;
+            return error_of(scene, static_cast<Component>(along),
+                            unit_load_tip(points, along, ei, gj));
+          },
+          0.01);
+    }
+  }
 }
 
 }  // namespace

@@ -104,6 +104,17 @@ TEST(Compare, TakesAValueAndAScale) {
   EXPECT_DOUBLE_EQ(scaled.compared().error[0].value_or(0.0), -1.0);
   const Made zero(segments_axis("[4]") + against("value:0 m"), {1.5});
   EXPECT_EQ(zero.compared().reason[0], "the reference is 0: give error.scale");
+  EXPECT_EQ(made.record().against, "value:2 m");
+}
+
+TEST(Compare, SaysWhereAClosedFormDoesNotShear) {
+  const std::string axis = "[[axis]]\nfield = 'solver.translation'\nvalues = ";
+  EXPECT_TRUE(
+      Made(axis + "['rigid']\n" + against("theory:elastica"), {1.0}).compared().notes.empty());
+  const Made both(axis + "['rigid', 'elastic']\n" + against("theory:elastica"), {1.0, 1.0});
+  EXPECT_EQ(both.compared().notes,
+            std::vector<std::string>{"the closed form does not shear: the error of cases with "
+                                     "solver.translation = \"elastic\" is the shear's, too"});
 }
 
 TEST(Compare, TakesTheRmsOfCurves) {
