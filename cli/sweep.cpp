@@ -20,6 +20,7 @@
 #include "cli/tell.hpp"
 #include "plastica/io/text_file.hpp"
 #include "plastica/report/format.hpp"
+#include "plastica/run/batch.hpp"
 #include "plastica/run/response_size.hpp"
 #include "plastica/run/simulate.hpp"
 #include "sweeps/report/json.hpp"
@@ -98,6 +99,10 @@ int print_dry_run(const sweeps::Sweep& sweep, const std::string& output) {
   const Model model = prepare(last_case.scene, last_case.solver);
   say("  last case: level {}; its run takes about {:.2f} MB\n", model.level_reason,
       static_cast<double>(response_size(model).bytes()) / 1e6);
+  if (sweeps::is_simulated(sweep.quantity.kind)) {
+    say("  such cases run {}\n",
+        sweep.timed_runs > 0 ? "one by one: they are timed" : riding_of(model));
+  }
   say("  compared: {}{}{}\n", sweep.quantity.name,
       sweep.against.kind == sweeps::AgainstKind::Nothing ? "" : " against ",
       sweeps::words_of(sweep.against, sweep.quantity));

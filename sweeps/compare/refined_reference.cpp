@@ -10,6 +10,7 @@
 #include "sweeps/compare/extrapolation.hpp"
 #include "sweeps/compare/finest_lines.hpp"
 #include "sweeps/compare/reference_sets.hpp"
+#include "sweeps/compare/unrefined.hpp"
 #include "sweeps/plan/refining.hpp"
 
 namespace plastica::sweeps {
@@ -83,9 +84,11 @@ class RefinedComparison {
     return true;
   }
 
-  /// Where what happens changes among the finest cases, no case has an error.
+  /// Where what happens changes among the finest cases, or what matters is as coarse in them, no
+  /// case has an error.
   bool refuse_unconverged(const ReferenceSet& set) {
-    const std::string change = change_of_outcome(of_.sweep, sets_, set, results_);
+    std::string change = change_of_outcome(of_.sweep, sets_, set, results_);
+    if (change.empty()) change = what_stays_coarse(of_.sweep, of_.cases, sets_, set, results_);
     if (change.empty()) return false;
     for (const std::size_t i : set.cases) {
       if (has_outcome(results_[i])) {

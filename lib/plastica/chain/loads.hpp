@@ -17,9 +17,9 @@ struct OuterForces {
   /// where it acts, so that no joint has a force, it is what an imbalance is small against.
   typename L::Scalar largest_spring{};
 
-  void reset(std::size_t n) {
+  void reset(std::size_t n, bool slopes = true) {
     wrench.assign(n, {});
-    impedance.assign(n, {});
+    if (slopes) impedance.assign(n, {});
     largest_spring = constant<typename L::Scalar>(0);
   }
 };
@@ -75,7 +75,8 @@ inline void add_point_stiffness(
 
 template <class L, class FactorAt>
 void add_loads(const Chain<L>& chain, const Placement<L>& placement, const FactorAt& factor_at,
-               const typename L::Scalar& fraction, OuterForces<L>& outer_forces) {
+               const typename L::Scalar& fraction, OuterForces<L>& outer_forces,
+               bool slopes = true) {
   using S = typename L::Scalar;
   for (const SegmentLoad<L>& load : chain.loads) {
     const S factor = factor_as<S>(factor_at(load.history));
@@ -85,6 +86,7 @@ void add_loads(const Chain<L>& chain, const Placement<L>& placement, const Facto
     Impedance<L>& impedance = outer_forces.impedance[load.segment];
     wrench.force += factor * unit.force;
     wrench.moment += factor * unit.moment;
+    if (!slopes) continue;
     if (load.follows) {
       impedance.tr -= slope * L::spun_by(unit.force);
       impedance.rr -= slope * L::spin_derivative(unit.moment);
@@ -179,11 +181,12 @@ void add_constraints(const Chain<L>& chain, const Placement<L>& placement, const
 
 /// What loads and springs do.
 /// @param factor_at  the factor of a history, by its number
+/// @param slopes     without, impedances are left as they are, or added to
 template <class L, class FactorAt>
 void gather_loads(const Chain<L>& chain, const Placement<L>& placement, const Stage<L>& stage,
-                  const FactorAt& factor_at, OuterForces<L>& outer_forces) {
-  outer_forces.reset(chain.size());
-  detail::add_loads(chain, stage.of(placement), factor_at, stage.fraction(), outer_forces);
+                  const FactorAt& factor_at, OuterForces<L>& outer_forces, bool slopes = true) {
+  outer_forces.reset(chain.size(), slopes);
+  detail::add_loads(chain, stage.of(placement), factor_at, stage.fraction(), outer_forces, slopes);
   detail::add_springs(chain, stage.of(placement), factor_at, stage.fraction(), outer_forces);
 }
 
@@ -191,8 +194,8 @@ void gather_loads(const Chain<L>& chain, const Placement<L>& placement, const St
 template <bool kElastic, class L, class FactorAt>
 void gather_forces(const Chain<L>& chain, const Coordinates<L>& q, const Placement<L>& placement,
                    const Stage<L>& stage, const JointForces<L, kElastic>& joints,
-                   const FactorAt& factor_at, OuterForces<L>& outer_forces) {
-  gather_loads(chain, placement, stage, factor_at, outer_forces);
+                   const FactorAt& factor_at, OuterForces<L>& outer_forces, bool slopes = true) {
+  gather_loads(chain, placement, stage, factor_at, outer_forces, slopes);
   detail::add_ground_joints(chain, q, stage, placement, joints, outer_forces);
 }
 

@@ -24,15 +24,19 @@ void place_fragment(const Segment<L>& segment, const Pose<L>& pose,
 }
 
 /// Places the segments from the root outwards; so a joint's gap is nothing but its own shift.
-template <bool kElastic, class L>
-void place(const Chain<L>& chain, const Coordinates<L>& q, double time, Placement<L>& placement) {
+/// @param note  is handed the rotation of each joint: (number, frame)
+template <bool kElastic, class L, class Note>
+void place(const Chain<L>& chain, const Coordinates<L>& q, double time, Placement<L>& placement,
+           const Note& note) {
   using S = typename L::Scalar;
   const S factor = factor_as<S>(chain.histories[chain.root.history].at(time));
   typename L::Frame near = root_frame(chain, time);
   typename L::Point at = chain.root.position + factor * chain.root.motion + q.root;
   for (std::size_t i = 0; i < chain.size(); ++i) {
     const Segment<L>& segment = chain.segments[i];
-    const typename L::Frame far = L::compose(near, L::rotation(q.angle[i]));
+    const typename L::Frame rotation = L::rotation(q.angle[i]);
+    note(i, rotation);
+    const typename L::Frame far = L::compose(near, rotation);
     if constexpr (kElastic) {
       at += constant<S>(0.5) * (L::rotate(near, q.shift[i]) + L::rotate(far, q.shift[i]));
     }
@@ -44,6 +48,11 @@ void place(const Chain<L>& chain, const Coordinates<L>& q, double time, Placemen
     at = placement.position[i] + L::rotate(placement.frame[i], segment.arm);
     near = L::compose(placement.frame[i], segment.outer);
   }
+}
+
+template <bool kElastic, class L>
+void place(const Chain<L>& chain, const Coordinates<L>& q, double time, Placement<L>& placement) {
+  place<kElastic>(chain, q, time, placement, [](std::size_t, const typename L::Frame&) {});
 }
 
 /// The rotation vector of a joint to the ground, from the segment's side, and its axes there.

@@ -123,24 +123,11 @@ double shortest_period(const History& history) {
 /// Steps do not end at the segments of smooth histories, so that they must be short beside these.
 std::optional<std::string> coarse_histories(const Facts& facts) {
   if (facts.options.step_error > 0.0) return std::nullopt;
-  std::optional<std::string> warning;
-  const auto look_at = [&](const History& history, const std::string& name) {
-    if (warning || history.slope.size() < 3) return;
-    const double period = shortest_period(history);
-    if (!(period < kEnoughSteps * facts.step)) return;
-    warning = "steps of " + figure(facts.step) + " s are " + figure(period / facts.step) +
-              " in a period of " + name + " (below 20); solver.time_step = \"" +
-              figure(period / kEnoughSteps) + " s\" makes 20";
-  };
-  for (std::size_t i = 0; i < facts.scene.loads.size(); ++i) {
-    look_at(facts.scene.loads[i].history, item_name("load", i, ".history"));
-  }
-  for (std::size_t i = 0; i < facts.scene.supports.size(); ++i) {
-    const Support& support = facts.scene.supports[i];
-    if (support.moves()) look_at(support.history, item_name("support", i, ".history"));
-  }
-  look_at(facts.scene.gravity_history, "gravity.history");
-  return warning;
+  const auto history = shortest_history(facts.scene);
+  if (!history || history->period >= kEnoughSteps * facts.step) return std::nullopt;
+  return "steps of " + figure(facts.step) + " s are " + figure(history->period / facts.step) +
+         " in a period of " + history->name + " (below 20); solver.time_step = \"" +
+         figure(history->period / kEnoughSteps) + " s\" makes 20";
 }
 
 /// Where a support moves along straight lines its speed jumps from one to the next. The beam takes
@@ -318,6 +305,25 @@ std::optional<FirstFrequency> first_frequency(const Scene& scene, const LevelCho
   double first = std::min(about_x, about_y);
   if (level.level == Level::Planar) first = level.bending == BendingAxis::X ? about_x : about_y;
   return FirstFrequency{first / (2.0 * pi), false, !scene.masses.empty()};
+}
+
+std::optional<HistoryPeriod> shortest_history(const Scene& scene) {
+  std::optional<HistoryPeriod> shortest;
+  const auto look_at = [&](const History& history, const std::string& name) {
+    if (history.slope.size() < 3) return;
+    const double period = shortest_period(history);
+    if (!std::isfinite(period) || (shortest && shortest->period <= period)) return;
+    shortest = HistoryPeriod{period, name};
+  };
+  for (std::size_t i = 0; i < scene.loads.size(); ++i) {
+    look_at(scene.loads[i].history, item_name("load", i, ".history"));
+  }
+  for (std::size_t i = 0; i < scene.supports.size(); ++i) {
+    const Support& support = scene.supports[i];
+    if (support.moves()) look_at(support.history, item_name("support", i, ".history"));
+  }
+  look_at(scene.gravity_history, "gravity.history");
+  return shortest;
 }
 
 std::vector<std::string> motion_warnings(const Scene& scene, const SolverOptions& options,

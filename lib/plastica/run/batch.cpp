@@ -134,6 +134,13 @@ std::vector<LaneCases> left_over(std::vector<LanePool>& pools) {
 
 }  // namespace
 
+std::string riding_of(const Model& model) {
+  if (!model.chain) return "one by one: it is a coupon";
+  const std::string_view why = why_alone(*model.chain);
+  if (!why.empty()) return "one by one: " + std::string(why);
+  return "up to " + std::to_string(lane_width(*model.chain)) + " of its shape at a time";
+}
+
 BatchRow run_case(const BatchCase& one) {
   BatchRow row;
   row.id = one.id;

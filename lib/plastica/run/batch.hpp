@@ -42,6 +42,9 @@ struct BatchOptions {
   std::function<void(std::size_t finished)> progress{};
 };
 
+/// How a batch runs cases of a model: "up to 32 of its shape at a time", or "one by one:" and why.
+std::string riding_of(const Model& model);
+
 /// Runs one case as a batch does.
 BatchRow run_case(const BatchCase& one);
 

@@ -3,11 +3,13 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <vector>
 
 #include "plastica/chain/joint_model.hpp"
 #include "plastica/model/beam_axis.hpp"
 #include "plastica/model/check_parts.hpp"
 #include "plastica/model/check_value.hpp"
+#include "plastica/model/support_kind.hpp"
 #include "plastica/run/scene_joints.hpp"
 
 namespace plastica::run_detail {
@@ -96,6 +98,35 @@ std::optional<std::string> inner_clamp_warning(const Facts& facts) {
     return facts.scene.yield_model == YieldModel::Elastic || !longest_joint(facts)
                ? what
                : what + ", and they do not break; a beam for each side, clamped at its end, does";
+  }
+  return std::nullopt;
+}
+
+std::optional<std::string> rigid_stretch_warning(const Facts& facts) {
+  const std::vector<double>& ends = facts.layout.ends;
+  const std::vector<double>& lengths = facts.layout.segment_length;
+  const auto& supports = facts.scene.supports;
+  if (facts.level.level == Level::Twist) return std::nullopt;
+  constexpr double kShort = 0.75;
+  const double longest = *std::max_element(lengths.begin(), lengths.end());
+  const auto support_at = [&](double end) {
+    return std::find_if(supports.begin(), supports.end(), [&](const Support& support) {
+      return !support.to && !traits_of(support).releases && fraction_of(support.at, ends) == end;
+    });
+  };
+  for (std::size_t i = 0; i < lengths.size(); ++i) {
+    const auto first = support_at(ends[i]);
+    const auto second = support_at(ends[i + 1]);
+    if (first == supports.end() || second == supports.end()) continue;
+    if (lengths[i] >= kShort * longest) continue;
+    const auto name = [&](auto support) {
+      return model_detail::item_name("support",
+                                     static_cast<std::size_t>(support - supports.begin()));
+    };
+    return "between " + name(first) + " and " + name(second) + " is one segment of " +
+           figure(lengths[i]) +
+           " m, which does not bend: what these supports carry may be far off; "
+           "beam.segment_lengths can divide it";
   }
   return std::nullopt;
 }

@@ -77,7 +77,7 @@ bool steps_in_lanes(const ChainModel& model) {
 }
 
 bool has_lanes(const ChainModel& model) {
-  return steps_in_lanes(model) || continues_in_lanes(model);
+  return why_alone(model).empty();
 }
 
 bool same_lanes(const ChainModel& a, const ChainModel& b) {

@@ -56,16 +56,34 @@ std::optional<solve::LaneLaw> lane_law(const ChainModel& model) {
   }
 }
 
-bool continues_in_lanes(const ChainModel& model) {
+std::string_view why_alone(const ChainModel& model) {
   const SolverOptions& options = model.options;
-  const auto& supports = model.scene.supports;
-  return options.analysis == Analysis::Statics && options.precision == Precision::Double &&
-         options.translation == JointTranslation::Rigid &&
-         (model.level == Level::Planar || model.level == Level::Spatial) &&
-         (options.control == PathControl::Auto || options.control == PathControl::Load) &&
-         has_instruction_set(options.isa) && lane_law(model) &&
-         std::none_of(supports.begin(), supports.end(),
-                      [](const Support& s) { return traits_of(s).one_sided; });
+  const Scene& scene = model.scene;
+  if (options.analysis == Analysis::Dynamics) {
+    return is_articulated(options.scheme)
+               ? ""
+               : "of motions those of the articulated schemes alone ride in lanes (solver.scheme)";
+  }
+  if (options.precision != Precision::Double) return "at rest single precision has no lanes";
+  if (options.translation != JointTranslation::Rigid) return "its joints stretch and shear";
+  if (model.level == Level::Twist) return "it is only twisted";
+  if (options.control != PathControl::Auto && options.control != PathControl::Load) {
+    return "its path is not followed by the load (solver.control)";
+  }
+  if (scene.yield_model != YieldModel::Elastic && scene.yield_model != YieldModel::PerAxis) {
+    return "it yields by several forces at once (rules.yield_model)";
+  }
+  if (!lane_law(model)) return "its hardening law has no lanes";
+  const bool has_pillar =
+      std::any_of(scene.supports.begin(), scene.supports.end(),
+                  [](const Support& support) { return traits_of(support).one_sided; });
+  if (has_pillar) return "a support lets go";
+  if (!has_instruction_set(options.isa)) return "the processor lacks the instruction set";
+  return "";
+}
+
+bool continues_in_lanes(const ChainModel& model) {
+  return model.options.analysis == Analysis::Statics && why_alone(model).empty();
 }
 
 bool same_path_lanes(const ChainModel& a, const ChainModel& b) {

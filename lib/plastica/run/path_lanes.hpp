@@ -19,9 +19,7 @@ namespace plastica {
 /// The law of a model's joints, if lanes have it.
 std::optional<solve::LaneLaw> lane_law(const ChainModel& model);
 
-/// Whether a model is a path that can be followed in a lane: of rigid joints in the plane or in
-/// space that are elastic, or ideal plastic or linearly hardening about each axis by itself, on
-/// two-sided supports, under load control.
+/// Whether a model is a path that can be followed in a lane, see `why_alone`.
 bool continues_in_lanes(const ChainModel& model);
 /// Whether two of them can be followed together.
 bool same_path_lanes(const ChainModel& a, const ChainModel& b);

@@ -274,7 +274,7 @@ std::vector<std::string> scene_warnings(const Model& model) {
   std::vector<std::string> warnings;
   for (const auto find :
        {short_beam, hinge_warning, cap, thin_wall, per_axis, warping, softening, inner_places,
-        cut_corners, inner_clamp_warning, missed_corners, no_potential}) {
+        cut_corners, inner_clamp_warning, rigid_stretch_warning, missed_corners, no_potential}) {
     if (auto warning = find(facts)) warnings.push_back(std::move(*warning));
   }
   if (facts.options.analysis == Analysis::Dynamics) {

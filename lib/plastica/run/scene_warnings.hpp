@@ -17,6 +17,7 @@ namespace plastica {
 /// - A tube whose wall buckles before it yields, or before its hinges have turned (EN 1993-1-1).
 /// - Components clipped one by one where the beam bends about both axes.
 /// - A polyline with corners inside of segments.
+/// - Two supports with one short segment between them.
 ///
 /// In dynamics also:
 /// - Fixed steps that are fewer than 20 in a period of the beam's first frequency.

@@ -24,11 +24,15 @@ class JointMotion {
   using Vector = Vec<S, kJ>;
   using Matrix = Mat<S, kJ, kJ>;
 
-  /// @param axes  of the sections, as the laws number them
-  JointMotion(const Joints& joints, chain::SectionAxes<L> axes) : joints_(&joints), axes_(axes) {
+  /// @param axes      of the sections, as the laws number them
+  /// @param segments  each has a joint; those behind are to the ground
+  JointMotion(const Joints& joints, chain::SectionAxes<L> axes, std::size_t segments)
+      : joints_(&joints), axes_(axes), segments_(segments) {
     for (const auto& joint : joints.joints()) stiffness_.push_back(stiffness_of(joint));
     const std::size_t n = stiffness_.size();
     angle_.resize(n);
+    rotation_.resize(n);
+    rotation_now_.resize(n);
     shift_.resize(n);
     stress_.resize(n);
     stored_.resize(n);
@@ -44,6 +48,7 @@ class JointMotion {
              const Forces& forces) {
     for (std::size_t j = 0; j < stiffness_.size(); ++j) {
       angle_[j] = angles[j];
+      rotation_[j] = rotation_now_[j] = L::rotation(angle_[j]);
       shift_[j] = shift_of(shifts, j);
       stress_[j] = stress(j, angles[j], shift_[j]);
       stored_[j] = joints_->elastic_energy()[j];
@@ -52,20 +57,29 @@ class JointMotion {
     }
   }
 
+  /// By its angle at the step's end.
+  void note_rotation(std::size_t joint, const typename L::Frame& rotation) {
+    rotation_now_[joint] = rotation;
+  }
+
   /// Turns what the laws say of the end of a step into what the scheme takes of it, and adds
-  /// damping.
+  /// damping. To be called when `note_rotation` has been told of each joint of a segment.
   /// @param spins   of the joints at the end [rad/s]; empty: see `damp` (joints)
+  /// @param slopes  whether tangents are asked for, too
   /// @param forces  of the laws at the end; replaced
   void take(const MotionOptions& options, const StepRule& rule, double h,
             std::span<const typename L::Spin> angles, std::span<const typename L::Point> shifts,
-            std::span<const typename L::Spin> spins, Forces& forces) {
+            std::span<const typename L::Spin> spins, bool slopes, Forces& forces) {
+    for (std::size_t j = segments_; j < stiffness_.size(); ++j) {
+      rotation_now_[j] = L::rotation(angles[j]);
+    }
     for (std::size_t j = 0; j < stiffness_.size(); ++j) {
       const typename L::Point shift = shift_of(shifts, j);
       const JointStep<L, kElastic> step = step_of(j, angles[j], shift);
       step_[j] = step.step;
       const Matrix slope = forces.tangent[j];
       if (rule.midpoint) {
-        const auto mean = mean_moment<L, kElastic>(step, forces.force[j], slope);
+        const auto mean = mean_moment<L, kElastic>(step, forces.force[j], slope, slopes);
         forces.force[j] = mean.force;
         forces.tangent[j] = mean.tangent;
       }
@@ -95,6 +109,7 @@ class JointMotion {
   void commit(std::span<const typename L::Spin> angles, std::span<const typename L::Point> shifts) {
     for (std::size_t j = 0; j < stiffness_.size(); ++j) {
       angle_[j] = angles[j];
+      rotation_[j] = rotation_now_[j];
       shift_[j] = shift_of(shifts, j);
       stress_[j] = stress(j, angle_[j], shift_[j]);
       stored_[j] = joints_->elastic_energy()[j];
@@ -183,7 +198,7 @@ class JointMotion {
     step.angle_now = angle;
     step.stress_before = stress_[j];
     step.stress_now = stress(j, angle, shift);
-    const typename L::Spin spin = L::step_spin(L::rotation(angle_[j]), L::rotation(angle));
+    const typename L::Spin spin = L::step_spin(rotation_[j], rotation_now_[j]);
     for (std::size_t m = 0; m < kR; ++m) step.step[m] = spin[m];
     if constexpr (kElastic) {
       for (std::size_t m = 0; m < kT; ++m) step.step[kR + m] = shift[m] - shift_[j][m];
@@ -254,8 +269,11 @@ class JointMotion {
 
   const Joints* joints_;
   chain::SectionAxes<L> axes_;
-  std::vector<Vector> stiffness_;        ///< elastic (joints)
-  std::vector<typename L::Spin> angle_;  ///< before the step, like the next three (joints)
+  std::size_t segments_ = 0;
+  std::vector<Vector> stiffness_;                ///< elastic (joints)
+  std::vector<typename L::Spin> angle_;          ///< before the step, like the next four (joints)
+  std::vector<typename L::Frame> rotation_;      ///< by these angles
+  std::vector<typename L::Frame> rotation_now_;  ///< by those at the step's end (joints)
   std::vector<typename L::Point> shift_;
   std::vector<Vector> stress_;
   std::vector<S> stored_;                       ///< elastic energy

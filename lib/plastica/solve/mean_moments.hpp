@@ -43,12 +43,15 @@ inline constexpr double kMinStep = kIsDouble<S> ? 1e-5 : 5e-3;
 ///   m = m0 + kappa K step, kappa = (energy - m0 . step)/(step . K step).
 /// @param end   of the law at the step's end, as it works on spins and shifts
 /// @param slope of `end`
+/// @param slopes  whether the whole tangent is asked for, else the part without the discrete
+/// gradient
 template <class L, bool kElastic>
 MeanMoment<L, kElastic> mean_moment(
     const JointStep<L, kElastic>& joint,
     const Vec<typename L::Scalar, chain::kFreedoms<L, kElastic>>& end,
     const Mat<typename L::Scalar, chain::kFreedoms<L, kElastic>, chain::kFreedoms<L, kElastic>>&
-        slope) {
+        slope,
+    bool slopes = true) {
   using S = typename L::Scalar;
   constexpr std::size_t kR = L::kRotations;
   constexpr std::size_t kJ = chain::kFreedoms<L, kElastic>;
@@ -80,6 +83,7 @@ MeanMoment<L, kElastic> mean_moment(
   const S divisor = select(corrected, size, one);
   const S kappa = select(corrected, (joint.energy - dot(mean, joint.step)) / divisor, zero);
   result.force += kappa * elastic;
+  if (!slopes) return result;
   // d(energy) = end . d(step); d(step) is taken for that of the end.
   Vec<S, kJ> by = end - mean - transposed_times(result.tangent, joint.step);
   by -= (constant<S>(2) * kappa) * elastic;

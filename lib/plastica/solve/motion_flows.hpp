@@ -21,7 +21,7 @@ double MotionStep<L, kElastic>::load_work() const {
     };
     const History& history = chain_.histories[load.history];
     if (rule_.midpoint) {
-      work += over(w_.stage.placement, factor_at(load.history));
+      work += over(w_.stage.placement, history_factor_[load.history]);
     } else {
       work += end * over(w_.placement, history.at(w_.time));
       if (end < 1.0) work += (1.0 - end) * over(begin_, history.at(time_));

@@ -17,11 +17,17 @@ void MotionStep<L, kElastic>::evaluate_laws() {
   joints_.evaluate(w_.angles, w_.q.shift, w_.joints);
 }
 
-/// The factor of a history where the forces act: half way, the mean of both ends.
+/// What all iterations of a step have in common: the rule for its length, and the factors of the
+/// histories where the forces act: half way, the mean of both ends.
 template <class L, bool kElastic>
-double MotionStep<L, kElastic>::factor_at(std::size_t history) const {
-  const History& factor = chain_.histories[history];
-  return rule_.midpoint ? 0.5 * (factor.at(time_) + factor.at(w_.time)) : factor.at(w_.time);
+void MotionStep<L, kElastic>::set_factors() {
+  factors_ = StepFactors(rule_, h_);
+  const double end = time_ + h_;
+  for (std::size_t k = 0; k < history_factor_.size(); ++k) {
+    const History& factor = chain_.histories[k];
+    history_factor_[k] =
+        rule_.midpoint ? 0.5 * (factor.at(time_) + factor.at(end)) : factor.at(end);
+  }
 }
 
 /// Means of the step's begin and end, and how moments go between them and the joints.
@@ -80,32 +86,38 @@ void MotionStep<L, kElastic>::set_joint_spins(const Motions& motion, double time
   }
 }
 
+/// @param slopes  whether the forces' changes are asked for, too
 template <class L, bool kElastic>
-void MotionStep<L, kElastic>::assemble() {
-  chain::place<kElastic>(chain_, w_.q, w_.time, w_.placement);
+void MotionStep<L, kElastic>::assemble(bool slopes) {
+  const StepFactors of = factors_;  // which no store in a loop changes
+  chain::place<kElastic>(chain_, w_.q, w_.time, w_.placement,
+                         [this](std::size_t joint, const typename L::Frame& rotation) {
+                           joint_motion_.note_rotation(joint, rotation);
+                         });
   for (std::size_t i = 0; i < chain_.size(); ++i) {
     step_[i] = segment_step<L>(chain_.inertias[i], i, begin_, w_.placement);
     const auto spin = transposed_times(L::axes(w_.placement.frame[i]), step_[i].spin);
-    motion_now_[i] = motion_after(rule_, h_, motion_[i], step_[i].displacement, spin);
+    motion_now_[i] = motion_after(of, motion_[i], step_[i].displacement, spin);
   }
-  if (rule_.midpoint) set_stage();
+  if (of.midpoint) set_stage();
   evaluate_laws();
   set_joint_spins(motion_now_, w_.time - kRounding * h_);  // before a corner
-  joint_motion_.take(options_, rule_, h_, w_.angles, w_.q.shift, spins_, w_.joints);
+  joint_motion_.take(options_, rule_, h_, w_.angles, w_.q.shift, spins_, slopes, w_.joints);
   chain::gather_forces(
       chain_, w_.q, w_.placement, w_.stage, w_.joints,
-      [this](std::size_t history) { return factor_at(history); }, w_.outer_forces);
+      [this](std::size_t history) { return history_factor_[history]; }, w_.outer_forces, slopes);
   const Placement& active = w_.stage.of(w_.placement);
   for (std::size_t i = 0; i < chain_.size(); ++i) {
     const chain::Inertia<L>& inertia = chain_.inertias[i];
     const auto& end = w_.placement.frame[i];
-    inertia_now_[i] =
-        inertia_force(rule_, h_, inertia, begin_.frame[i], end, motion_[i], motion_now_[i]);
-    const auto rotational = rotational_impedance<L>(rule_, h_, inertia, end, motion_now_[i],
+    inertia_now_[i] = inertia_force(of, inertia, begin_.frame[i], end, motion_[i], motion_now_[i]);
+    add_inertia_force(inertia, i, active, inertia_now_[i], w_.outer_forces);
+    if (!slopes) continue;
+    const auto rotational = rotational_impedance<L>(of, inertia, end, motion_now_[i],
                                                     transposed_times(L::axes(end), step_[i].spin),
                                                     inertia_now_[i].moment);
-    add_inertia(rule_, h_, inertia, i, w_.placement, active, inertia_now_[i], rotational,
-                w_.outer_forces);
+    add_inertia_slope(of, inertia, i, w_.placement, active, inertia_now_[i], rotational,
+                      w_.outer_forces);
   }
   detail::set_constraints(chain_, w_);
 }
@@ -115,6 +127,7 @@ void MotionStep<L, kElastic>::assemble() {
 template <class L, bool kElastic>
 bool MotionStep<L, kElastic>::solve(double h) {
   h_ = h;
+  set_factors();
   joints_.set_time(h);
   set_force_floor();
   w_.may_close = rests_on_;
@@ -148,7 +161,7 @@ bool MotionStep<L, kElastic>::solve_from(bool predicted) {
   w_.stage.midpoint = rule_.midpoint;
   w_.stage.follows = rule_.midpoint ? 0.5 : 1.0;
   const auto outcome = equilibrate(
-      chain_, [this](Work& /*w*/) { assemble(); }, newton_, w_,
+      chain_, [this](Work& /*w*/, bool slopes) { assemble(slopes); }, newton_, w_,
       [](const Work&) { return PathCondition<L>{}; });
   w_.stage.midpoint = false;
   w_.stage.follows = 1.0;

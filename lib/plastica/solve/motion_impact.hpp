@@ -243,7 +243,7 @@ void MotionStep<L, kElastic>::restart() {
     multiplier_[k] = rates_.acts[k] ? w_.small.b(k) : constant<S>(0);
   }
   for (std::size_t i = 0; i < chain_.size(); ++i) {
-    inertia_[i] = inertia_force(rule_, 1.0, chain_.inertias[i], w_.placement.frame[i],
+    inertia_[i] = inertia_force(StepFactors(rule_, 1.0), chain_.inertias[i], w_.placement.frame[i],
                                 w_.placement.frame[i], motion_[i], motion_[i]);
   }
 }

@@ -35,7 +35,7 @@ class MotionStep {
         rule_(step_rule(options.scheme, options.rho_infinity)),
         newton_(options.newton),
         w_(work),
-        joint_motion_(joints, axes) {
+        joint_motion_(joints, axes, chain.size()) {
     newton_.patience = 5;
     newton_.tolerance = std::max(newton_.tolerance, kMinTolerance);
     newton_.one_solve = claims_of(options.scheme, options.rho_infinity).one_solve;
@@ -56,6 +56,7 @@ class MotionStep {
     ground_moment_.resize(chain.ground_joints.size());
     no_laws_.force.assign(chain.joints(), {});
     no_laws_.tangent.assign(chain.joints(), {});
+    history_factor_.resize(chain.histories.size());
     for (const auto& inertia : chain.inertias) mass_ += inertia.mass;
     laws_alone_ = no_laws_;
     no_motion_.follows = 0.0;
@@ -218,10 +219,10 @@ class MotionStep {
   bool solve_from(bool predicted);
   void note_fastest();
   void evaluate_laws();
-  void assemble();
+  void set_factors();
+  void assemble(bool slopes);
   void set_stage();
   void set_joint_spins(const Motions& motion, double time);
-  double factor_at(std::size_t history) const;
   bool rotates_little() const;
   bool is_finite() const;
   // motion_flows.hpp
@@ -269,6 +270,8 @@ class MotionStep {
   chain::Stage<L> no_motion_;   ///< forces act at the end, and follow nothing
   double mass_ = 0.0;
   double h_ = 0.0;
+  StepFactors factors_;
+  std::vector<double> history_factor_;  ///< where forces act (histories)
   double time_ = 0.0;
   int iterations_ = 0;
   int rests_ = 0;

@@ -21,7 +21,9 @@ mask_t<S> may_improve(const S& imbalance, const S& enough) {
 
 /// Seeks the equilibrium at `w.time`, or on a path condition, from the current unknowns.
 ///
-/// @param assemble  places the chain and gathers all that acts on it
+/// @param assemble  (work, slopes): places the chain and gathers all that acts on it, and, if
+/// slopes
+///                  are asked for, how it changes
 /// @param condition  asked for at each iteration with the placed chain; its default makes time
 ///                   fixed
 /// @return not converged after `max_iterations`, or as soon as a number is not finite
@@ -37,8 +39,10 @@ NewtonOutcome<typename L::Scalar> equilibrate(const chain::Chain<L>& chain,
   w.stepped = constant<S>(0);
   for (int iteration = 0;; ++iteration) {
     const S enough = constant<S>(reachable<S>(options.tolerance, iteration));
-    assemble(w);
-    if (options.one_solve && iteration > 0 && detail::constraints_hold(chain, w)) {
+    // What may be the end of one solve is looked at without slopes.
+    const bool may_end = options.one_solve && iteration > 0;
+    assemble(w, !may_end);
+    if (may_end && detail::constraints_hold(chain, w)) {
       w.recursion.sum(chain, w.q, w.placement, w.stage, w.joints, w.outer_forces, w.transmitted);
       const S imbalance = detail::relative_imbalance(chain, w);
       outcome.imbalance[static_cast<std::size_t>(iteration)] = imbalance;
@@ -46,6 +50,7 @@ NewtonOutcome<typename L::Scalar> equilibrate(const chain::Chain<L>& chain,
       outcome.converged = imbalance <= constant<S>(reachable<S>(kOneSolveTolerance, iteration));
       if (!any(!outcome.converged)) break;
     }
+    if (may_end) assemble(w, true);
     const PathCondition<L> condition = condition_at(w);
     if (condition.active) detail::stiffen_condition(chain, condition, w);
     w.recursion.factor(chain, w.q, w.placement, w.stage, w.joints, w.outer_forces, w.transmitted);
@@ -86,8 +91,9 @@ NewtonOutcome<typename L::Scalar> equilibrate(const chain::Chain<L>& chain,
                                               NewtonWork<L, kElastic>& w,
                                               const Condition& condition_at) {
   return equilibrate(
-      chain, [&](NewtonWork<L, kElastic>& work) { detail::assemble(chain, laws, work); }, options,
-      w, condition_at);
+      chain,
+      [&](NewtonWork<L, kElastic>& work, bool /*slopes*/) { detail::assemble(chain, laws, work); },
+      options, w, condition_at);
 }
 
 /// The same at a given time.

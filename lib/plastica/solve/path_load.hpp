@@ -55,8 +55,8 @@ NewtonOutcome<typename L::Scalar> PathContinuation<L, kElastic>::load_gradually(
       return next * chain_.histories[history].at(w_.time);
     };
     outcome = equilibrate(
-        chain_, [&](Work& w) { detail::assemble(chain_, laws_, factor_at, w); }, options_.newton,
-        w_, [](const Work&) { return PathCondition<L>{}; });
+        chain_, [&](Work& w, bool /*slopes*/) { detail::assemble(chain_, laws_, factor_at, w); },
+        options_.newton, w_, [](const Work&) { return PathCondition<L>{}; });
     counters_.iterations += outcome.iterations;
     if (stopped()) break;
     if (outcome.converged && !rotates_too_far()) {

@@ -107,4 +107,34 @@ constexpr StepRule step_rule(Scheme scheme, double rho_infinity) {
   return rule;
 }
 
+/// A rule for steps of one length h, as `StepRule` has it.
+struct StepFactors {
+  StepFactors() = default;
+  StepFactors(const StepRule& rule, double h)
+      : midpoint(rule.midpoint),
+        conserves(rule.conserves),
+        remembers(rule.velocity_a != 0.0 || rule.acceleration_a != 0.0 || rule.weight_a != 0.0 ||
+                  rule.weight_r != 0.0),
+        rate(1.0 / h),
+        velocity(rule.velocity / h),
+        velocity_v(rule.velocity_v),
+        velocity_a(rule.velocity_a * h),
+        acceleration(rule.acceleration / (h * h)),
+        acceleration_v(rule.acceleration_v / h),
+        acceleration_a(rule.acceleration_a),
+        scale(rule.scale),
+        weight_a(rule.weight_a),
+        weight_r(rule.weight_r),
+        resisting(rule.scale * rule.acceleration / (h * h)) {}
+
+  bool midpoint = false;
+  bool conserves = true;
+  bool remembers = false;  ///< whether accelerations before the step count
+  double rate = 0.0;       ///< 1/h [1/s]
+  double velocity = 0.0, velocity_v = 0.0, velocity_a = 0.0;
+  double acceleration = 0.0, acceleration_v = 0.0, acceleration_a = 0.0;
+  double scale = 1.0, weight_a = 0.0, weight_r = 0.0;
+  double resisting = 0.0;  ///< of the acceleration with which a segment resists, per motion [1/s^2]
+};
+
 }  // namespace plastica::solve

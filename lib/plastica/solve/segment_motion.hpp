@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "plastica/base/always_inline.hpp"
 #include "plastica/chain/loads.hpp"
 #include "plastica/solve/scheme.hpp"
 
@@ -44,16 +45,21 @@ inline SegmentStep<L> segment_step(const chain::Inertia<L>& inertia, std::size_t
 /// How a segment moves at the end of a step, by a scheme's rule.
 /// @param spin  of the step, in the segment's axes
 template <class L>
-SegmentMotion<L> motion_after(const StepRule& rule, double h, const SegmentMotion<L>& before,
-                              const typename L::Point& displacement, const typename L::Spin& spin) {
+PLASTICA_ALWAYS_INLINE inline SegmentMotion<L> motion_after(const StepFactors& of,
+                                                            const SegmentMotion<L>& before,
+                                                            const typename L::Point& displacement,
+                                                            const typename L::Spin& spin) {
   using S = typename L::Scalar;
   const auto c = [](double x) { return constant<S>(x); };
   const auto follow = [&](const auto& moved, const auto& v0, const auto& a0, const auto& r0,
                           auto& v, auto& a, auto& r) {
-    v = c(rule.velocity / h) * moved + c(rule.velocity_v) * v0 + c(rule.velocity_a * h) * a0;
-    a = c(rule.acceleration / (h * h)) * moved + c(rule.acceleration_v / h) * v0 +
-        c(rule.acceleration_a) * a0;
-    r = c(rule.scale) * (a + c(rule.weight_a) * a0 - c(rule.weight_r) * r0);
+    v = c(of.velocity) * moved + c(of.velocity_v) * v0;
+    a = c(of.acceleration) * moved + c(of.acceleration_v) * v0;
+    r = a;
+    if (!of.remembers) return;
+    v += c(of.velocity_a) * a0;
+    a += c(of.acceleration_a) * a0;
+    r = c(of.scale) * (a + c(of.weight_a) * a0 - c(of.weight_r) * r0);
   };
   SegmentMotion<L> now;
   follow(displacement, before.velocity, before.acceleration, before.resisting, now.velocity,
@@ -82,14 +88,14 @@ inline typename L::Scalar kinetic_energy(const chain::Inertia<L>& inertia,
 /// With what a segment resists a step: -m r and, in conservation form, minus the change of its
 /// angular momentum over the step; generalized-alpha: -R (J r + w x J w).
 template <class L>
-CenterForce<L> inertia_force(const StepRule& rule, double h, const chain::Inertia<L>& inertia,
+CenterForce<L> inertia_force(const StepFactors& of, const chain::Inertia<L>& inertia,
                              const typename L::Frame& begin, const typename L::Frame& end,
                              const SegmentMotion<L>& before, const SegmentMotion<L>& now) {
   using S = typename L::Scalar;
   CenterForce<L> resists;
   resists.force = -(inertia.mass * now.resisting);
-  if (rule.conserves) {
-    resists.moment = constant<S>(1.0 / h) * (angular_momentum(inertia, begin, before.spin) -
+  if (of.conserves) {
+    resists.moment = constant<S>(of.rate) * (angular_momentum(inertia, begin, before.spin) -
                                              angular_momentum(inertia, end, now.spin));
   } else {
     const typename L::Spin momentum = inertia.rotational * now.spin;
@@ -117,39 +123,49 @@ chain::Impedance<L> inertia_impedance(const chain::Inertia<L>& inertia,
 /// @param spin  of the step, in the segment's axes
 template <class L>
 Mat<typename L::Scalar, L::kRotations, L::kRotations> rotational_impedance(
-    const StepRule& rule, double h, const chain::Inertia<L>& inertia, const typename L::Frame& end,
+    const StepFactors& of, const chain::Inertia<L>& inertia, const typename L::Frame& end,
     const SegmentMotion<L>& now, const typename L::Spin& spin, const typename L::Spin& moment) {
   using S = typename L::Scalar;
   const auto axes = L::axes(end);
   const auto slope = L::step_spin_slope(spin);
-  const S velocity = constant<S>(rule.velocity / h);
+  const S velocity = constant<S>(of.velocity);
   const typename L::Spin momentum = inertia.rotational * now.spin;
-  if (rule.conserves) {
-    return constant<S>(1.0 / h) *
+  if (of.conserves) {
+    return constant<S>(of.rate) *
            (L::spin_derivative(axes * momentum) +
             axes * ((velocity * inertia.rotational) * slope) * transpose(axes));
   }
-  const S stiff = constant<S>(rule.scale * rule.acceleration / (h * h));
+  const S stiff = constant<S>(of.resisting);
   const auto by_spin =
       velocity * (L::spin_derivative(momentum) - L::spin_derivative(now.spin) * inertia.rotational);
   return axes * ((stiff * inertia.rotational + by_spin) * slope) * transpose(axes) -
          L::spin_derivative(moment);
 }
 
-/// Adds what a segment resists, and how that changes.
+/// Adds what a segment resists.
+/// @param active  where forces act
 template <class L>
-void add_inertia(const StepRule& rule, double h, const chain::Inertia<L>& inertia, std::size_t i,
-                 const chain::Placement<L>& end, const chain::Placement<L>& active,
-                 const CenterForce<L>& resists,
-                 const Mat<typename L::Scalar, L::kRotations, L::kRotations>& rotational,
-                 chain::OuterForces<L>& outer_forces) {
-  using S = typename L::Scalar;
-  const typename L::Point arm = L::rotate(end.frame[i], inertia.center);
+void add_inertia_force(const chain::Inertia<L>& inertia, std::size_t i,
+                       const chain::Placement<L>& active, const CenterForce<L>& resists,
+                       chain::OuterForces<L>& outer_forces) {
   const typename L::Point work_arm = L::rotate(active.frame[i], inertia.center);
   chain::Wrench<L>& wrench = outer_forces.wrench[i];
   wrench.force += resists.force;
   wrench.moment += resists.moment + L::moment(work_arm, resists.force);
-  const S mass = constant<S>(rule.scale * rule.acceleration / (h * h)) * inertia.mass;
+}
+
+/// Adds how that changes as the segment moves.
+/// @param rotational  `rotational_impedance`
+template <class L>
+void add_inertia_slope(const StepFactors& of, const chain::Inertia<L>& inertia, std::size_t i,
+                       const chain::Placement<L>& end, const chain::Placement<L>& active,
+                       const CenterForce<L>& resists,
+                       const Mat<typename L::Scalar, L::kRotations, L::kRotations>& rotational,
+                       chain::OuterForces<L>& outer_forces) {
+  using S = typename L::Scalar;
+  const typename L::Point arm = L::rotate(end.frame[i], inertia.center);
+  const typename L::Point work_arm = L::rotate(active.frame[i], inertia.center);
+  const S mass = constant<S>(of.resisting) * inertia.mass;
   const auto by = L::spun_by(arm);
   const auto work_by = L::spun_by(work_arm);
   chain::Impedance<L>& a = outer_forces.impedance[i];
@@ -157,7 +173,7 @@ void add_inertia(const StepRule& rule, double h, const chain::Inertia<L>& inerti
   a.tr += mass * by;
   a.rt += mass * transpose(work_by);
   a.rr += rotational + mass * (transpose(work_by) * by) -
-          constant<S>(rule.midpoint ? 0.5 : 1.0) * L::moment_by(arm, resists.force);
+          constant<S>(of.midpoint ? 0.5 : 1.0) * L::moment_by(arm, resists.force);
 }
 
 }  // namespace plastica::solve

@@ -302,5 +302,31 @@ TEST(PathLanes, RunOneModelWithManyValues) {
   EXPECT_EQ(together[4].status, Status::InvalidParameter);
 }
 
+/// What a batch says of a scene is what it does with it.
+TEST(PathLanes, SayWhatRunsAlone) {
+  const auto riding = [](const Scene& scene, const SolverOptions& options) {
+    return riding_of(prepare(scene, options));
+  };
+  const std::string alone = "one by one: ";
+  const SolverOptions at_rest;
+  EXPECT_EQ(riding(bent(0, YieldModel::PerAxis), at_rest), "up to 32 of its shape at a time");
+  EXPECT_EQ(riding(bent(0, YieldModel::Fibre), at_rest),
+            alone + "it yields by several forces at once (rules.yield_model)");
+  EXPECT_EQ(riding(bent(0, YieldModel::PerAxis, HardeningLaw::VoceChaboche), at_rest),
+            alone + "its hardening law has no lanes");
+  Scene propped = bent(0, YieldModel::Elastic);
+  propped.supports.push_back({.at = Place::end(), .kind = SupportKind::Pillar});
+  EXPECT_EQ(riding(propped, at_rest), alone + "a support lets go");
+  SolverOptions motion;
+  motion.analysis = Analysis::Dynamics;
+  motion.time_step = 1e-3;
+  for (const Scheme scheme : {Scheme::LinearlyImplicitMidpoint, Scheme::ArticulatedMidpoint}) {
+    motion.scheme = scheme;
+    const bool rides = scheme == Scheme::ArticulatedMidpoint;
+    EXPECT_EQ(riding(bent(0, YieldModel::Elastic), motion).starts_with(alone), !rides);
+  }
+  EXPECT_EQ(riding(Scene{}, at_rest), alone + "it is a coupon");
+}
+
 }  // namespace
 }  // namespace plastica

@@ -1,0 +1,118 @@
+#include "sweeps/compare/unrefined.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+#include "plastica/model/beam_axis.hpp"
+#include "plastica/model/check_parts.hpp"
+#include "plastica/model/check_value.hpp"
+#include "plastica/model/motion_warnings.hpp"
+
+namespace plastica::sweeps {
+namespace {
+
+using model_detail::figure;
+
+constexpr double kSamePlace = 1e-9;  ///< of the length
+
+bool refines_segments(const Axis& axis) {
+  return axis.field->path == "beam.segments" || axis.field->path == "beam.segment_depth";
+}
+
+/// "load[1].at", or which end of the beam it is.
+std::string name_of_place(const Scene& scene, double fraction) {
+  for (const NodePlace& place : node_places(scene)) {
+    if (std::fabs(place.fraction - fraction) > kSamePlace) continue;
+    return model_detail::item_name(place.list, place.index, place.key);
+  }
+  return fraction < 0.5 ? "the start" : "the end";
+}
+
+/// Whether something acts on an end of the beam, so that the stretch there bends.
+bool is_loaded_end(const Scene& scene, double fraction) {
+  const bool inside = fraction > kSamePlace && fraction < 1.0 - kSamePlace;
+  const auto places = node_places(scene);
+  return inside || std::any_of(places.begin(), places.end(), [&](const NodePlace& place) {
+           return std::fabs(place.fraction - fraction) <= kSamePlace;
+         });
+}
+
+std::ptrdiff_t segments_within(const std::vector<double>& ends, double from, double to) {
+  return std::count_if(ends.begin(), ends.end(), [&](double end) {
+    return end > from + kSamePlace && end < to + kSamePlace;
+  });
+}
+
+std::string coarse_stretch(const Scene& coarsest, const Scene& finest) {
+  const auto divides_itself = [](const Scene& scene) {
+    return scene.beam.segment_fractions.empty() && scene.beam.joint_lengths.empty();
+  };
+  if (finest.is_coupon() || !divides_itself(finest) || !divides_itself(coarsest)) return {};
+  const std::vector<double> places = needed_ends(finest);
+  if (places != needed_ends(coarsest)) return {};  // another scene
+  const std::vector<double> few = segment_ends(coarsest);
+  const std::vector<double> many = segment_ends(finest);
+  for (std::size_t i = 0; i + 1 < places.size(); ++i) {
+    const double from = places[i];
+    const double to = places[i + 1];
+    const auto count = segments_within(many, from, to);
+    if (count != segments_within(few, from, to)) continue;
+    if (!is_loaded_end(finest, from) || !is_loaded_end(finest, to)) continue;
+    return fmt::format("between {} and {} {} {} in all cases", name_of_place(finest, from),
+                       name_of_place(finest, to), count == 1 ? "is" : "are",
+                       count == 1 ? "1 segment" : fmt::format("{} segments", count));
+  }
+  return {};
+}
+
+std::string probe_beside_its_place(const Quantity& quantity, const Scene& next,
+                                   const Scene& finest) {
+  if (quantity.kind != QuantityKind::Probe || finest.is_coupon()) return {};
+  const Probe& probe = finest.probes[quantity.probe];
+  if (!is_of_joint(probe.quantity) || probe.at.segment) return {};
+  const auto joint_of = [&](const Scene& scene) {
+    const std::vector<double> ends = segment_ends(scene);
+    return ends[static_cast<std::size_t>(nearest_segment_end(probe.at, ends))];
+  };
+  const double read = joint_of(finest);
+  const double place = probe.at.fraction;
+  if (std::fabs(read - place) <= kSamePlace || read == 1.0) return {};
+  if (std::fabs(joint_of(next) - read) > kSamePlace) return {};
+  return fmt::format("{} at {} is of the joint at {} in the finest cases", probe.name,
+                     figure(place), figure(read));
+}
+
+std::string missed_periods(const Scene& scene, double step) {
+  constexpr double kFewest = 4.0;
+  const auto history = model_detail::shortest_history(scene);
+  if (!history || history->period >= kFewest * step) return {};
+  return fmt::format("the finest steps of {} s are {} in a period of {}", figure(step),
+                     figure(history->period / step), history->name);
+}
+
+}  // namespace
+
+std::string what_stays_coarse(const Sweep& sweep, const CaseTable& cases, const ReferenceSets& sets,
+                              const ReferenceSet& set, const std::vector<CaseResult>& results) {
+  for (const std::size_t axis : set.numbers) {
+    const auto line = line_of_finest(sweep, sets, set, axis, results);
+    if (line.size() < 2) continue;
+    const Scene finest = cases.setup(line.front()).scene;
+    std::string found;
+    if (refines_segments(sweep.axes[axis])) {
+      found = coarse_stretch(cases.setup(line.back()).scene, finest);
+      if (found.empty()) {
+        found = probe_beside_its_place(sweep.quantity, cases.setup(line[1]).scene, finest);
+      }
+    } else if (sweep.axes[axis].field->path == "solver.time_step") {
+      found = missed_periods(finest, sets.size_at(line.front(), axis));
+    }
+    if (!found.empty()) return found;
+  }
+  return {};
+}
+
+}  // namespace plastica::sweeps
