@@ -139,16 +139,10 @@ double ChainRecord<L, kElastic>::probe_value(const Probe& probe, const Work& w,
     case ProbeQuantity::ReactionMoment: {
       const std::size_t first = probe.quantity == ProbeQuantity::Reaction ? 0 : 3;
       const double fraction = fraction_of(probe.at, model_->layout.ends);
-      const auto& supports = model_->scene.supports;
-      const auto is_here = [&](const Support& support) {
-        return std::fabs(fraction_of(support.at, model_->layout.ends) - fraction) <= 1e-9;
-      };
-      // The whole of a bed that begins there, unless a support of that place is meant.
-      const bool of_place = std::any_of(supports.begin(), supports.end(),
-                                        [&](const Support& s) { return is_here(s) && !s.to; });
       Space sum{};
-      for (std::size_t s = 0; s < supports.size(); ++s) {
-        if (!is_here(supports[s]) || (of_place && supports[s].to)) continue;
+      for (std::size_t s = 0; s < model_->scene.supports.size(); ++s) {
+        const double at = fraction_of(model_->scene.supports[s].at, model_->layout.ends);
+        if (std::fabs(at - fraction) > 1e-9) continue;
         const auto force = reaction(w, s);
         for (std::size_t k = 0; k < 3; ++k) sum[k] += force[first + k];
       }

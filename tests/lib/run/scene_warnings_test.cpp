@@ -54,6 +54,17 @@ TEST(SceneWarnings, SayWhatShearAShortBeamLeavesOut) {
   EXPECT_EQ(scene_warnings(prepare(scene, sheared)), std::vector<std::string>{});
 }
 
+TEST(SceneWarnings, SayThatAShortStretchBetweenSupportsDoesNotBend) {
+  const auto propped_at = [](double at) {
+    return warns(warnings_of([&](Scene& s) {
+                   s.supports.push_back({.at = {at, {}}, .kind = SupportKind::Roller});
+                 }),
+                 "between support[1] and support[2] is one segment");
+  };
+  EXPECT_TRUE(propped_at(0.01));
+  EXPECT_FALSE(propped_at(0.5));
+}
+
 TEST(SceneWarnings, TakeTheDepthInThePlaneOfBending) {
   EXPECT_FALSE(warns(warnings_of([](Scene& s) { s.section.width = 0.2; }), "as long as deep"));
   EXPECT_TRUE(warns(warnings_of([](Scene& s) {
