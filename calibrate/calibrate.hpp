@@ -11,9 +11,11 @@
 /// Curves that a program has made itself become targets by `make_target`; `fit` takes beams, too,
 /// as scenes with a curve each (`WeightedTarget`). All else in calibrate/ is its own affair.
 #include "calibrate/config/fit_file.hpp"
+#include "calibrate/config/scene_fit_file.hpp"
 #include "calibrate/fit/fit.hpp"
 #include "calibrate/fit/scene_fit.hpp"
 #include "calibrate/store/fit_store.hpp"
+#include "calibrate/store/scene_fit_store.hpp"
 #include "calibrate/target/import.hpp"
 #include "calibrate/target/make.hpp"
 #include "calibrate/target/scene_target.hpp"

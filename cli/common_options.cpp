@@ -44,6 +44,18 @@ std::vector<std::string> with_new_names(std::vector<std::string> words) {
     std::string_view command, option, before, now;
   };
   constexpr std::array kValues{RenamedValue{"export", "--what", "pieces", "fragments"}};
+  struct RenamedOption {
+    std::string_view command, before, now;
+  };
+  constexpr std::array kOptions{RenamedOption{"stability", "--most-work", "--max-work"}};
+  for (const RenamedOption& one : kOptions) {
+    if (words.empty() || words.front() != one.command) continue;
+    for (std::string& word : words) {
+      if (word.substr(0, word.find('=')) != one.before) continue;
+      tell("plastica: {} is now {}\n", one.before, one.now);
+      word.replace(0, one.before.size(), one.now);
+    }
+  }
   for (const RenamedValue& one : kValues) {
     if (words.empty() || words.front() != one.command) continue;
     for (std::size_t i = 1; i < words.size(); ++i) {

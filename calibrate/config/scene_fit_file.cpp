@@ -18,7 +18,6 @@
 #include "calibrate/config/target_files.hpp"
 #include "calibrate/config/unique_names.hpp"
 #include "calibrate/fit/choose_segments.hpp"
-#include "calibrate/fit/scene_laws.hpp"
 #include "calibrate/result/words.hpp"
 #include "calibrate/search/optimizer.hpp"
 #include "calibrate/trial/scene_drive.hpp"
@@ -339,15 +338,6 @@ SceneFitFile parse_scene_fit_file(std::string text, const std::string& path) {
 
 SceneFitFile read_scene_fit_file(const std::string& path) {
   return parse_scene_fit_file(io::TomlDocument::read(path).text(), path);
-}
-
-void check_fits(const SceneFitFile& file) {
-  for (const SceneFitCase& one : file.cases) {
-    if (file.options.laws.empty()) check_scenes(one.targets, file.options);
-    for (const Law law : file.options.laws) {
-      check_scenes(targets_of(law, one.targets), options_of(law, file.options, one.targets));
-    }
-  }
 }
 
 }  // namespace plastica::calibrate

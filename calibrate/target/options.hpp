@@ -17,6 +17,11 @@ struct CorrectionChoice {
 
 enum class ModulusMethod { Regression, Chord };
 
+// What is left of the largest load at a break, and by how much of it the load falls there: of
+// curves, where it can be told otherwise, and of beams.
+inline constexpr double kBreakZero = 0.05;
+inline constexpr double kBreakDrop = 0.2;
+
 /// Beyond these a tension curve is that of no material, see plausibility.hpp. Yield strain: stress
 /// at yield over Young's modulus.
 struct PlausibleBounds {
@@ -85,8 +90,8 @@ struct TargetOptions {
   /// `drop_unloading`.
   /// Cyclic: only last rows within `zero_fraction` after more than half of the largest |stress|.
   CorrectionChoice trim;
-  double drop_fraction = 0.2;
-  double zero_fraction = 0.05;
+  double drop_fraction = kBreakDrop;
+  double zero_fraction = kBreakZero;
   double end_fraction = 0.9;
   /// Convert engineering to true: strain ln(1 + e), stress s (1 + e). Tension only. Samples
   /// beyond the strain at Rm are refused (cut, with the break) as the specimen necks there.

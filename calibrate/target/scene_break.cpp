@@ -40,7 +40,7 @@ std::optional<std::size_t> intact_samples(const SceneTarget& target, const Corre
   double largest = 0.0;
   for (const double value : y) largest = std::max(largest, std::abs(value));
   std::size_t intact = y.size();
-  while (intact > 0 && std::abs(y[intact - 1]) <= kBeamZero * largest) --intact;
+  while (intact > 0 && std::abs(y[intact - 1]) <= kBreakZero * largest) --intact;
   const std::size_t fallen = y.size() - intact;
   if (fallen == 0 || intact < 2) return std::nullopt;
   const double fall = std::abs(y[intact - 1] - y[intact]);
@@ -50,7 +50,7 @@ std::optional<std::size_t> intact_samples(const SceneTarget& target, const Corre
     if (fall < 0.5 * largest || !(zeros || fallen >= 3)) return std::nullopt;
     return intact;
   }
-  if (fall < kBeamDrop * largest || is_let_go(target, intact, tolerance)) return std::nullopt;
+  if (fall < kBreakDrop * largest || is_let_go(target, intact, tolerance)) return std::nullopt;
   return intact;
 }
 

@@ -10,8 +10,8 @@ namespace plastica::calibrate {
 
 /// How many samples of a beam's curve came before its break; the rest is cut.
 ///
-/// Automatic: the ordinate falls in one step, and stays, at or below `kBeamZero` of the largest
-/// one until the end, by `kBeamDrop` of the largest or more, in a step that does not let the beam
+/// Automatic: the ordinate falls in one step, and stays, at or below `kBreakZero` of the largest
+/// one until the end, by `kBreakDrop` of the largest or more, in a step that does not let the beam
 /// go: not towards the abscissa 0 (by more than the tolerance), nor against the ordinate. Over the
 /// time of a motion, which has no way back, by half of the largest, to zeros or to three samples or
 /// more. Set: broken beyond the amount, an abscissa in SI.
@@ -19,9 +19,6 @@ namespace plastica::calibrate {
 /// @return empty: it did not break
 std::optional<std::size_t> intact_samples(const SceneTarget& target, const CorrectionChoice& trim,
                                           double tolerance = 0.0);
-
-inline constexpr double kBeamZero = 0.05;  ///< as `TargetOptions::zero_fraction`
-inline constexpr double kBeamDrop = 0.2;   ///< as `TargetOptions::drop_fraction`
 
 /// Cuts a curve at its break, which lies anywhere between the last intact sample and the next; of
 /// an abscissa that is not driven, from the largest that was intact on.

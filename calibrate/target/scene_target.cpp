@@ -36,7 +36,7 @@ bool goes_one_way(std::vector<double> values, double tolerance) {
 /// The range of the abscissa up to the last sample that carries load: what the sensor does after a
 /// break is no part of it.
 double loaded_range(const SceneTarget& target) {
-  const double least = kBeamZero * largest_magnitude(target.ordinate);
+  const double least = kBreakZero * largest_magnitude(target.ordinate);
   std::size_t loaded = target.ordinate.size();
   while (loaded > 1 && std::abs(target.ordinate[loaded - 1]) <= least) --loaded;
   const auto [low, high] = std::ranges::minmax_element(std::span(target.abscissa).first(loaded));

@@ -4,7 +4,39 @@
 
 using namespace plastica::calibrate;
 
+/// A cantilever of 1 m and 20 mm square, pressed down at its tip by 3 E I/L^3 times its way, E =
+/// 200 GPa; to a file and back.
+void fit_beam() {
+  WeightedTarget bar;
+  plastica::Scene& scene = bar.setup.scene;
+  scene.section.width = scene.section.height = 0.02;
+  scene.beam.segments = 32;
+  scene.yield_model = plastica::YieldModel::Elastic;
+  scene.supports.emplace_back();  // a clamp at the start
+  scene.loads.push_back({.force = {0.0, -8.0, 0.0}});
+  scene.probes = {{"tip", plastica::ProbeQuantity::Displacement},
+                  {"force", plastica::ProbeQuantity::Reaction}};
+  bar.target.name = "bar";
+  bar.target.abscissa_probe = "tip";
+  bar.target.ordinate_probe = "force";
+  bar.target.abscissa_factor = -1.0;
+  for (int i = 1; i <= 10; ++i) {
+    bar.target.abscissa.push_back(1e-4 * i);
+    bar.target.ordinate.push_back(3.0 * 200e9 * 0.02 * 0.02 * 0.02 * 0.02 / 12.0 * 1e-4 * i);
+  }
+  SceneFitOptions options;
+  options.parameters.emplace_back().field = &plastica::find_field("youngs_modulus");
+  const std::vector<WeightedTarget> targets{bar};
+  SceneFitContents contents;
+  contents.records.push_back(record_of({"bar", targets}, fit(targets, options)));
+  write_scene_fit_store("bar.h5", contents);
+  const SceneFitContents stored = read_scene_fit_store("bar.h5");
+  std::printf("%s %.3g\n", stored.records[0].name.c_str(),
+              stored.records[0].result.parameter("youngs_modulus").value);
+}
+
 int main() {
+  fit_beam();
   Curve measured;  // of a steel without hardening, broken after 2 %
   for (int i = 0; i <= 200; ++i) {
     const double strain = 1e-4 * i;

@@ -45,9 +45,10 @@ class CheckTree(unittest.TestCase):
     def test_a_product_must_not_include_the_tests(self):
         self.assert_one(self.breaches(cli__a_dot_cpp='#include "tests/b.hpp"\n'), "of the tests")
 
-    def test_400_lines_are_kept_and_401_are_a_breach(self):
-        self.assertEqual([], self.breaches(cli__a_dot_cpp="//\n" * 400))
-        self.assert_one(self.breaches(cli__a_dot_cpp="//\n" * 401), "401 lines")
+    def test_as_many_lines_as_a_folder_may_have_are_kept_and_one_more_is_a_breach(self):
+        self.assertEqual([], self.breaches(cli__a_dot_cpp="//\n" * 350, tests__a_dot_cpp="//\n" * 400))
+        self.assert_one(self.breaches(cli__a_dot_cpp="//\n" * 351), "351 lines")
+        self.assert_one(self.breaches(tests__a_dot_cpp="//\n" * 401), "401 lines")
 
     def test_a_readme_of_251_lines_is_a_breach_and_another_page_is_not(self):
         self.assertEqual([], self.breaches(README_dot_md="a\n" * 250, docs__a_dot_md="a\n" * 251))
