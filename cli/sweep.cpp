@@ -100,8 +100,7 @@ int print_dry_run(const sweeps::Sweep& sweep, const std::string& output) {
   say("  last case: level {}; its run takes about {:.2f} MB\n", model.level_reason,
       static_cast<double>(response_size(model).bytes()) / 1e6);
   if (sweeps::is_simulated(sweep.quantity.kind)) {
-    say("  such cases run {}\n",
-        sweep.timed_runs > 0 ? "one by one: they are timed" : riding_of(model));
+    say("  it runs {}\n", sweep.timed_runs > 0 ? "one by one: they are timed" : riding_of(model));
   }
   say("  compared: {}{}{}\n", sweep.quantity.name,
       sweep.against.kind == sweeps::AgainstKind::Nothing ? "" : " against ",

@@ -5,6 +5,7 @@
 #include <limits>
 #include <optional>
 #include <utility>
+#include <variant>
 
 #include <fmt/format.h>
 
@@ -65,7 +66,9 @@ void take_stated(const FitRecord& record, const FitOptions& options, FittedScene
     const bool is_told = field.path == "material.youngs_modulus" &&
                          record.target.test != Test::Torsion && !options.parameters.empty();
     const bool is_said = std::ranges::any_of(options.stated, [&](const std::string& said) {
-      return said == field.path || said == "material";
+      // A material that is named says nothing of what it lacks.
+      const bool named = said == "material" && !std::holds_alternative<std::monostate>(stated);
+      return said == field.path || named;
     });
     if (!is_told && !is_said && stated == field.get(defaults)) continue;
     if (stated == field.get(out)) continue;

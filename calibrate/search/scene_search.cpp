@@ -297,8 +297,8 @@ double SceneSearch::rescale(std::vector<TargetNoise> noise) {
   return change;
 }
 
-/// Weights targets by the noise that they turn out to have. The last search is with the weights that
-/// stand in the result, so that its values are their minimum.
+/// Weights targets by the noise that they turn out to have. The last search is with the weights
+/// that stand in the result, so that its values are their minimum.
 void SceneSearch::settle_noise() {
   for (int round = 0;; ++round) {
     const SceneErrors errors(problem_, best_.x, best_.residual);
@@ -314,8 +314,10 @@ void SceneSearch::settle_noise() {
       best_ = std::move(again);
       pass_kinks("kinks of " + stage);
     }
-    if (change < kSameNoise || round == kMaxRounds) return;
+    if (change < kSameNoise || round == kMaxRounds) break;
   }
+  degrees_left_ =
+      degrees_left(problem_, SceneErrors(problem_, best_.x, best_.residual).identifiable());
 }
 
 }  // namespace plastica::calibrate

@@ -17,8 +17,7 @@ void note_shear(const CaseTable& cases, const ClosedForm& form, Comparison& comp
     if (cases.setup(i).solver.translation != JointTranslation::Elastic) continue;
     comparison.notes.push_back(
         "the closed form does not shear: the error of cases with solver.translation = \"elastic\" "
-        "is "
-        "the shear's, too");
+        "is the shear's, too");
     return;
   }
 }

@@ -31,12 +31,14 @@ Values tip_value(const Setup& setup, const Quantity& quantity, const theory::Ela
   return {-sign * tip.slope};
 }
 
-/// The largest size of the load's factor over that at the end; of a load that ends at nothing, 1.
+const History& history_of(const Scene& scene) {
+  return scene.loads.empty() ? scene.gravity_history : scene.loads[0].history;
+}
+
+/// The largest size of the load's factor over that at the end.
 double most_of_run(const Setup& setup) {
-  const Scene& scene = setup.scene;
-  const History& history = scene.loads.empty() ? scene.gravity_history : scene.loads[0].history;
-  const double last = std::abs(history.at(end_time(setup)));
-  return last == 0.0 ? 1.0 : largest_factor(history, setup) / last;
+  const History& history = history_of(setup.scene);
+  return largest_factor(history, setup) / std::abs(history.at(end_time(setup)));
 }
 
 /// The largest size of the moment along a beam under a small load.
@@ -47,6 +49,16 @@ double largest_moment(const theory::BeamCase& beam) {
     largest = std::max(largest, std::abs(theory::beam_moment(beam, beam.length * i / kPlaces)));
   }
   return largest;
+}
+
+/// Refuses a bent beam that yields at any time of its run, be it let go at the end.
+void require_elastic_run(const Setup& setup) {
+  Setup unit = setup;
+  unit.scene.gravity_history = History::constant();
+  for (Load& load : unit.scene.loads) load.history = History::constant();
+  unit.solver.duration = 1.0;
+  require_elastic(setup, largest_factor(history_of(setup.scene), setup) *
+                             largest_moment(bent_beam_of(unit).beam));
 }
 
 Values elastica(const Setup& setup, const Quantity& quantity, std::span<const double> /*time*/) {
@@ -107,7 +119,7 @@ Values lumped_chain(const Setup& setup, const Quantity& quantity,
   require_scene(probe.quantity == ProbeQuantity::Displacement && probe.component == Component::Y &&
                     is_at_end(probe.at, 1.0, setup),
                 "is for the displacement of the tip along y");
-  require_elastic(setup, most_of_run(setup) * largest_moment(bent.beam));
+  require_elastic_run(setup);
   const auto [convention, count] = chain_of(setup);
   // What each part of the load does to the continuous beam.
   const auto tip = [&](const theory::BeamLoad& part) {
@@ -131,7 +143,7 @@ Values lumped_chain(const Setup& setup, const Quantity& quantity,
 Values beam(const Setup& setup, const Quantity& quantity, std::span<const double> /*time*/) {
   const BentBeam bent = bent_beam_of(setup);
   const Scene& scene = setup.scene;
-  const History& history = scene.loads.empty() ? scene.gravity_history : scene.loads[0].history;
+  const History& history = history_of(scene);
   const bool sizes = quantity.take == Take::Size;
   require_scene(
       quantity.kind == QuantityKind::Probe &&
@@ -139,7 +151,7 @@ Values beam(const Setup& setup, const Quantity& quantity, std::span<const double
            (sizes && largest_factor(history, setup) == std::abs(history.at(end_time(setup))))),
       "is for a probe at the end of the run, or its size where the load is largest there");
   const Probe& probe = scene.probes[quantity.probe];
-  require_elastic(setup, most_of_run(setup) * largest_moment(bent.beam));
+  require_elastic_run(setup);
   const double at = distance_of(probe.at, setup);
   const auto taken = [&](double value) { return Values{sizes ? std::abs(value) : value}; };
   if (probe.quantity == ProbeQuantity::Displacement && probe.component == Component::Y) {

@@ -1,4 +1,5 @@
 #include <array>
+#include <cmath>
 #include <numbers>
 
 #include "plastica/run/chain_model.hpp"
@@ -83,6 +84,10 @@ Values released_cantilever(const Setup& setup, const Quantity& quantity,
                       scene.gravity_history.factor == std::vector<double>{1.0} &&
                       scene.initial_motions.empty() && setup.solver.analysis == Analysis::Dynamics;
   require_scene(sudden, "is for a motion under constant gravity along y, from rest");
+  // Each mode swings to twice its part of the moment at rest, w L^2/2 at the clamp, and all these
+  // parts have one sign.
+  require_elastic(setup,
+                  std::abs(scene.gravity[1]) * beam.mass_per_length * beam.length * beam.length);
   Values values;
   for (const double t : time) {
     values.push_back(theory::released_cantilever_tip(beam, scene.gravity[1], t, kModes));

@@ -3,13 +3,16 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
+#include <string_view>
 
 #include "plastica/model/beam_axis.hpp"
 #include "plastica/model/check_parts.hpp"
 #include "plastica/model/check_value.hpp"
 #include "plastica/model/motion_warnings.hpp"
+#include "plastica/model/support_kind.hpp"
 
 namespace plastica::sweeps {
 namespace {
@@ -31,12 +34,22 @@ std::string name_of_place(const Scene& scene, double fraction) {
   return fraction < 0.5 ? "the start" : "the end";
 }
 
-/// Whether something acts on an end of the beam, so that the stretch there bends.
-bool is_loaded_end(const Scene& scene, double fraction) {
-  const bool inside = fraction > kSamePlace && fraction < 1.0 - kSamePlace;
+bool is_support(const Scene& scene, double fraction) {
+  return std::any_of(scene.supports.begin(), scene.supports.end(), [&](const Support& support) {
+    return !support.to && !support.at.segment && !traits_of(support).releases &&
+           std::fabs(support.at.fraction - fraction) <= kSamePlace;
+  });
+}
+
+/// Whether all that acts on a beam at rest acts within a stretch, so that the rest does not bend.
+bool bends_alone(const Setup& setup, double from, double to) {
+  const Scene& scene = setup.scene;
   const auto places = node_places(scene);
-  return inside || std::any_of(places.begin(), places.end(), [&](const NodePlace& place) {
-           return std::fabs(place.fraction - fraction) <= kSamePlace;
+  return setup.solver.analysis == Analysis::Statics && scene.gravity == std::array<double, 3>{} &&
+         std::all_of(places.begin(), places.end(), [&](const NodePlace& place) {
+           const std::string_view list = place.list;
+           return (list != "support" && list != "load") ||
+                  (place.fraction >= from - kSamePlace && place.fraction <= to + kSamePlace);
          });
 }
 
@@ -46,24 +59,25 @@ std::ptrdiff_t segments_within(const std::vector<double>& ends, double from, dou
   });
 }
 
-std::string coarse_stretch(const Scene& coarsest, const Scene& finest) {
+/// A stretch of one segment does not bend. That matters where supports hold both of its ends, and
+/// where no other stretch bends.
+std::string rigid_stretch(const Scene& coarsest, const Setup& setup) {
+  const Scene& finest = setup.scene;
   const auto divides_itself = [](const Scene& scene) {
     return scene.beam.segment_fractions.empty() && scene.beam.joint_lengths.empty();
   };
   if (finest.is_coupon() || !divides_itself(finest) || !divides_itself(coarsest)) return {};
   const std::vector<double> places = needed_ends(finest);
   if (places != needed_ends(coarsest)) return {};  // another scene
-  const std::vector<double> few = segment_ends(coarsest);
-  const std::vector<double> many = segment_ends(finest);
+  const std::vector<double> ends = segment_ends(finest);
   for (std::size_t i = 0; i + 1 < places.size(); ++i) {
     const double from = places[i];
     const double to = places[i + 1];
-    const auto count = segments_within(many, from, to);
-    if (count != segments_within(few, from, to)) continue;
-    if (!is_loaded_end(finest, from) || !is_loaded_end(finest, to)) continue;
-    return fmt::format("between {} and {} {} {} in all cases", name_of_place(finest, from),
-                       name_of_place(finest, to), count == 1 ? "is" : "are",
-                       count == 1 ? "1 segment" : fmt::format("{} segments", count));
+    if (segments_within(ends, from, to) > 1) continue;
+    const bool locked = is_support(finest, from) && is_support(finest, to);
+    if (!locked && !bends_alone(setup, from, to)) continue;
+    return fmt::format("between {} and {} is 1 segment in all cases", name_of_place(finest, from),
+                       name_of_place(finest, to));
   }
   return {};
 }
@@ -81,13 +95,14 @@ std::string probe_beside_its_place(const Quantity& quantity, const Scene& next,
   const double place = probe.at.fraction;
   if (std::fabs(read - place) <= kSamePlace || read == 1.0) return {};
   if (std::fabs(joint_of(next) - read) > kSamePlace) return {};
-  return fmt::format("{} at {} is of the joint at {} in the finest cases", probe.name,
-                     figure(place), figure(read));
+  return fmt::format("{} at {:.6g} is of the joint at {:.6g} in the finest cases", probe.name,
+                     place, read);
 }
 
-std::string missed_periods(const Scene& scene, double step) {
+std::string missed_periods(const Setup& setup, double step) {
   constexpr double kFewest = 4.0;
-  const auto history = model_detail::shortest_history(scene);
+  if (setup.solver.step_error > 0.0) return {};  // which chooses its steps
+  const auto history = model_detail::shortest_history(setup.scene);
   if (!history || history->period >= kFewest * step) return {};
   return fmt::format("the finest steps of {} s are {} in a period of {}", figure(step),
                      figure(history->period / step), history->name);
@@ -100,12 +115,12 @@ std::string what_stays_coarse(const Sweep& sweep, const CaseTable& cases, const 
   for (const std::size_t axis : set.numbers) {
     const auto line = line_of_finest(sweep, sets, set, axis, results);
     if (line.size() < 2) continue;
-    const Scene finest = cases.setup(line.front()).scene;
+    const Setup finest = cases.setup(line.front());
     std::string found;
     if (refines_segments(sweep.axes[axis])) {
-      found = coarse_stretch(cases.setup(line.back()).scene, finest);
+      found = rigid_stretch(cases.setup(line.back()).scene, finest);
       if (found.empty()) {
-        found = probe_beside_its_place(sweep.quantity, cases.setup(line[1]).scene, finest);
+        found = probe_beside_its_place(sweep.quantity, cases.setup(line[1]).scene, finest.scene);
       }
     } else if (sweep.axes[axis].field->path == "solver.time_step") {
       found = missed_periods(finest, sets.size_at(line.front(), axis));

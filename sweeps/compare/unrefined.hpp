@@ -9,8 +9,8 @@ namespace plastica::sweeps {
 
 /// What of a scene the axes of a set do not refine, though they refine the rest, so that finer
 /// cases agree and are wrong together; in words, empty: nothing was found.
-/// - A stretch between two places has as many segments in the finest case as in the coarsest: a
-///   short one keeps its one segment.
+/// - A stretch between two supports keeps its one segment, which does not bend; or one that is all
+///   that bends.
 /// - A probe of a joint reads the same joint, beside its place, in the two finest cases.
 /// - The finest step is more than a fourth of a history's period: whole periods look like nothing.
 /// @param set  with a finest case

@@ -25,7 +25,8 @@ void fit_beam() {
     bar.target.ordinate.push_back(3.0 * 200e9 * 0.02 * 0.02 * 0.02 * 0.02 / 12.0 * 1e-4 * i);
   }
   SceneFitOptions options;
-  options.parameters.emplace_back().field = &plastica::find_field("youngs_modulus");
+  options.parameters.push_back(
+      {.field = &plastica::find_field("youngs_modulus"), .lower = 1e9, .upper = 1e12});
   const std::vector<WeightedTarget> targets{bar};
   SceneFitContents contents;
   contents.records.push_back(record_of({"bar", targets}, fit(targets, options)));

@@ -206,7 +206,8 @@ class Builder {
     joint.history = history;
     joint.joint = build_.joints.size();
     joint.outer = outer;
-    joint.local = outer ? shape.outer : shape.inner;
+    // At a corner it is of one leg alone, and has its axes.
+    if (!layout_.has_corners) joint.local = outer ? shape.outer : shape.inner;
     joint.ground = L::compose(undeformed_.frame[segment], joint.local);
     joint.motion = rotation;
     build_.chain.ground_joints.push_back(joint);
@@ -221,10 +222,6 @@ class Builder {
     if (outer) plan.before = plan.length;
     plan.active = held;
     plan.node = joint.node;
-    if (layout_.has_corners) {
-      plan.axes_a = plan.axes_b =
-          axis_squares(layout_.joint_frame[joint.node], layout_.segment_frame[segment]);
-    }
     const SegmentRegions& regions = layout_.segment_regions[segment];
     plan.region_a = plan.region_b = outer ? regions.outer : regions.inner;
     build_.joints.push_back(plan);

@@ -53,21 +53,21 @@ void Builder<L>::add_single_load(Load load, std::size_t history, double fraction
     hold_by_springs(load, history, fraction, beyond, springs, shares);
   }
   const auto outer_part = [&](const std::array<double, 3>& whole,
-                              const std::array<double, 3>& fractions) {
+                              const Mat<double, 3, 3>& shares_of) {
     const auto& frame = layout_.joint_frame[beyond];
-    if (fractions[0] == fractions[1] && fractions[1] == fractions[2])
-      return (fractions[0] * vector(whole)).at;
-    Vec<double, 3> own = transpose(frame) * vector(whole);
-    for (std::size_t k = 0; k < 3; ++k) own[k] *= fractions[k];
-    return (frame * own).at;
+    // Alike about all axes, it has no rounding of frames.
+    if (shares_of.at == (shares_of(0, 0) * identity<double, 3>()).at) {
+      return (shares_of(0, 0) * vector(whole)).at;
+    }
+    return (frame * (shares_of * (transpose(frame) * vector(whole)))).at;
   };
   // The shares are of the whole moment, of which the spring's is taken from the load.
   Load outer = load;
   outer.moment = outer_part(moment, shares.rotational);
   // A force does so where the joint stretches and shears; where it has an axial force, or the
   // load follows, half of it acts on each segment, so that start and end are alike.
-  const std::array<double, 3> none{};
-  const std::array<double, 3> half{0.5, 0.5, 0.5};
+  const Mat<double, 3, 3> none{};
+  const Mat<double, 3, 3> half = 0.5 * identity<double, 3>();
   outer.force = outer_part(load.force, options_.shifts ? shares.shifting : halves ? half : none);
   Load inner = load;
   for (std::size_t k = 0; k < 3; ++k) {

@@ -78,7 +78,7 @@ void set_shifts(const JointPlan& plan, const std::vector<std::array<S, 3>>& stif
   if (!shears(0) || !shears(1)) shifts.axes_a = shifts.axes_b = kSameAxes;
   const bool alike = plan.region_a == plan.region_b && !shifts.turns(kAlong);
   const auto give = [&](std::size_t axis) {
-    const auto parts = part_compliances(shifts, axis, kLengthsOfShifts, of_a, of_b);
+    const auto parts = part_compliances(shifts, axis, axis, kLengthsOfShifts, of_a, of_b);
     return parts[0] + parts[1];
   };
   if (!alike) joint.length[law::kAxial] = joint.stiffness[law::kAxial] * give(kAlong);
@@ -129,14 +129,14 @@ std::vector<SectionJoint<L>> joint_numbers(
     for (std::size_t axis = 0; axis < law::kAxial; ++axis) {
       if (a == b && !plan.turns(axis)) continue;
       const auto parts =
-          part_compliances(plan, axis, kLengthsOfRotations, rotational[a], rotational[b]);
+          part_compliances(plan, axis, axis, kLengthsOfRotations, rotational[a], rotational[b]);
       joint.length[axis] = joint.stiffness[axis] * (parts[0] + parts[1]);
     }
     for (std::size_t k = 0; k < L::kRotations; ++k) {
       const std::size_t axis = view.section_axes().rotation(k);
       if (plan.half_of_node || plan.node_spring[k] > 0.0) {
         const auto parts =
-            part_compliances(plan, axis, kLengthsOfRotations, rotational[a], rotational[b]);
+            part_compliances(plan, axis, axis, kLengthsOfRotations, rotational[a], rotational[b]);
         joint.length[axis] =
             joint.stiffness[axis] * node_compliance(plan, constant<S>(plan.node_spring[k]), parts);
       }

@@ -8,10 +8,9 @@
 
 namespace plastica::chain {
 
-/// How the axes of a segment lie to those of a joint: squares of the cosines, the joint's axis
-/// first.
-using AxisSquares = std::array<std::array<double, 3>, 3>;
-inline constexpr AxisSquares kSameAxes{{{1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {0.0, 0.0, 1.0}}};
+/// How the axes of a segment lie to those of a joint: cosines, the joint's axis first.
+using AxisCosines = std::array<std::array<double, 3>, 3>;
+inline constexpr AxisCosines kSameAxes{{{1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {0.0, 0.0, 1.0}}};
 
 /// What a joint stands for; its law and numbers follow from the regions of the beam beside it.
 struct JointPlan {
@@ -26,51 +25,57 @@ struct JointPlan {
   bool half_of_node = false;
   bool is_before = false;          ///< which half: that in region a
   bool stretches = false;          ///< where joints do: whether this one stretches and shears
-  AxisSquares axes_a = kSameAxes;  ///< of the segment before a corner
-  AxisSquares axes_b = kSameAxes;  ///< of the segment beyond it
+  AxisCosines axes_a = kSameAxes;  ///< of the segment before a corner
+  AxisCosines axes_b = kSameAxes;  ///< of the segment beyond it
   std::size_t node = 0;            ///< where it is
   std::size_t region_a = 0;        ///< the regions that it joins
   std::size_t region_b = 0;
 
-  /// Whether segments meet at an angle there, and not about this axis.
+  /// Whether this axis of the joint is none of a segment beside it.
   bool turns(std::size_t axis) const {
     return axes_a[axis] != kSameAxes[axis] || axes_b[axis] != kSameAxes[axis];
   }
 };
 
-inline AxisSquares axis_squares(const Mat<double, 3, 3>& joint, const Mat<double, 3, 3>& segment) {
-  const Mat<double, 3, 3> cosines = transpose(joint) * segment;
-  AxisSquares squares{};
+/// @param joint, segment  frames, columns x, y, z
+inline AxisCosines axis_cosines(const Mat<double, 3, 3>& joint, const Mat<double, 3, 3>& segment) {
+  constexpr double kSame = 1e-12;  // rounding of the frames
+  const Mat<double, 3, 3> between = transpose(joint) * segment;
+  AxisCosines cosines{};
   for (std::size_t k = 0; k < 3; ++k) {
-    for (std::size_t m = 0; m < 3; ++m) squares[k][m] = cosines(k, m) * cosines(k, m);
+    for (std::size_t m = 0; m < 3; ++m) cosines[k][m] = between(k, m);
     // The axis that they turn about.
-    if (squares[k][k] > 1.0 - 1e-12) squares[k] = kSameAxes[k];
+    if (cosines[k][k] > 1.0 - kSame) cosines[k] = kSameAxes[k];
   }
-  return squares;
+  return cosines;
 }
 
 /// Which of a plan's lengths the parts about x, y, z have, and those along x, y, z.
 inline constexpr std::array<std::size_t, 3> kLengthsOfRotations{0, 1, 2};
 inline constexpr std::array<std::size_t, 3> kLengthsOfShifts{3, 3, 3};
 
-/// What the parts of a joint before and beyond its node give way by, per moment about or force
-/// along an axis of the joint [rad/(N m)], [m/N]. At a corner each part bends and twists about its
-/// own axes: sum_m c_km^2 l_m/K_m, c the cosines between these and the joint's. Of two parts of one
-/// length and section that is all: what couples two axes is of opposite sign in them.
+/// What the parts of a joint before and beyond its node give way by about or along axis k of the
+/// joint, per moment about or force along its axis j [rad/(N m)], [m/N]. At a corner each part
+/// bends and twists about its own axes: sum_m c_km c_jm l_m/K_m, c the cosines between these and
+/// the joint's. In the sum of two parts of one length and section the coupling of unlike axes is of
+/// opposite sign, and cancels.
 /// @param of_a, of_b  stiffness per length of the regions of both, about or along x, y, z
 template <class S>
-std::array<S, 2> part_compliances(const JointPlan& plan, std::size_t axis,
+std::array<S, 2> part_compliances(const JointPlan& plan, std::size_t k, std::size_t j,
                                   const std::array<std::size_t, 3>& lengths,
                                   const std::array<S, 3>& of_a, const std::array<S, 3>& of_b) {
   const auto before = [&](std::size_t m) { return constant<S>(plan.before[lengths[m]]) / of_a[m]; };
   const auto beyond = [&](std::size_t m) {
     return constant<S>(plan.length[lengths[m]] - plan.before[lengths[m]]) / of_b[m];
   };
-  if (!plan.turns(axis)) return {before(axis), beyond(axis)};
   std::array<S, 2> sum{constant<S>(0), constant<S>(0)};
+  if (!plan.turns(k)) {
+    if (k == j) sum = {before(k), beyond(k)};
+    return sum;
+  }
   for (std::size_t m = 0; m < 3; ++m) {
-    sum[0] = sum[0] + constant<S>(plan.axes_a[axis][m]) * before(m);
-    sum[1] = sum[1] + constant<S>(plan.axes_b[axis][m]) * beyond(m);
+    sum[0] = sum[0] + constant<S>(plan.axes_a[k][m] * plan.axes_a[j][m]) * before(m);
+    sum[1] = sum[1] + constant<S>(plan.axes_b[k][m] * plan.axes_b[j][m]) * beyond(m);
   }
   return sum;
 }
@@ -89,8 +94,8 @@ inline JointPlan joint_plan(const Layout& layout, std::size_t i) {
   joint.length.fill(layout.joint_length[i]);
   if (i > 0) joint.before.fill(layout.length_before[i]);
   if (i > 0 && layout.has_corners) {
-    joint.axes_a = axis_squares(layout.joint_frame[i], layout.segment_frame[i - 1]);
-    joint.axes_b = axis_squares(layout.joint_frame[i], layout.segment_frame[i]);
+    joint.axes_a = axis_cosines(layout.joint_frame[i], layout.segment_frame[i - 1]);
+    joint.axes_b = axis_cosines(layout.joint_frame[i], layout.segment_frame[i]);
   }
   for (std::size_t k = 0; k < joint.length.size(); ++k) {
     if (first) joint.length[k] += layout.bare_half[0][k];
@@ -100,12 +105,13 @@ inline JointPlan joint_plan(const Layout& layout, std::size_t i) {
   return joint;
 }
 
-/// What of a moment and of a force at a node acts on the segment beyond it, and what of a moment
-/// goes into a rotational spring there [1]; of the scene's own materials, whatever is fitted.
+/// What of a moment and of a force at a node acts on the segment beyond it, as matrices in the
+/// joint's axes, and what of a moment goes into a rotational spring there [1]; of the scene's own
+/// materials, whatever is fitted.
 struct NodeShares {
-  std::array<double, 3> rotational{};  ///< about x, about y, and about z
-  std::array<double, 3> shifting{};    ///< along x, along y, and along z
-  std::array<double, 3> spring{};      ///< about x, about y, and about z
+  Mat<double, 3, 3> rotational{};
+  Mat<double, 3, 3> shifting{};
+  std::array<double, 3> spring{};  ///< about x, about y, and about z
 };
 
 /// A node between two half joints of compliances a and b that a rotational spring k holds is
@@ -136,13 +142,18 @@ inline NodeShares node_shares(const Layout& layout, std::size_t node,
   }
   NodeShares shares;
   for (std::size_t k = 0; k < 3; ++k) {
-    const auto [before, beyond] = part_compliances(plan, k, kLengthsOfRotations, a[0], b[0]);
+    const auto [before, beyond] = part_compliances(plan, k, k, kLengthsOfRotations, a[0], b[0]);
     const double held = spring[k] * before * beyond;
     const double all = before + beyond + held;
-    shares.rotational[k] = before / all;
     shares.spring[k] = held / all;
-    const auto [shift, shift_beyond] = part_compliances(plan, k, kLengthsOfShifts, a[1], b[1]);
-    shares.shifting[k] = shift / (shift + shift_beyond);
+    const auto [shift, shift_beyond] = part_compliances(plan, k, k, kLengthsOfShifts, a[1], b[1]);
+    for (std::size_t j = 0; j < 3; ++j) {
+      // The part before carries it alone, with its coupling of axes.
+      const double turned = part_compliances(plan, k, j, kLengthsOfRotations, a[0], b[0])[0];
+      const double shifted = part_compliances(plan, k, j, kLengthsOfShifts, a[1], b[1])[0];
+      shares.rotational(k, j) = turned / all;
+      shares.shifting(k, j) = shifted / (shift + shift_beyond);
+    }
   }
   return shares;
 }

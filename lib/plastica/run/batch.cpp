@@ -138,7 +138,8 @@ std::string riding_of(const Model& model) {
   if (!model.chain) return "one by one: it is a coupon";
   const std::string_view why = why_alone(*model.chain);
   if (!why.empty()) return "one by one: " + std::string(why);
-  return "up to " + std::to_string(lane_width(*model.chain)) + " of its shape at a time";
+  return "side by side with up to " + std::to_string(lane_width(*model.chain) - 1) +
+         " others of its shape";
 }
 
 BatchRow run_case(const BatchCase& one) {

@@ -42,7 +42,8 @@ struct BatchOptions {
   std::function<void(std::size_t finished)> progress{};
 };
 
-/// How a batch runs cases of a model: "up to 32 of its shape at a time", or "one by one:" and why.
+/// How a batch runs a case of a model: "side by side with up to 31 others of its shape", or "one by
+/// one:" and why.
 std::string riding_of(const Model& model);
 
 /// Runs one case as a batch does.

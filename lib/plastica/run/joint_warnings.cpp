@@ -106,19 +106,27 @@ std::optional<std::string> rigid_stretch_warning(const Facts& facts) {
   const std::vector<double>& ends = facts.layout.ends;
   const std::vector<double>& lengths = facts.layout.segment_length;
   const auto& supports = facts.scene.supports;
-  if (facts.level.level == Level::Twist) return std::nullopt;
-  constexpr double kShort = 0.75;
-  const double longest = *std::max_element(lengths.begin(), lengths.end());
+  constexpr std::size_t kFew = 8;  // who has so few segments knows
+  if (facts.level.level == Level::Twist || lengths.size() < kFew ||
+      !facts.scene.beam.segment_fractions.empty()) {
+    return std::nullopt;
+  }
+  // Across the beam, or against its turning in bending.
+  const auto holds = [&](const Support& support) {
+    const HeldFreedoms held = support.held();
+    return !support.to && !traits_of(support).releases &&
+           ((bends_about_x(facts.level) && (held[1] || held[3])) ||
+            (bends_about_y(facts.level) && (held[0] || held[4])));
+  };
   const auto support_at = [&](double end) {
     return std::find_if(supports.begin(), supports.end(), [&](const Support& support) {
-      return !support.to && !traits_of(support).releases && fraction_of(support.at, ends) == end;
+      return holds(support) && fraction_of(support.at, ends) == end;
     });
   };
   for (std::size_t i = 0; i < lengths.size(); ++i) {
     const auto first = support_at(ends[i]);
     const auto second = support_at(ends[i + 1]);
     if (first == supports.end() || second == supports.end()) continue;
-    if (lengths[i] >= kShort * longest) continue;
     const auto name = [&](auto support) {
       return model_detail::item_name("support",
                                      static_cast<std::size_t>(support - supports.begin()));

@@ -16,8 +16,8 @@ std::optional<std::string> hinge_warning(const Facts& facts);
 /// is.
 std::optional<std::string> inner_clamp_warning(const Facts& facts);
 
-/// Two supports with one segment between them, shorter than others are: it is rigid, and what they
-/// carry is that of a beam which does not bend there.
+/// Two supports that hold the beam in bending with one segment between them: it is rigid, and what
+/// they carry is that of a beam which does not bend there.
 std::optional<std::string> rigid_stretch_warning(const Facts& facts);
 
 }  // namespace plastica::run_detail

@@ -21,9 +21,8 @@ mask_t<S> may_improve(const S& imbalance, const S& enough) {
 
 /// Seeks the equilibrium at `w.time`, or on a path condition, from the current unknowns.
 ///
-/// @param assemble  (work, slopes): places the chain and gathers all that acts on it, and, if
-/// slopes
-///                  are asked for, how it changes
+/// @param assemble  (work, slopes): places the chain and gathers all that acts on it; where slopes
+///                  are asked for, how it changes, too
 /// @param condition  asked for at each iteration with the placed chain; its default makes time
 ///                   fixed
 /// @return not converged after `max_iterations`, or as soon as a number is not finite
@@ -39,9 +38,12 @@ NewtonOutcome<typename L::Scalar> equilibrate(const chain::Chain<L>& chain,
   w.stepped = constant<S>(0);
   for (int iteration = 0;; ++iteration) {
     const S enough = constant<S>(reachable<S>(options.tolerance, iteration));
-    // What may be the end of one solve is looked at without slopes.
+    // What may be the end of one solve is looked at without slopes; but not where contacts are
+    // decided, which is done once an iteration.
     const bool may_end = options.one_solve && iteration > 0;
-    assemble(w, !may_end);
+    const bool looks = may_end && std::none_of(chain.constraints.begin(), chain.constraints.end(),
+                                               [](const auto& k) { return k.one_sided; });
+    assemble(w, !looks);
     if (may_end && detail::constraints_hold(chain, w)) {
       w.recursion.sum(chain, w.q, w.placement, w.stage, w.joints, w.outer_forces, w.transmitted);
       const S imbalance = detail::relative_imbalance(chain, w);
@@ -50,7 +52,7 @@ NewtonOutcome<typename L::Scalar> equilibrate(const chain::Chain<L>& chain,
       outcome.converged = imbalance <= constant<S>(reachable<S>(kOneSolveTolerance, iteration));
       if (!any(!outcome.converged)) break;
     }
-    if (may_end) assemble(w, true);
+    if (looks) assemble(w, true);
     const PathCondition<L> condition = condition_at(w);
     if (condition.active) detail::stiffen_condition(chain, condition, w);
     w.recursion.factor(chain, w.q, w.placement, w.stage, w.joints, w.outer_forces, w.transmitted);

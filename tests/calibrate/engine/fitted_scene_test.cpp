@@ -116,6 +116,7 @@ TEST(FittedScene, HasWhatTheFitsFileSaysThoughItIsTheDefault) {
   EXPECT_EQ(fitted().density, 2000.0);
   options.stated = {"material"};
   EXPECT_EQ(fitted().density, defaults.density);
+  EXPECT_EQ(fitted().break_strain, 0.02) << "of which the fit's material says nothing";
 }
 
 TEST(FittedScene, TakesFixedNumbersAndSaysWhatIsAtABound) {

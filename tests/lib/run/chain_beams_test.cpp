@@ -267,5 +267,40 @@ TEST(ChainBeams, BendAndTwistOverLegsThatLieInNoPlane) {
   }
 }
 
+/// Twist of the tip about an axis under a moment about it at the corner of an elbow, over that of
+/// leg a alone: a section that is no square, so that both bending stiffnesses and torsion count.
+double corner_moment_error(int segments, std::size_t about, bool guided) {
+  Scene scene = elbow(segments, 0.5);
+  const SectionProperties p = testing::properties_of(scene);
+  const double e = scene.material.youngs_modulus;
+  const double gj = resolved_shear_modulus(scene.material) * p.torsion_constant;
+  // Leg a lies along z, leg b along y.
+  const std::array<double, 3> of_a{e * p.second_moment_x, e * p.second_moment_y, gj};
+  const std::array<double, 3> of_b{e * p.second_moment_x, gj, e * p.second_moment_y};
+  Load load;
+  load.at = guided ? Place::end() : Place{0.5, {}};
+  load.moment[about] = 1e-3;
+  scene.loads.push_back(load);
+  if (guided) scene.supports.push_back({.at = {0.5, {}}, .kind = SupportKind::Guide});
+  add_probe(scene, ProbeQuantity::Rotation, Place::end(), static_cast<Component>(about));
+  const double exact = load.moment[about] * 0.5 / (guided ? of_b : of_a)[about];
+  return last_of(completed(scene, {.level = Level::Spatial, .steps = 1}), 0) / exact - 1.0;
+}
+
+TEST(ChainBeams, TurnByAMomentAtACornerWhateverTheSegments) {
+  for (std::size_t about = 0; about < 3; ++about) {
+    for (const int segments : {4, 16}) {
+      EXPECT_NEAR(corner_moment_error(segments, about, false), 0.0, tolerance(1e-6))
+          << "xyz"[about] << ", " << segments;
+    }
+  }
+}
+
+TEST(ChainBeams, AreHeldAtACornerAboutTheAxesOfTheLegs) {
+  for (std::size_t about = 0; about < 3; ++about) {
+    EXPECT_NEAR(corner_moment_error(16, about, true), 0.0, tolerance(1e-6)) << "xyz"[about];
+  }
+}
+
 }  // namespace
 }  // namespace plastica

@@ -309,7 +309,8 @@ TEST(PathLanes, SayWhatRunsAlone) {
   };
   const std::string alone = "one by one: ";
   const SolverOptions at_rest;
-  EXPECT_EQ(riding(bent(0, YieldModel::PerAxis), at_rest), "up to 32 of its shape at a time");
+  EXPECT_EQ(riding(bent(0, YieldModel::PerAxis), at_rest),
+            "side by side with up to 31 others of its shape");
   EXPECT_EQ(riding(bent(0, YieldModel::Fibre), at_rest),
             alone + "it yields by several forces at once (rules.yield_model)");
   EXPECT_EQ(riding(bent(0, YieldModel::PerAxis, HardeningLaw::VoceChaboche), at_rest),

@@ -111,6 +111,38 @@ TEST(Newton, SaysSoWhereThereIsNoEquilibrium) {
   EXPECT_FALSE(outcome.converged);
 }
 
+/// What looks for the end of one solve without slopes assembles once more if it was none; contacts,
+/// which an assembly decides, must not be decided again.
+TEST(Newton, AssemblesOnceAnIterationWhereThereAreContacts) {
+  using L = Planar<double>;
+  for (const bool contact : {false, true}) {
+    Scene scene = cantilever(8, {0.0, -50.0, 0.0});
+    if (contact) {
+      Support pillar{.at = {0.5, {}}, .kind = SupportKind::Pillar};
+      pillar.normal = {0.0, 1.0, 0.0};
+      scene.supports.push_back(pillar);
+    }
+    SolvedChain<L, false, Elastic<double>> solved(scene, material_values(scene.material),
+                                                  View<L>{1});
+    solved.work.time = 1.0;
+    NewtonOptions options;
+    options.one_solve = true;
+    options.max_iterations = 4;
+    int all = 0;
+    int looks = 0;
+    equilibrate(
+        solved.build.chain,
+        [&](NewtonWork<L, false>& work, bool slopes) {
+          ++all;
+          if (!slopes) ++looks;
+          detail::assemble(solved.build.chain, *solved.joints, work);
+        },
+        options, solved.work, [](const NewtonWork<L, false>&) { return PathCondition<L>{}; });
+    EXPECT_EQ(looks == 0, contact);
+    EXPECT_LE(all, options.max_iterations + 1 + looks);
+  }
+}
+
 TEST(Newton, TakesNoImbalanceThatIsNoNumberForASmallOne) {
   const double nan = std::nan("");
   EXPECT_TRUE(std::isnan(detail::larger_size(1.0, nan)));

@@ -281,7 +281,7 @@ TEST(ClosedForms, OfElasticBeamsAreNotOfThoseThatYield) {
     Scene scene = loaded(stocky(20, YieldModel::Fibre), {.force = {0.0, -1660.0, 0.0}});
     add_probe(scene, ProbeQuantity::Displacement, Place::end(), Component::Y);
     EXPECT_EQ(refusal(form, setup_of(scene), of_probe()), "no error");
-    scene.loads[0].history = History::turning_points({1.2, 1.0});
+    scene.loads[0].history = History::turning_points({1.2, form[0] == 'e' ? 1.0 : 0.0});
     EXPECT_EQ(refusal(form, setup_of(scene), of_probe()).substr(0, 72), rule + "333 N m");
     scene.yield_model = YieldModel::PerAxis;
     scene.yield_cap = YieldCap::FullyPlastic;

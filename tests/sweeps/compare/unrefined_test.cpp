@@ -20,34 +20,51 @@ Made agreeing(const std::string& how) {
   return {segments_axis("[16, 32, 64]") + against(how), {1.0, 1.0, 1.0}};
 }
 
-TEST(Unrefined, IsAShortStretchThatKeepsItsSegment) {
+TEST(Unrefined, IsAStretchOfOneSegmentThatIsAllThatBends) {
   for (const char* how : {"finest", "richardson"}) {
     Made made = agreeing(how);
-    made.sweep.setup.scene.loads[0].at = {0.01, {}};
+    std::vector<Load>& loads = made.sweep.setup.scene.loads;
+    loads[0].at = {0.01, {}};
     const Comparison found = made.compared();
     for (std::size_t i = 0; i < 3; ++i) {
       EXPECT_FALSE(found.error[i].has_value()) << how;
-      EXPECT_EQ(
-          found.reason[i],
-          std::string(kStart) + "between support[1].at and load[1].at is 1 segment in all cases");
+      EXPECT_EQ(found.reason[i], std::string(kStart) +
+                                     "between support[1].at and load[1].at is 1 segment in all "
+                                     "cases");
     }
-    // What is beyond a load at the end's side does not bend.
-    made.sweep.setup.scene.loads[0].at = {0.99, {}};
+    // With another load beyond it the rest bends, too; and so does what is no support's.
+    loads.push_back(loads[0]);
+    loads[1].at = Place::end();
     EXPECT_FALSE(has(made.compared().reason[0], kStart)) << made.compared().reason[0];
-    // But for a load there.
-    Load end = made.sweep.setup.scene.loads[0];
-    end.at = Place::end();
-    made.sweep.setup.scene.loads.push_back(end);
-    EXPECT_EQ(made.compared().reason[0],
-              std::string(kStart) + "between load[1].at and load[2].at is 1 segment in all cases");
+    loads[0].at = {0.99, {}};
+    EXPECT_FALSE(has(made.compared().reason[0], kStart)) << made.compared().reason[0];
   }
 }
 
-TEST(Unrefined, IsNoStretchOfWhichTheFinestHasMore) {
+TEST(Unrefined, IsAStretchOfOneSegmentBetweenSupports) {
   Made made = agreeing("finest");
-  made.sweep.setup.scene.loads[0].at = {0.05, {}};  // 1, 2 and 3 segments
+  Scene& scene = made.sweep.setup.scene;
+  scene.supports.push_back({.at = {0.01, {}}, .kind = SupportKind::Roller});
+  EXPECT_EQ(
+      made.compared().reason[0],
+      std::string(kStart) + "between support[1].at and support[2].at is 1 segment in all cases");
+  scene.supports[1].at = {0.3, {}};
+  EXPECT_TRUE(made.compared().error[0].has_value()) << made.compared().reason[0];
+}
+
+TEST(Unrefined, IsNoOtherStretch) {
+  Made made = agreeing("finest");
+  Scene& scene = made.sweep.setup.scene;
+  scene.loads[0].at = {0.05, {}};  // 1, 2 and 3 segments
   EXPECT_TRUE(made.compared().error[0].has_value()) << made.compared().reason[0];
   EXPECT_TRUE(promised_error(made.record(), 0).has_value());
+  scene.loads[0].at = Place::end();
+  scene.regions.push_back({{0.97, {}}, {0.98, {}}, scene.section, scene.material});
+  EXPECT_TRUE(made.compared().error[0].has_value()) << made.compared().reason[0];
+  scene.masses.push_back({.at = {0.5, {}}, .mass = 1.0});
+  scene.loads[0].at = {0.49, {}};
+  scene.loads[0].to = Place{0.51, {}};
+  EXPECT_TRUE(made.compared().error[0].has_value()) << made.compared().reason[0];
 }
 
 TEST(Unrefined, IsAProbeOfAJointBesideItsPlace) {
@@ -56,7 +73,7 @@ TEST(Unrefined, IsAProbeOfAJointBesideItsPlace) {
   moment.quantity = ProbeQuantity::Moment;
   moment.at = {0.93, {}};
   EXPECT_EQ(made.compared().reason[0],
-            std::string(kStart) + "tip at 0.93 is of the joint at 0.938 in the finest cases");
+            std::string(kStart) + "tip at 0.93 is of the joint at 0.9375 in the finest cases");
   moment.at = {0.75, {}};
   EXPECT_TRUE(made.compared().error[0].has_value());
   moment.at = {0.7, {}};  // joints at 0.6875 or 0.703125
