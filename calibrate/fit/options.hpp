@@ -39,7 +39,8 @@ struct WeightStep {
 /// Everything that a fit is told besides the target.
 struct FitOptions {
   Setup setup;  ///< material, section and rules of the beam; the target sets drive and probes
-  /// Paths of the material's fields that the fit's file gives, whatever their values; "material": all.
+  /// Paths of the material's fields that the fit's file gives, whatever their values; "material":
+  /// all.
   std::vector<std::string> stated;
   std::vector<Parameter> parameters;
   Objective objective = Objective::Path;

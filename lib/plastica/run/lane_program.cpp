@@ -76,9 +76,7 @@ bool steps_in_lanes(const ChainModel& model) {
   return model.options.analysis == Analysis::Dynamics && is_articulated(model.options.scheme);
 }
 
-bool has_lanes(const ChainModel& model) {
-  return why_alone(model).empty();
-}
+bool has_lanes(const ChainModel& model) { return why_alone(model).empty(); }
 
 bool same_lanes(const ChainModel& a, const ChainModel& b) {
   if (continues_in_lanes(a) || continues_in_lanes(b)) return same_path_lanes(a, b);

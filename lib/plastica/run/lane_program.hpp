@@ -34,8 +34,9 @@ void share_seconds(double seconds, std::span<const LaneCase> cases);
 bool steps_in_lanes(const ChainModel& model);
 
 /// Why no lane program can run a model; empty: one can. Motions ride by articulated schemes; paths
-/// of rigid joints in the plane or in space that are elastic, or ideal plastic or linearly hardening
-/// about each axis by itself, on two-sided supports, under load control, with double precision.
+/// of rigid joints in the plane or in space that are elastic, or ideal plastic or linearly
+/// hardening about each axis by itself, on two-sided supports, under load control, with double
+/// precision.
 std::string_view why_alone(const ChainModel& model);
 
 /// Whether a lane program can run a model.
