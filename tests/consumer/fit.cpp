@@ -12,10 +12,10 @@ void fit_beam() {
   scene.section.width = scene.section.height = 0.02;
   scene.beam.segments = 32;
   scene.yield_model = plastica::YieldModel::Elastic;
-  scene.supports.emplace_back();  // a clamp at the start
-  scene.loads.push_back({.force = {0.0, -8.0, 0.0}});
+  scene.supports.emplace_back();                        // a clamp at the start
+  scene.loads.push_back({.force = {0.0, -80.0, 0.0}});  // beyond what was measured
   scene.probes = {{"tip", plastica::ProbeQuantity::Displacement},
-                  {"force", plastica::ProbeQuantity::Reaction}};
+                  {"force", plastica::ProbeQuantity::Reaction, plastica::Place::start()}};
   bar.target.name = "bar";
   bar.target.abscissa_probe = "tip";
   bar.target.ordinate_probe = "force";
