@@ -138,6 +138,12 @@ Setup setup_at(const Setup& setup, const std::vector<FinenessAxis>& axes, const 
 
 Setting taken_setting(const Setup& setup, const std::vector<FinenessAxis>& axes, Setting setting) {
   for (std::size_t k = 0; k < axes.size(); ++k) {
+    // Runs are compared at the samples that both have: multiples share those of the scene's own.
+    if (axes[k].field->path == "solver.steps") {
+      const double own = axes[k].coarsest;
+      const double times = std::ceil(setting[k] / own - 1e-9);
+      setting[k] = own * std::min(times, std::floor(axes[k].finest / own + 1e-9));
+    }
     if (axes[k].field->path != "solver.time_step") continue;
     const Setup at = setup_at(setup, axes, setting);
     setting[k] = without_rounding(taken_time_step(at.scene, at.solver));

@@ -38,7 +38,8 @@ std::vector<FinenessAxis> fineness_axes(const Setup& setup);
 /// The scene with a setting.
 Setup setup_at(const Setup& setup, const std::vector<FinenessAxis>& axes, const Setting& setting);
 
-/// The setting as a run takes it: a time step divides the time from one sample to the next.
+/// The setting as a run takes it: a time step divides the time from one sample to the next, and the
+/// recorded steps of a path are a multiple of the scene's own.
 Setting taken_setting(const Setup& setup, const std::vector<FinenessAxis>& axes, Setting setting);
 
 /// The setting that a scene's file has.

@@ -1,6 +1,25 @@
 #include "sweeps/compare/convergence.hpp"
 
+#include <algorithm>
+#include <optional>
+#include <vector>
+
 namespace plastica::sweeps {
+namespace {
+
+/// Values that do not converge to the truth, or not yet, say nothing by how they differ.
+std::optional<theory::GridConvergence> grid_of(const RefinementGroup& group,
+                                               const Comparison& comparison,
+                                               const std::vector<double>& sizes,
+                                               const std::vector<double>& values) {
+  const bool refused = std::any_of(group.cases.begin(), group.cases.end(), [&](std::size_t i) {
+    return comparison.reason[i].starts_with(kNotConverged);
+  });
+  if (refused || values.size() < 3) return std::nullopt;
+  return theory::grid_convergence(sizes, values);
+}
+
+}  // namespace
 
 GroupConvergence convergence_of(const RefinementGroup& group,
                                 const std::vector<CaseResult>& results,
@@ -24,14 +43,13 @@ GroupConvergence convergence_of(const RefinementGroup& group,
       values.push_back(*results[i].value);
     }
   }
+  out.grid = grid_of(group, comparison, value_sizes, values);
   if (!out.stops_at.empty()) {
     out.pairwise.resize(sizes.empty() ? 0 : sizes.size() - 1);
-    if (values.size() >= 3) out.grid = theory::grid_convergence(value_sizes, values);
     return out;
   }
   out.fit = theory::observed_order(sizes, errors);
   out.pairwise = theory::pairwise_orders(sizes, errors);
-  if (values.size() >= 3) out.grid = theory::grid_convergence(value_sizes, values);
   return out;
 }
 

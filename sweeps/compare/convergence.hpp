@@ -19,7 +19,8 @@ struct GroupConvergence {
   std::string stops_at{};
   std::vector<std::size_t> cases;               ///< that have an error, from coarse to fine (n)
   std::vector<std::optional<double>> pairwise;  ///< orders between them (n - 1)
-  /// Of the three finest values; none of curves, and of fewer than three values.
+  /// Of the three finest values; none of curves, of fewer than three values, and where cases are
+  /// refused as not converged.
   std::optional<theory::GridConvergence> grid;
 };
 

@@ -58,7 +58,7 @@ INSTANTIATE_TEST_SUITE_P(
               ": --strain: no column is known for the strain; it has A, B: give --strain"),
         curve("StressWithoutUnit", changed_curve(" (MPa)", ""),
               ": --stress = Stress: has no unit in the file: a stress needs a unit (examples: Pa, "
-              "MPa, ksi); write --stress \"Stress:Pa\"")),
+              "MPa, ksi); write --stress \"Stress:MPa\"")),
     name_of_case);
 
 INSTANTIATE_TEST_SUITE_P(

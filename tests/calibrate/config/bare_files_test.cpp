@@ -1,5 +1,7 @@
 #include "calibrate/config/bare_files.hpp"
 
+#include <utility>
+
 #include "tests/calibrate/config/config_folder.hpp"
 
 namespace plastica::calibrate {
@@ -163,9 +165,19 @@ TEST_F(BareFilesTest, RefusesAColumnThatIsNotThere) {
 TEST_F(BareFilesTest, RefusesAMissingOrWrongUnit) {
   EXPECT_EQ(error_with([](BareFiles& bare) { bare.stress = "b"; }),
             "plain.csv: --stress = b: has no unit in the file: a stress needs a unit (examples: "
-            "Pa, MPa, ksi); write --stress \"b:Pa\"");
+            "Pa, MPa, ksi); write --stress \"b:MPa\"");
   EXPECT_EQ(error_with([](BareFiles& bare) { bare.stress = "b:mm"; }),
             "--stress = b:mm: \"mm\" is not a unit of stress (examples: Pa, MPa, ksi)");
+  // Nobody is told to call millimetres a strain.
+  write("ways.csv", "Way (mm),Load (kN)\n0,0\n1,100\n2,110\n");
+  BareFiles machine = of({"ways.csv"});
+  machine.strain = "Way";
+  machine.stress = "Load";
+  EXPECT_TRUE(
+      error(machine).ends_with("; a length becomes a strain by --elongation \"Way\" and "
+                               "--gauge-length"));
+  std::swap(machine.strain, machine.stress);
+  EXPECT_TRUE(error(machine).ends_with("; is another column meant?"));
 }
 
 TEST_F(BareFilesTest, RefusesForceWithoutAreaAndTheLike) {

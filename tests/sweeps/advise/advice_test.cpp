@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <atomic>
 #include <cmath>
 #include <string>
@@ -278,6 +279,26 @@ TEST(Advice, RefusesWhatHangsOnTheNumberOfSegments) {
   setup.scene.beam.segment_fractions = {0.25, 0.75};
   EXPECT_EQ(message_of([&] { advise(setup, asked(0.01)); }),
             "beam.segment_lengths: fixes the segments, whose number is to be chosen");
+}
+
+// Runs are compared at the samples that both have: of 20 and 29 recorded steps the first and the
+// last.
+TEST(Advice, RefinesTheRecordedStepsOfAPathByMultiples) {
+  plastica::Setup setup;
+  setup.scene.beam.segments = 8;
+  setup.scene.supports.emplace_back();
+  setup.scene.loads.push_back({.force = {0.0, -1.0, 0.0}});
+  setup.scene.yield_model = YieldModel::PerAxis;
+  setup.solver.steps = 20;
+  const auto axes = fineness_axes(setup);
+  ASSERT_EQ(axes.back().field->path, "solver.steps");
+  for (const double factor : {0.7, 0.5, 0.33, 1e-4}) {
+    Setting setting = own_setting(setup, axes);
+    setting.back() = axes.back().scaled(setting.back(), factor);
+    const double steps = taken_setting(setup, axes, setting).back();
+    EXPECT_EQ(std::fmod(steps, 20.0), 0.0) << factor;
+    EXPECT_GE(steps, std::min(20.0 / factor - 1e-9, axes.back().finest - 20.0)) << factor;
+  }
 }
 
 }  // namespace

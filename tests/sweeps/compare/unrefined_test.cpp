@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "sweeps/compare/convergence.hpp"
 #include "sweeps/trade/setting.hpp"
 #include "tests/support/has.hpp"
 #include "tests/sweeps/made_sweep.hpp"
@@ -72,6 +73,7 @@ TEST(Unrefined, IsAProbeOfAJointBesideItsPlace) {
   Probe& moment = made.sweep.setup.scene.probes[made.sweep.quantity.probe];
   moment.quantity = ProbeQuantity::Moment;
   moment.at = {0.93, {}};
+  EXPECT_FALSE(convergence_of(made.groups[0], made.results, made.compared()).grid.has_value());
   EXPECT_EQ(made.compared().reason[0],
             std::string(kStart) + "tip at 0.93 is of the joint at 0.9375 in the finest cases");
   moment.at = {0.75, {}};
