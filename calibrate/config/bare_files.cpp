@@ -3,12 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <memory>
 #include <string>
 #include <string_view>
 #include <utility>
 
+#include "calibrate/config/check_unit.hpp"
 #include "calibrate/config/fixed_parameters.hpp"
 #include "calibrate/config/write_target.hpp"
 #include "calibrate/guess/guess_file.hpp"
@@ -87,49 +87,6 @@ std::string names_of(const io::CsvTable& table) {
   std::string names;
   for (const std::string& name : table.names()) names += (names.empty() ? "" : ", ") + name;
   return names;
-}
-
-bool is_unit_of(const std::string& unit, Dimension dimension) {
-  try {
-    io::unit_conversion(unit, dimension);
-    return true;
-  } catch (const InputError&) {
-    return false;
-  }
-}
-
-/// What to do about a column whose unit is none of what it is taken for: another column, unless
-/// nothing is known of the unit.
-std::string advice_on_unit(const std::string& unit, const std::string& column, Dimension dimension,
-                           std::string_view option) {
-  if (!unit.empty() && dimension == Dimension::Strain && is_unit_of(unit, Dimension::Length)) {
-    return fmt::format("a length becomes a strain by --elongation \"{}\" and --gauge-length",
-                       column);
-  }
-  constexpr std::array kOthers{Dimension::Strain, Dimension::Length, Dimension::Stress,
-                               Dimension::Force, Dimension::Time};
-  const bool is_other =
-      !unit.empty() &&
-      std::any_of(kOthers.begin(), kOthers.end(), [&](Dimension d) { return is_unit_of(unit, d); });
-  if (is_other) return "is another column meant?";
-  return fmt::format("write {} \"{}:{}\"", option, column,
-                     dimension == Dimension::Stress ? "MPa" : si_unit(dimension));
-}
-
-/// The unit of a column must stand in its option or in the file, unless it needs none.
-void check_unit(const io::CsvTable& table, const ColumnSource& column, Dimension dimension,
-                std::string_view option) {
-  if (column.unit || column.column.find('*') != std::string::npos) return;
-  const std::size_t index = table.find(column.column, {}, option);
-  const std::string& unit = table.units()[index];
-  try {
-    io::unit_conversion(unit, dimension);
-  } catch (const InputError& error) {
-    throw InputError({table.file(), 0}, option, column.column,
-                     (unit.empty() ? "has no unit in the file: " : "\"" + unit + "\" ") +
-                         error.rule() + "; " +
-                         advice_on_unit(unit, column.column, dimension, option));
-  }
 }
 
 /// What a user must not overlook of guesses, and of which files.
