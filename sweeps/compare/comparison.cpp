@@ -15,7 +15,7 @@ void note_shear(const CaseTable& cases, const ClosedForm& form, Comparison& comp
   if (!form.in_bending) return;
   for (std::size_t i = 0; i < cases.size(); ++i) {
     if (cases.setup(i).solver.translation != JointTranslation::Elastic) continue;
-    comparison.notes.push_back(
+    comparison.notes.emplace_back(
         "the closed form does not shear: the error of cases with solver.translation = \"elastic\" "
         "is the shear's, too");
     return;
