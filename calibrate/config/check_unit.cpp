@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <array>
 #include <cstddef>
 #include <string>
 
@@ -13,29 +11,15 @@
 namespace plastica::calibrate {
 namespace {
 
-bool is_unit_of(const std::string& unit, Dimension dimension) {
-  try {
-    io::unit_conversion(unit, dimension);
-    return true;
-  } catch (const InputError&) {
-    return false;
-  }
-}
-
 /// What to do about a column whose unit is none of what it is taken for: another column, unless
 /// nothing is known of the unit.
 std::string advice_on_unit(const std::string& unit, const std::string& column, Dimension dimension,
                            std::string_view option) {
-  if (!unit.empty() && dimension == Dimension::Strain && is_unit_of(unit, Dimension::Length)) {
+  if (!unit.empty() && dimension == Dimension::Strain && io::is_unit_of(unit, Dimension::Length)) {
     return fmt::format("a length becomes a strain by --elongation \"{}\" and --gauge-length",
                        column);
   }
-  constexpr std::array kOthers{Dimension::Strain, Dimension::Length, Dimension::Stress,
-                               Dimension::Force, Dimension::Time};
-  const bool is_other =
-      !unit.empty() &&
-      std::any_of(kOthers.begin(), kOthers.end(), [&](Dimension d) { return is_unit_of(unit, d); });
-  if (is_other) return "is another column meant?";
+  if (io::is_unit(unit)) return "is another column meant?";
   return fmt::format("write {} \"{}:{}\"", option, column,
                      dimension == Dimension::Stress ? "MPa" : si_unit(dimension));
 }

@@ -40,22 +40,13 @@ std::vector<io::FoundColumn> stress_columns(const CsvTable& table, const io::Nam
   return columns;
 }
 
-bool measures(const std::string& unit, Dimension dimension) {
-  try {
-    io::unit_conversion(unit, dimension);
-    return true;
-  } catch (const InputError&) {
-    return false;
-  }
-}
-
 /// Another unit may go before a file's, but not where the file's are those of each other's column.
 void refuse_swapped(const CsvTable& table, const ImportPlan& plan, const ImportColumns& columns) {
   const io::FoundColumn& strain = columns.strain;
   for (const io::FoundColumn& stress : columns.stress) {
     if (strain.overridden.empty() || stress.overridden.empty()) continue;
-    if (!measures(strain.overridden, plan.stress_is()) ||
-        !measures(stress.overridden, plan.strain_is())) {
+    if (!io::is_unit_of(strain.overridden, plan.stress_is()) ||
+        !io::is_unit_of(stress.overridden, plan.strain_is())) {
       continue;
     }
     throw InputError(

@@ -295,6 +295,10 @@ UnitConversion unit_conversion(std::string_view unit, Dimension dimension,
   return result.conversion;
 }
 
+bool is_unit_of(std::string_view unit, Dimension dimension) {
+  return look_up(without_blanks(unit), dimension).refusal == Refusal::None;
+}
+
 bool is_unit(std::string_view text) {
   text = without_blanks(text);
   if (text.empty()) return false;

@@ -25,6 +25,9 @@ struct UnitConversion {
 UnitConversion unit_conversion(std::string_view unit, Dimension dimension,
                                const SourceLocation& where = {}, std::string_view field = {});
 
+/// Whether `unit_conversion` knows a unit for a dimension.
+bool is_unit_of(std::string_view unit, Dimension dimension);
+
 /// Whether a text is a unit that `unit_conversion` knows for one dimension or another. A column's
 /// header "Stress (MPa)" has one, "Stress (true)" has not. A number alone is none: "Run (2)".
 bool is_unit(std::string_view text);
