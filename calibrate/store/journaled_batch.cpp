@@ -76,6 +76,8 @@ std::string JournaledBatch::run_id() const {
       ids.push_back(id.append(1, ' ').append(key).append(1, '=').append(value));
     }
   }
+  // Nor does what the fit's file says of the material in so many words, which exports take.
+  for (const std::string& said : options_.stated) ids.push_back("says " + said);
   // What is drawn for a group's mean is no part of a fit.
   return run_id_of(std::move(ids), static_cast<std::uint64_t>(options_.intervals.specimens));
 }

@@ -12,7 +12,7 @@
 #include "plastica/model/check_parts.hpp"
 #include "plastica/model/check_value.hpp"
 #include "plastica/model/motion_warnings.hpp"
-#include "plastica/model/support_kind.hpp"
+#include "plastica/model/support_holds.hpp"
 
 namespace plastica::sweeps {
 namespace {
@@ -34,9 +34,9 @@ std::string name_of_place(const Scene& scene, double fraction) {
   return fraction < 0.5 ? "the start" : "the end";
 }
 
-bool is_support(const Scene& scene, double fraction) {
+bool is_held(const Scene& scene, double fraction) {
   return std::any_of(scene.supports.begin(), scene.supports.end(), [&](const Support& support) {
-    return !support.to && !support.at.segment && !traits_of(support).releases &&
+    return holds_bending(support, true, true) && !support.at.segment &&
            std::fabs(support.at.fraction - fraction) <= kSamePlace;
   });
 }
@@ -74,7 +74,7 @@ std::string rigid_stretch(const Scene& coarsest, const Setup& setup) {
     const double from = places[i];
     const double to = places[i + 1];
     if (segments_within(ends, from, to) > 1) continue;
-    const bool locked = is_support(finest, from) && is_support(finest, to);
+    const bool locked = is_held(finest, from) && is_held(finest, to);
     if (!locked && !bends_alone(setup, from, to)) continue;
     return fmt::format("between {} and {} is 1 segment in all cases", name_of_place(finest, from),
                        name_of_place(finest, to));

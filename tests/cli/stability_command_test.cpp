@@ -44,6 +44,13 @@ TEST_F(StabilityCommand, SaysHowFarANumberMayGo) {
   EXPECT_TRUE(has(csv, "\ncantilever/beam.segments=6,")) << csv;
 }
 
+TEST_F(StabilityCommand, ReadsTheOldNameOfAnOption) {
+  const CommandResult result = scan({"--vary", "beam.segments", "--within", "1 %", "-o",
+                                     "points.csv", "--most-work=4", "--quiet"});
+  EXPECT_EQ(result.code, 0) << result.err;
+  EXPECT_TRUE(has(result.err, "plastica: --most-work is now --max-work\n")) << result.err;
+}
+
 TEST_F(StabilityCommand, DrawsTheMapOfTwoFields) {
   EXPECT_EQ(
       scan({"--vary", "beam.segments,scale.loads", "--reach", "10", "--map", "map.gp", "--quiet"})

@@ -9,7 +9,7 @@
 #include "plastica/model/beam_axis.hpp"
 #include "plastica/model/check_parts.hpp"
 #include "plastica/model/check_value.hpp"
-#include "plastica/model/support_kind.hpp"
+#include "plastica/model/support_holds.hpp"
 #include "plastica/run/scene_joints.hpp"
 
 namespace plastica::run_detail {
@@ -111,16 +111,10 @@ std::optional<std::string> rigid_stretch_warning(const Facts& facts) {
       !facts.scene.beam.segment_fractions.empty()) {
     return std::nullopt;
   }
-  // Across the beam, or against its turning in bending.
-  const auto holds = [&](const Support& support) {
-    const HeldFreedoms held = support.held();
-    return !support.to && !traits_of(support).releases &&
-           ((bends_about_x(facts.level) && (held[1] || held[3])) ||
-            (bends_about_y(facts.level) && (held[0] || held[4])));
-  };
   const auto support_at = [&](double end) {
     return std::find_if(supports.begin(), supports.end(), [&](const Support& support) {
-      return holds(support) && fraction_of(support.at, ends) == end;
+      return holds_bending(support, bends_about_x(facts.level), bends_about_y(facts.level)) &&
+             fraction_of(support.at, ends) == end;
     });
   };
   for (std::size_t i = 0; i < lengths.size(); ++i) {

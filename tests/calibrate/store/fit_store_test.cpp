@@ -91,6 +91,7 @@ TEST(FitStore, GivesBackTheOptions) {
   o.seed = 0xffffffffffffffffU;
   o.confidence = 0.9;
   o.intervals = {true, 40, 3, 50};
+  o.stated = {"material.density", "material.break_strain"};
   o.parameters[0].role = ParameterRole::Fixed;
   o.parameters[0].value = 2e11;
   o.parameters[1].lower = 1e6;
@@ -105,6 +106,7 @@ TEST(FitStore, GivesBackTheOptions) {
   for (const Field& field : fields()) {
     EXPECT_EQ(field.get(read.setup), field.get(o.setup)) << field.path;
   }
+  EXPECT_EQ(read.stated, o.stated);
   EXPECT_EQ(read.objective, o.objective);
   EXPECT_EQ(read.noise, o.noise);
   ASSERT_EQ(read.weights.size(), 3U);

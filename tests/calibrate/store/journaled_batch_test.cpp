@@ -3,6 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "calibrate/fit/fit.hpp"
 #include "tests/calibrate/store/same_bits.hpp"
@@ -68,6 +71,17 @@ TEST_F(JournaledBatchTest, IsAnotherRunWithOtherGroups) {
   EXPECT_EQ(id_of("A"), id_of("A"));
   EXPECT_NE(id_of("A"), id_of("B"));
   EXPECT_NE(id_of("A"), id_of(nullptr));
+}
+
+// Exports take what the fit's file says of the material, be it the default.
+TEST_F(JournaledBatchTest, IsAnotherRunWhereTheFileSaysAnotherKey) {
+  const auto id_of = [&](std::vector<std::string> stated) {
+    FitOptions options = options_;
+    options.stated = std::move(stated);
+    return JournaledBatch(targets_, options, {.journal = {journal_}}).run_id();
+  };
+  EXPECT_EQ(id_of({"material.density"}), id_of({"material.density"}));
+  EXPECT_NE(id_of({"material.density"}), id_of({}));
 }
 
 TEST_F(JournaledBatchTest, ResumesWithTheSameBitsWhereverTheJournalWasCut) {

@@ -302,7 +302,7 @@ TEST(PathLanes, RunOneModelWithManyValues) {
   EXPECT_EQ(together[4].status, Status::InvalidParameter);
 }
 
-/// What a batch says of a scene is what it does with it.
+/// Each reason that keeps a scene out of lanes is named.
 TEST(PathLanes, SayWhatRunsAlone) {
   const auto riding = [](const Scene& scene, const SolverOptions& options) {
     return riding_of(prepare(scene, options));

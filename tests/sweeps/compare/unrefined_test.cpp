@@ -2,6 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <string>
+#include <utility>
+#include <vector>
+
 #include "sweeps/compare/convergence.hpp"
 #include "sweeps/trade/setting.hpp"
 #include "tests/support/has.hpp"
@@ -49,6 +53,10 @@ TEST(Unrefined, IsAStretchOfOneSegmentBetweenSupports) {
   EXPECT_EQ(
       made.compared().reason[0],
       std::string(kStart) + "between support[1].at and support[2].at is 1 segment in all cases");
+  Support soft{.at = {0.01, {}}, .kind = SupportKind::Elastic, .stiffness = {1.0, 1.0, 0.0}};
+  std::swap(scene.supports[1], soft);
+  EXPECT_FALSE(has(made.compared().reason[0], kStart)) << "a spring holds nothing";
+  std::swap(scene.supports[1], soft);
   scene.supports[1].at = {0.3, {}};
   EXPECT_TRUE(made.compared().error[0].has_value()) << made.compared().reason[0];
 }
