@@ -17,6 +17,7 @@
 #include "cli/command.hpp"
 #include "cli/common_options.hpp"
 #include "cli/exit_code.hpp"
+#include "cli/input_kind.hpp"
 #include "cli/interrupt.hpp"
 #include "cli/progress_bar.hpp"
 #include "cli/run_files.hpp"
@@ -152,10 +153,14 @@ int advise(AdviseArguments arguments) {
   if (!for_engine) require_ending("-o", arguments.output, ".toml", "it is the scene");
   if (for_engine) (void)engine_request(arguments);
   take_wish(arguments);
-  check_outputs_of(arguments);
-  if (for_engine) return advise_for_engine(engine_request(arguments));
+  if (for_engine) {
+    check_outputs_of(arguments);
+    return advise_for_engine(engine_request(arguments));
+  }
+  expect_input(arguments.scene, {InputKind::Scene});
   const io::SceneFile file = io::read_scene_file(arguments.scene);
   tell_notes(file.notes);
+  check_outputs_of(arguments);
   const sweeps::Advice advice = io::with_place_in(
       file, [&] { return advise_with_progress(file.setup, arguments.options, arguments.quiet); });
   const std::string name = std::filesystem::path(arguments.scene).filename().string();
@@ -197,16 +202,19 @@ void add_advise(CLI::App& app, Action& action) {
   sub->add_option("--plot", arguments->plot,
                   "Also draw error over cost of all runs: .svg, .png, .pdf, .gp, - (terminal)")
       ->option_text("FILE");
-  sub->add_option("--max-runs", arguments->options.max_runs, "Run the scene at most N times")
+  sub->add_option(
+         "--max-runs", arguments->options.max_runs,
+         fmt::format("Run the scene at most N times; default: {}", arguments->options.max_runs))
       ->check(CLI::Range(4, 10'000))
-      ->option_text("N")
-      ->capture_default_str();
-  sub->add_option("--max-work", arguments->options.max_work,
-                  "Let all runs together cost at most N segment-iterations; stop a run that takes "
-                  "more than is left, or 200 times what was foreseen")
+      ->option_text("N");
+  sub->add_option(
+         "--max-work", arguments->options.max_work,
+         fmt::format("Let all runs together cost at most N segment-iterations, default: {:g}; "
+                     "stop a run that takes more than is left, or 200 times what was "
+                     "foreseen",
+                     arguments->options.max_work))
       ->check(CLI::PositiveNumber)
-      ->option_text("N")
-      ->capture_default_str();
+      ->option_text("N");
   add_threads_option(*sub, arguments->options.threads);
   add_force_option(*sub, arguments->force, "a file that is there");
   add_quiet_option(*sub, arguments->quiet, "no progress");

@@ -8,6 +8,7 @@
 
 #include "calibrate/engine/engine_text.hpp"
 #include "cli/exit_code.hpp"
+#include "cli/input_kind.hpp"
 #include "cli/interrupt.hpp"
 #include "cli/progress_bar.hpp"
 #include "cli/run_files.hpp"
@@ -65,6 +66,7 @@ void check_engine_request(const EngineAdviceRequest& request) {
 }
 
 int advise_for_engine(EngineAdviceRequest request) {
+  expect_input(request.scene, {InputKind::Scene});
   const io::SceneFile file = io::read_scene_file(request.scene);
   tell_notes(file.notes);
   sweeps::EngineAdvice advice = engine_advice_with_progress(

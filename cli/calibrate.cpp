@@ -18,6 +18,7 @@
 #include "cli/common_options.hpp"
 #include "cli/dry_run.hpp"
 #include "cli/exit_code.hpp"
+#include "cli/input_kind.hpp"
 #include "cli/interrupt.hpp"
 #include "cli/progress_bar.hpp"
 #include "cli/run_files.hpp"
@@ -56,6 +57,16 @@ calibrate::FitFile read_inputs(const CalibrateArguments& arguments) {
   return file;
 }
 
+void expect_inputs(const CalibrateArguments& arguments) {
+  for (const std::string& path : arguments.inputs) {
+    if (is_fit_file(path)) {
+      expect_input(path, {InputKind::Fit});
+    } else {
+      expect_input(path, {});
+    }
+  }
+}
+
 /// Whether it is a fit file whose targets name scenes.
 bool has_scenes(const CalibrateArguments& arguments) {
   return arguments.inputs.size() == 1 && is_fit_file(arguments.inputs.front()) &&
@@ -70,7 +81,6 @@ int calibrate_files(const CalibrateArguments& arguments) {
   if (!arguments.laws.empty()) file.options.laws = calibrate::laws_of(arguments.laws, "--laws");
   if (arguments.no_modulus_prior) file.options.modulus_prior = false;
   const bool found = finds_output(arguments.resume, arguments.force, output);
-  if (!arguments.dry_run) check_outputs(file, output, arguments.json, arguments.force, found);
   for (calibrate::TargetBlock& block : file.targets) {
     block.options.accept = block.options.accept || arguments.accept;
   }
@@ -84,6 +94,7 @@ int calibrate_files(const CalibrateArguments& arguments) {
     print_dry_run(targets, file.options, output);
     return kDone;
   }
+  check_outputs(file, output, arguments.json, arguments.force, found);
 
   calibrate::FitStoreContents contents;
   contents.inputs = input_texts(file);
@@ -192,6 +203,7 @@ void add_calibrate(CLI::App& app, const std::string& command_line, Action& actio
   sub->callback([&action, arguments, sub] {
     arguments->bare_option = first_given(*sub, kBareGroup);
     action = [arguments] {
+      expect_inputs(*arguments);
       return has_scenes(*arguments) ? calibrate_scenes(*arguments) : calibrate_files(*arguments);
     };
   });

@@ -12,6 +12,7 @@
 #include "cli/command.hpp"
 #include "cli/common_options.hpp"
 #include "cli/exit_code.hpp"
+#include "cli/input_kind.hpp"
 #include "cli/interrupt.hpp"
 #include "cli/progress_bar.hpp"
 #include "cli/result_kind.hpp"
@@ -109,6 +110,7 @@ int check(const CheckArguments& arguments) {
   // All files are read before the first is run: a bad one loses nothing.
   std::vector<sweeps::CheckFile> files;
   for (const std::string& path : arguments.files) {
+    expect_input(path, {InputKind::Check});
     files.push_back(sweeps::read_check_file(path, check_without_digest));
   }
   for (const sweeps::CheckFile& file : files) tell_notes(file.notes);

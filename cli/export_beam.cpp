@@ -15,6 +15,7 @@
 #include "calibrate/store/scene_fit_store.hpp"
 #include "cli/find_record.hpp"
 #include "cli/fit_targets.hpp"
+#include "cli/input_kind.hpp"
 #include "cli/run_files.hpp"
 #include "cli/tell.hpp"
 #include "plastica/io/scene_file.hpp"
@@ -40,6 +41,7 @@ const Record& record_of(const BeamRequest& request, const std::vector<Record>& r
 
 Setup setup_of(const BeamRequest& request) {
   if (!request.scene.empty()) {
+    expect_input(request.scene, {InputKind::Scene});
     io::SceneFile file = io::read_scene_file(request.scene);
     tell_notes(file.notes);
     return std::move(file.setup);

@@ -13,6 +13,7 @@
 #include "cli/column_options.hpp"
 #include "cli/command.hpp"
 #include "cli/exit_code.hpp"
+#include "cli/input_kind.hpp"
 #include "cli/tell.hpp"
 #include "plastica/io/csv.hpp"
 
@@ -71,6 +72,7 @@ void print_specimens(const calibrate::TargetSource& source) {
 }
 
 void inspect_file(const std::string& path, const calibrate::TargetSource& given) {
+  expect_input(path, {});
   const io::CsvTable table = io::CsvTable::read(path, given.csv);
   const std::string layout =
       table.sheet().empty() ? fmt::format("separated by {}", name_of_separator(table.separator()))

@@ -91,7 +91,7 @@ void write_scene(const RecommendArguments& arguments, const sweeps::SweepRecord&
 }
 
 int recommend(const RecommendArguments& arguments) {
-  check_without_digest(arguments.file);
+  kind_of_result(arguments.file);
   const sweeps::SweepRecord record = sweeps::read_sweep_store(arguments.file);
   const sweeps::CostKind cost = cost_kind(arguments, record);
   const sweeps::Wish wish = wish_of(arguments, cost);

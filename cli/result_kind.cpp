@@ -12,6 +12,7 @@
 
 #include "calibrate/store/fit_store.hpp"
 #include "calibrate/store/scene_fit_store.hpp"
+#include "cli/input_kind.hpp"
 #include "cli/tell.hpp"
 #include "plastica/base/check.hpp"
 #include "plastica/base/machine_error.hpp"
@@ -97,6 +98,7 @@ void check_without_digest(const std::string& path) {
 }
 
 ResultKind kind_of_result(const std::string& path) {
+  expect_input(path, {InputKind::Result});
   check_without_digest(path);
   return kind_in(path);
 }

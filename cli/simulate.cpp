@@ -14,6 +14,7 @@
 #include "cli/common_options.hpp"
 #include "cli/exit_code.hpp"
 #include "cli/frequency_line.hpp"
+#include "cli/input_kind.hpp"
 #include "cli/interrupt.hpp"
 #include "cli/motion_progress.hpp"
 #include "cli/run_files.hpp"
@@ -164,6 +165,7 @@ int exit_code_of(const Response& response, bool in_motion, const std::string& ou
 
 int simulate_file(const SimulateArguments& arguments) {
   const auto begin = std::chrono::steady_clock::now();
+  expect_input(arguments.file, {InputKind::Scene});
   io::SceneFile file = io::read_scene_file(arguments.file);
   tell_notes(file.notes);
   take_isa(arguments.isa, file.setup.solver);

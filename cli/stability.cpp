@@ -10,6 +10,7 @@
 #include "cli/command.hpp"
 #include "cli/common_options.hpp"
 #include "cli/exit_code.hpp"
+#include "cli/input_kind.hpp"
 #include "cli/interrupt.hpp"
 #include "cli/run_files.hpp"
 #include "cli/tell.hpp"
@@ -60,6 +61,7 @@ bool any_undetected(const std::vector<stability::StabilityRow>& rows) {
 }
 
 int scan_file(const StabilityArguments& arguments) {
+  expect_input(arguments.file, {InputKind::Scene});
   io::SceneFile file = io::read_scene_file(arguments.file);
   tell_notes(file.notes);
   stability::SceneScanOptions options = arguments.options;

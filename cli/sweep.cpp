@@ -13,6 +13,7 @@
 #include "cli/command.hpp"
 #include "cli/common_options.hpp"
 #include "cli/exit_code.hpp"
+#include "cli/input_kind.hpp"
 #include "cli/interrupt.hpp"
 #include "cli/progress_bar.hpp"
 #include "cli/result_kind.hpp"
@@ -122,12 +123,13 @@ void tell_of_journal(const sweeps::SweepRun& run, bool quiet) {
 int sweep_file(const SweepArguments& arguments) {
   const auto begin = std::chrono::steady_clock::now();
   const std::string output = output_of(arguments);
+  expect_input(arguments.file, {InputKind::Sweep});
   sweeps::Sweep sweep = sweeps::read_sweep_file(arguments.file);
   tell_notes(sweep.notes);
   take_isa(arguments.isa, sweep.setup.solver);
-  if (!arguments.dry_run) check_outputs(arguments, output, sweep);
   sweeps::check_reference(sweep, sweeps::CaseTable(sweep));
   if (arguments.dry_run) return print_dry_run(sweep, output);
+  check_outputs(arguments, output, sweep);
 
   io::RunMeta meta = io::begin_meta(arguments.command_line, arguments.threads);
   meta.instruction_set = name_of(resolved(sweep.setup.solver.isa));

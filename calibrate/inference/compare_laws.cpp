@@ -150,6 +150,21 @@ std::string why_it_gains_nothing(const ComparedLaw& law, const ComparedLaw& best
   return fmt::format("{} are {:.3g} % off", name_of(by), 100.0 * unseen_of(law, by));
 }
 
+/// What speaks against the parameters of the advised law, beside the best of the simpler laws that
+/// have none such; empty if nothing does.
+std::string doubts_on_advised(const LawComparison& comparison, const ComparedLaw& best) {
+  const std::string doubts = doubts_on(best.fit);
+  if (doubts.empty()) return {};
+  for (const ComparedLaw& law : comparison.laws) {
+    const bool is_simpler = law.fit.parameters.size() < best.fit.parameters.size();
+    if (!law.fit.fitted || !is_simpler || !doubts_on(law.fit).empty()) continue;
+    return fmt::format("; yet {}: none of {}, whose misfit is {} for {}", doubts,
+                       name_of(law.fit.law), fraction_text(law.fit.misfit_fraction),
+                       fraction_text(best.fit.misfit_fraction));
+  }
+  return "; yet " + doubts;
+}
+
 /// A law that foretells specimens clearly better than the one that information advises; null if
 /// there is none.
 const ComparedLaw* better_on_specimens(const LawComparison& comparison, const ComparedLaw& best) {
@@ -179,6 +194,7 @@ std::string advice_of(const LawComparison& comparison, std::size_t advised) {
                           why_it_gains_nothing(law, best, by));
     }
   }
+  text += doubts_on_advised(comparison, best);
   if (const ComparedLaw* better = better_on_specimens(comparison, best)) {
     text += fmt::format("; yet specimens not seen are {:.3g} % off, by {} {:.3g} %",
                         100.0 * best.unseen, name_of(better->fit.law), 100.0 * better->unseen);

@@ -21,6 +21,8 @@ constexpr double kAimed = 0.85;
 constexpr double kGoodUse = 1.3;
 /// By how much the error may fall from one search to the next.
 constexpr double kLargestFall = 30.0;
+/// A setting is not run if it is expected to take so many times the budget.
+constexpr double kLikelyTooDear = 2.0;
 /// An axis that adds less than this part says nothing of the cost.
 constexpr double kOfNoWeight = 0.02;
 
@@ -46,6 +48,31 @@ double error_for(const Candidate& candidate, double times) {
   return candidate.promised * std::pow(times, -1.0 / std::max(inverse_orders, 0.5));
 }
 
+/// Whether a search ended because runs or work were used up.
+bool is_used_up(AdviceEnd end) {
+  return end == AdviceEnd::TooManyRuns || end == AdviceEnd::TooMuchWork;
+}
+
+/// The setting of the scene's file, if it takes no more time than the budget and is more accurate
+/// than what was found: a search from coarse to fine may have gone past it.
+void look_at_own(AdviceRuns& runs, double budget, Adviser& adviser, Found& fits) {
+  const Trial own = runs.own();
+  const double foreseen = runs.expected_seconds(fits.candidate.trial) * runs.foreseen_cost({own}) /
+                          runs.cost(fits.candidate.trial);
+  if (own == fits.candidate.trial || foreseen > kLikelyTooDear * budget) return;
+  if (runs.run_all({own}) && usable(runs.outcome(own).status) &&
+      runs.expected_seconds(own) <= budget) {
+    adviser.look_at(fits.candidate.promised, own);
+    Found found = found_by(adviser);
+    const bool better = found.end == AdviceEnd::Found &&
+                        found.candidate.promised < fits.candidate.promised &&
+                        runs.expected_seconds(found.candidate.trial) <= budget;
+    if (better) fits = std::move(found);
+  }
+  if (runs.end() == AdviceEnd::Interrupted) fits.end = AdviceEnd::Interrupted;
+  if (is_used_up(runs.end())) fits.cut_short = runs.end();
+}
+
 /// Finds the most accurate of those that take no more time than a budget [s].
 Found found_for_budget(AdviceRuns& runs, double budget) {
   Adviser adviser(runs);
@@ -66,11 +93,10 @@ Found found_for_budget(AdviceRuns& runs, double budget) {
                                     std::sqrt(too_small * promised), promised / kLargestFall});
     adviser.search(within, fits.candidate.trial);
     Found next = found_by(adviser);
-    const bool used_up = next.end == AdviceEnd::TooManyRuns || next.end == AdviceEnd::TooMuchWork;
     if (next.end == AdviceEnd::Interrupted) return next;
-    if (used_up) {
+    if (is_used_up(next.end)) {
       fits.cut_short = next.end;
-      break;
+      return fits;
     }
     const bool better = next.end == AdviceEnd::Found && next.candidate.promised < promised &&
                         runs.expected_seconds(next.candidate.trial) <= budget;
@@ -80,6 +106,7 @@ Found found_for_budget(AdviceRuns& runs, double budget) {
       too_small = within;
     }
   }
+  look_at_own(runs, budget, adviser, fits);
   return fits;
 }
 

@@ -16,7 +16,8 @@ std::string cost_text(std::int64_t work, double seconds) {
 }
 
 std::string error_text(const TriedSetting& one) {
-  return std::isfinite(one.error) ? "error " + error_percent(one.error) : "no error: " + one.reason;
+  return std::isfinite(one.error) ? "error " + error_percent(one.error)
+                                  : "error unknown: " + one.reason;
 }
 
 /// Why nothing was found.

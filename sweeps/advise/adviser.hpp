@@ -20,6 +20,8 @@ class Adviser {
   /// Finds the cheapest within an error [1], or says in `end` why there is none.
   /// @param start  where it begins; empty: at the coarsest
   void search(double within, const std::optional<Trial>& start = {});
+  /// Looks at one setting alone, after a search: it is the best if it is within an error [1].
+  void look_at(double within, const Trial& trial);
   const std::optional<Candidate>& best() const { return best_; }
   /// The last one that was looked at.
   const Candidate& last() const { return now_; }
@@ -30,6 +32,8 @@ class Adviser {
  private:
   static constexpr double kRefined = 0.5;  ///< factor on a size that is made finer
 
+  /// Begins anew from a setting.
+  void begin(double within, const Trial& trial);
   Trial coarsest() const;
   Trial finer(const Trial& trial, std::size_t axis) const;
   /// On every number's size: a factor for what matters, a larger one for what hardly does.

@@ -64,7 +64,7 @@ bool Adviser::try_own_methods() {
   return true;
 }
 
-void Adviser::search(double within, const std::optional<Trial>& start) {
+void Adviser::begin(double within, const Trial& trial) {
   within_ = within;
   best_.reset();
   end_ = AdviceEnd::AtFinest;
@@ -72,7 +72,17 @@ void Adviser::search(double within, const std::optional<Trial>& start) {
   decisions_ = since_least_ = 0;
   least_sum_ = std::numeric_limits<double>::infinity();
   words_.doubt();
-  now_ = {.trial = start ? *start : coarsest()};
+  now_ = {.trial = trial};
+}
+
+void Adviser::look_at(double within, const Trial& trial) {
+  begin(within, trial);
+  if (judge(now_) && now_.within) best_ = now_;
+  if (!best_ && end_ == AdviceEnd::AtFinest) end_ = runs_.end();
+}
+
+void Adviser::search(double within, const std::optional<Trial>& start) {
+  begin(within, start ? *start : coarsest());
   if (!words_.let_move(now_.trial)) {
     end_ = runs_.end();
     return;

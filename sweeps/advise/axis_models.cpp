@@ -1,5 +1,6 @@
 #include "sweeps/advise/axis_models.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -35,8 +36,9 @@ AxisError AxisModels::measured(std::size_t axis, double size, double finer_size,
   }
   error.error = left_of(error.change, error.ratio, error.order);
   if (std::isfinite(change)) {
-    seen_[axis].push_back({size, error});
+    seen_[axis].push_back({size, error, off.quantities});
     known_[axis] = true;
+    most_quantities_ = std::max(most_quantities_, off.quantities);
   }
   return error;
 }

@@ -21,26 +21,37 @@ class AxisModels {
   /// The error that the last change of an axis foretells, at another size: with the order that was
   /// seen, else with 1 where it is finer and 2 where it is coarser, so that it is not too small.
   AxisError foretold(std::size_t axis, double size) const;
-  /// Whether `foretold` can say something.
-  bool knows(std::size_t axis) const { return known_[axis]; }
+  /// Whether `foretold` can say something: a change of runs in which less moved than in others does
+  /// not, since what stays at rest in coarse ones may move in finer ones.
+  bool knows(std::size_t axis) const {
+    return known_[axis] && seen_[axis].back().quantities >= most_quantities_;
+  }
   /// A size over that of the last change.
   double ratio_to_last(std::size_t axis, double size) const {
     return size / seen_[axis].back().size;
   }
   /// After a change of words: what was seen tells orders, and errors only once they are measured
   /// anew.
-  void doubt() { known_.assign(known_.size(), false); }
+  void doubt() {
+    known_.assign(known_.size(), false);
+    most_quantities_ = 0;
+  }
   /// Forgets an axis: another method has another order.
-  void forget(std::size_t axis) { seen_[axis].clear(); }
+  void forget(std::size_t axis) {
+    seen_[axis].clear();
+    known_[axis] = false;
+  }
 
  private:
   struct Seen {
     double size = 0.0;
     AxisError error{};
+    int quantities = 0;  ///< that were compared
   };
 
   std::vector<std::vector<Seen>> seen_;  ///< by axis, in the order of the settings
   std::vector<bool> known_;
+  int most_quantities_ = 0;  ///< that any change was of, since the last doubt
 };
 
 }  // namespace plastica::sweeps

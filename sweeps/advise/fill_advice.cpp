@@ -82,11 +82,11 @@ TriedSetting Filler::own() {
   if (!runs_.has(trial) && runs_.has(candidate_.trial)) {
     const double times = runs_.foreseen_cost({trial}) / runs_.cost(candidate_.trial);
     if (times > kAffordable) {
-      one.reason = fmt::format("it was not run: it takes about {:.2g} times as long", times);
+      one.reason = fmt::format("not run, it takes about {:.2g} times as long", times);
       return one;
     }
     if (!runs_.run_all({trial})) {
-      one.reason = "it was not run: runs or work were used up";
+      one.reason = "not run, runs or work were used up";
       return one;
     }
   }

@@ -9,8 +9,10 @@
 #include <cerrno>
 #include <cstdint>
 #include <cstring>
+#include <filesystem>
 #include <span>
 #include <string_view>
+#include <system_error>
 #include <vector>
 
 #include "plastica/base/check.hpp"
@@ -109,6 +111,19 @@ void write_content_digest(int descriptor, const std::string& path) {
     if (written < 0) fail("cannot be written");
     done += static_cast<std::size_t>(written);
   }
+}
+
+bool begins_as_result(const std::string& path) {
+  std::error_code ignored;
+  if (!std::filesystem::is_regular_file(path, ignored)) return false;
+  const OpenFile file(path);
+  std::array<std::byte, kTitle.size()> buffer{};
+  if (file.descriptor() < 0) return false;
+  const ssize_t got = read_at(file.descriptor(), buffer, 0);
+  if (got <= 0) return false;
+  const std::string_view begin(reinterpret_cast<const char*>(buffer.data()),
+                               static_cast<std::size_t>(got));
+  return begin.starts_with(kTitle) || begin.starts_with(kHdf5Signature);
 }
 
 bool check_content_digest(const std::string& path) {

@@ -81,6 +81,19 @@ TEST(CompareLaws, AdvisesTheSimplerOfTwoAlikeAndSaysWhy) {
             "weak");
 }
 
+TEST(CompareLaws, SaysWhichParametersOfTheAdvisedLawAreWeakAndWhatASimplerOneLeaves) {
+  LawFit chaboche = fit_of_law(Law::Chaboche, 0.01, 8);
+  chaboche.verdicts[6] = chaboche.verdicts[7] = Verdict::Weak;
+  LawFit voce = fit_of_law(Law::Voce, 0.015, 4);
+  voce.verdicts[3] = Verdict::AtBound;
+  const LawFit linear = fit_of_law(Law::Linear, 0.02, 3);
+  EXPECT_TRUE(compare_laws({linear, voce, chaboche})
+                  .advice.ends_with("; yet 2 of its parameters are weak: none of linear, whose "
+                                    "misfit is 2 % for 1 %"));
+  EXPECT_TRUE(
+      compare_laws({voce, chaboche}).advice.ends_with("; yet 2 of its parameters are weak"));
+}
+
 TEST(CompareLaws, AddsUpTheTargetsThatEveryLawWasFittedTo) {
   LawFit failed;
   failed.law = Law::Linear;

@@ -82,6 +82,20 @@ TEST_F(ContentDigest, IsNotAskedOfFilesWithoutABlock) {
   EXPECT_FALSE(check_content_digest(path_));
 }
 
+TEST_F(ContentDigest, TellsAResultByItsBeginning) {
+  const auto begins = [&](const std::string& content) {
+    on_opening(content);
+    return begins_as_result(path_);
+  };
+  EXPECT_TRUE(begins(bytes_));
+  EXPECT_TRUE(begins(bytes_.substr(0, bytes_.size() / 2)));
+  EXPECT_TRUE(begins(bytes_.substr(kContentOffset)));
+  EXPECT_FALSE(begins("text"));
+  EXPECT_FALSE(begins(""));
+  EXPECT_FALSE(begins_as_result("/dev/zero"));
+  EXPECT_FALSE(begins_as_result("/tmp/none"));
+}
+
 TEST_F(ContentDigest, IsOfRegularFiles) {
   EXPECT_EQ(message_from<InputError>([] { check_content_digest("/dev/zero"); }),
             "/dev/zero: is no regular file");

@@ -202,6 +202,26 @@ TEST(Advice, GoesOnWhereACoarseBeamHoldsStillWhatAFinerOneMoves) {
   EXPECT_NEAR(end_of(setup, advice), truth, 0.05 * std::abs(truth));
 }
 
+/// Half of a segment yields here, of a coarse beam nothing: that a quantity has not changed there
+/// says nothing of a finer one.
+TEST(Advice, LooksAgainAtNumbersThatChangedNothingWhileNothingYielded) {
+  plastica::Setup setup =
+      tip_cantilever(0.02, "['0 N', '-560 N', '0 N']", "yield_model = 'fibre'", "steps = 20");
+  setup.scene.loads[0].history = History::turning_points({1.0, 0.0});
+  Probe& probe = setup.scene.probes[0];
+  probe.quantity = ProbeQuantity::Energy;
+  probe.energy = EnergyKind::Plastic;
+  const Advice advice = advise(setup, asked(0.02));
+  ASSERT_EQ(advice.end, AdviceEnd::Found) << advice.reason;
+  plastica::Setup fine = setup;
+  fine.scene.beam.segments = 400;
+  fine.solver.fibres = 1000;
+  fine.solver.steps = 40;
+  const double truth = simulate(fine.scene, fine.solver).probes[0].back();
+  ASSERT_GT(truth, 0.0);
+  EXPECT_NEAR(end_of(setup, advice), truth, 0.02 * truth);
+}
+
 /// Steps of a multiple of its half period see nothing of a sine, however many there are.
 TEST(Advice, BeginsWithStepsThatSeeEverySwing) {
   plastica::Setup setup = tip_cantilever(0.02, "['0 N', '-1 N', '0 N']", "yield_model = 'elastic'",

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <initializer_list>
+#include <optional>
+#include <string>
+
+namespace plastica::cli {
+
+/// What a file is that a command is given, as far as it can be told from what stands in it.
+enum class InputKind { Scene, Sweep, Check, Fit, Result };
+
+/// Nothing: a file of another kind (a curve), one that cannot be read, or one that is no TOML and
+/// no HDF5; whoever reads it says so.
+std::optional<InputKind> kind_of_input(const std::string& path);
+
+/// Refuses a file that is of another kind than a command takes, saying what it is and which command
+/// takes it. Others pass. @throws InputError
+void expect_input(const std::string& path, std::initializer_list<InputKind> taken);
+
+}  // namespace plastica::cli
