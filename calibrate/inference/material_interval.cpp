@@ -11,8 +11,8 @@
 namespace plastica::calibrate {
 
 bool are_in_runs(double runs_test_p, double autocorrelation) {
-  constexpr double kAlike = 0.5;  // neighbours of noise are not
-  return runs_test_p < kFewRuns || autocorrelation > kAlike;
+  constexpr double kOfNeighbours = 0.5;  // those of noise have less
+  return runs_test_p < kFewRuns || autocorrelation > kOfNeighbours;
 }
 
 double variance_inflation(double autocorrelation, double samples, int parameters) {

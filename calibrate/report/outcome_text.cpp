@@ -13,7 +13,9 @@ namespace plastica::calibrate::report {
 using plastica::report::Ink;
 using plastica::report::kWidth;
 using plastica::report::Table;
+namespace {
 using Align = Table::Align;
+}  // namespace
 
 std::string parameters_text(
     const FitOutcome& fit, const ReportOptions& options, const Ink& ink,

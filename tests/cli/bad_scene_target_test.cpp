@@ -31,7 +31,7 @@ component = "y"
 )";
 
 // A line number in an error line is one of this text.
-constexpr const char* kFit =
+constexpr const char* kSceneFit =
     "[fit]\n"                                                               // 1
     "parameters.youngs_modulus = { bounds = ['50 GPa', '500 GPa'] }\n"      // 2
     "[[target]]\n"                                                          // 3
@@ -41,7 +41,7 @@ constexpr const char* kFit =
     "ordinate = { probe = 'force', column = 'Force', factor = -1 }\n";      // 7
 
 BadInput refused(std::string name, std::string curve, std::string line,
-                 const std::string& fit = kFit) {
+                 const std::string& fit = kSceneFit) {
   return {std::move(name),
           {{"fit.toml", fit}, {"bar.toml", kBar}, {"a.csv", std::move(curve)}},
           {"calibrate", "fit.toml", "-o", "fit.h5"},
@@ -49,10 +49,10 @@ BadInput refused(std::string name, std::string curve, std::string line,
 }
 
 /// A good curve and the fit file with one thing changed.
-BadInput fit_change(std::string name, const std::string& from, const std::string& to,
-                    std::string line) {
+BadInput scene_fit_change(std::string name, const std::string& from, const std::string& to,
+                          std::string line) {
   return refused(std::move(name), "Displacement (mm),Force (N)\n0,0\n1,130\n2,260\n",
-                 "fit.toml:" + std::move(line), changed(kFit, from, to));
+                 "fit.toml:" + std::move(line), changed(kSceneFit, from, to));
 }
 
 class BadSceneTarget : public ::testing::TestWithParam<BadInput> {};
@@ -83,22 +83,24 @@ INSTANTIATE_TEST_SUITE_P(
 INSTANTIATE_TEST_SUITE_P(
     Fit, BadSceneTarget,
     ::testing::Values(
-        fit_change(
+        scene_fit_change(
             "ColumnNumber", "'Force'", "3",
             "7: ordinate = 3: is not a column of a.csv, which has 2 columns: Displacement, Force"),
-        fit_change("Unit", "column = 'Force'", "column = 'Force', unit = 'mm'",
-                   "7: target[1].ordinate.unit = mm: is not a unit of force (examples: N, kN, "
-                   "lbf)"),
-        fit_change("ToleranceWithoutUnit", "scene =", "reversal_tolerance = 1\nscene =",
-                   "5: target[1].reversal_tolerance = 1: a length needs a unit (examples: m, mm, "
-                   "in)"),
+        scene_fit_change(
+            "Unit", "column = 'Force'", "column = 'Force', unit = 'mm'",
+            "7: target[1].ordinate.unit = mm: is not a unit of force (examples: N, kN, "
+            "lbf)"),
+        scene_fit_change(
+            "ToleranceWithoutUnit", "scene =", "reversal_tolerance = 1\nscene =",
+            "5: target[1].reversal_tolerance = 1: a length needs a unit (examples: m, mm, "
+            "in)"),
         refused("ToleranceOfADrivenAbscissa", "Displacement (mm),Force (N)\n0,0\n1,130\n2,260\n",
                 "fit.toml:5: target[1].reversal_tolerance = 0.1 mm: is for an abscissa of a probe: "
                 "a scene follows a driven one to and fro",
-                changed(changed(kFit, "probe = 'tip'", "drive = 'support[2]'"),
+                changed(changed(kSceneFit, "probe = 'tip'", "drive = 'support[2]'"),
                         "scene =", "reversal_tolerance = '0.1 mm'\nscene =")),
-        fit_change("NegativeTolerance", "scene =", "reversal_tolerance = '-1 mm'\nscene =",
-                   "5: target[1].reversal_tolerance = -1 mm: must be at least 0")),
+        scene_fit_change("NegativeTolerance", "scene =", "reversal_tolerance = '-1 mm'\nscene =",
+                         "5: target[1].reversal_tolerance = -1 mm: must be at least 0")),
     name_of_case);
 
 }  // namespace

@@ -62,7 +62,7 @@ std::span<const SupportField> support_fields() {
   constexpr auto kSprings = &SupportTraits::springs;
   constexpr auto kNormal = &SupportTraits::normal;
   constexpr auto kOneSided = &SupportTraits::one_sided;
-  constexpr Range kNotNegative = model_detail::kNotNegative;
+  using model_detail::kNotNegative;
   // A bed has force per length and way, the unit of a stress.
   static constexpr std::array<SupportField, 7> kFields{{
       {{"stiffness", &Support::stiffness, Dimension::Stiffness, Dimension::Stress, kNotNegative,

@@ -19,7 +19,7 @@ namespace {
 
 using namespace plastica::testing;
 
-constexpr double kNoise = 20e6;
+constexpr double kStressNoise = 20e6;
 constexpr std::size_t kSamples = 40;
 
 Parameter with_prior(Parameter p, double mean, double standard_deviation) {
@@ -31,7 +31,7 @@ Parameter with_prior(Parameter p, double mean, double standard_deviation) {
 Target alternating() {
   std::vector<double> strain = ramp(kSamples, 0.001), stress;
   for (std::size_t i = 0; i < strain.size(); ++i) {
-    stress.push_back(200e9 * strain[i] + (i % 2 == 0 ? kNoise : -kNoise));
+    stress.push_back(200e9 * strain[i] + (i % 2 == 0 ? kStressNoise : -kStressNoise));
   }
   return target_of(strain, stress);
 }
@@ -42,7 +42,7 @@ FitOptions elastic(double mean, double standard_deviation) {
   options.setup.scene.material.yield_stress = 1e12;
   options.objective = Objective::LeastSquares;
   // Above what is left, so that it is this noise that counts.
-  options.noise = 1.01 * kNoise;
+  options.noise = 1.01 * kStressNoise;
   options.modulus_prior = false;
   return options;
 }

@@ -21,7 +21,7 @@ namespace {
 
 using namespace plastica::testing;
 
-constexpr double kNoise = 8.0;  // [N], of some 2500 N
+constexpr double kForceNoise = 8.0;  // [N], of some 2500 N
 
 /// A bend test of a bar that hardens by some law, with noise.
 WeightedTarget bent_by(const Hardening& hardening) {
@@ -30,7 +30,7 @@ WeightedTarget bent_by(const Hardening& hardening) {
   weighted.target = measured(weighted.setup, {}, 1.5e-3);
   weighted.target.broke.reset();
   std::mt19937_64 bits(11);
-  std::normal_distribution<double> noise(0.0, kNoise);
+  std::normal_distribution<double> noise(0.0, kForceNoise);
   for (double& force : weighted.target.ordinate) force += noise(bits);
   return weighted;
 }
@@ -87,7 +87,7 @@ TEST(SceneLawsReference, AdviseTheLawThatMadeTheCurve) {
   EXPECT_EQ(found.law, Law::Voce);
   EXPECT_NEAR(found.parameter("saturation_stress").value, 150e6,
               4.0 * found.parameter("saturation_stress").standard_error);
-  EXPECT_NEAR(found.targets[0].noise, kNoise, 0.3 * kNoise);
+  EXPECT_NEAR(found.targets[0].noise, kForceNoise, 0.3 * kForceNoise);
   // What is made of a chosen fit is made of the advised law alone.
   EXPECT_TRUE(found.segments);
   EXPECT_FALSE(fits.records[0].result.segments);
@@ -106,7 +106,7 @@ TEST(SceneLawsReference, HoldOutPartsOfTheCurveAsTheClosedFormDoes) {
   bar.target = measured(bar.setup, {}, 1e-4, 4e-3);
   bar.target.broke.reset();
   std::mt19937_64 bits(3);
-  std::normal_distribution<double> noise(0.0, kNoise);
+  std::normal_distribution<double> noise(0.0, kForceNoise);
   for (double& force : bar.target.ordinate) force += noise(bits);
   SceneFitOptions options = stated();
   options.parameters.resize(1);
@@ -150,7 +150,7 @@ TEST(SceneLawsReference, TakeAStatedNoiseForKnown) {
   const io::ScratchFolder folder;
   WeightedTarget weighted = bent_by(voce());
   // So blunt a curve does not contradict ideal plasticity.
-  weighted.target.noise = 100.0 * kNoise;
+  weighted.target.noise = 100.0 * kForceNoise;
   SceneFitOptions options = stated();
   options.segments_error = false;
   const Fits fits = fits_of({"bar", {weighted}}, options, folder.file("j"));

@@ -2,9 +2,10 @@
 
 #include <gtest/gtest.h>
 
-#include <limits>
 #include <string_view>
 #include <vector>
+
+#include "calibrate/inference/not_a_number.hpp"
 
 namespace plastica::calibrate {
 namespace {
@@ -18,7 +19,6 @@ TEST(LackOfFit, CountsSamplesByTheirWeights) {
 }
 
 TEST(LackOfFit, NeedsRunsAndAFraction) {
-  constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
   EXPECT_EQ(
       lack_of_fit("ideal plasticity", 0.044, 1e-30, "ideal,linear,voce"),
       "ideal plasticity does not describe this curve (misfit 4.4 % of the largest value, runs "
@@ -33,9 +33,8 @@ TEST(LackOfFit, NeedsRunsAndAFraction) {
 
 /// One scale: what lacks a fit is poor, what is left of noise is close, and nothing is both.
 TEST(MisfitWord, DoesNotContradictTheLackOfFit) {
-  constexpr double kUncounted = std::numeric_limits<double>::quiet_NaN();
   for (const double fraction : {1e-4, 0.005, 0.0101, 0.015, 0.03, 0.08, 0.4}) {
-    for (const double p : {kUncounted, 1e-30, 1e-4, 2e-3, 0.5}) {
+    for (const double p : {kNan, 1e-30, 1e-4, 2e-3, 0.5}) {
       for (const double alike : {0.0, 0.4, 0.9}) {
         const std::string_view word = misfit_word(fraction, p, alike);
         EXPECT_EQ(word == "poor", lacks_fit(fraction, p)) << fraction << ' ' << p;
@@ -47,7 +46,7 @@ TEST(MisfitWord, DoesNotContradictTheLackOfFit) {
   }
   EXPECT_EQ(misfit_word(0.08, 0.5, 0.1), "close") << "noise";
   EXPECT_EQ(misfit_word(0.03, 0.5, 0.8), "fair") << "neighbours are alike";
-  EXPECT_EQ(misfit_word(0.03, kUncounted, 0.0), "fair") << "too short to tell";
+  EXPECT_EQ(misfit_word(0.03, kNan, 0.0), "fair") << "too short to tell";
   EXPECT_EQ(misfit_word(0.02, 1e-5, 0.0), "poor");
 }
 

@@ -6,12 +6,12 @@
 #include <limits>
 #include <random>
 
+#include "calibrate/inference/not_a_number.hpp"
+
 // Intervals of the material: what they are made of.
 
 namespace plastica::calibrate {
 namespace {
-
-constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 
 FittedParameter parameter(double noise, double misfit = 0.0) {
   FittedParameter p;

@@ -3,12 +3,11 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <limits>
+
+#include "calibrate/inference/not_a_number.hpp"
 
 namespace plastica::calibrate {
 namespace {
-
-constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
 /// f(N) = 100 + C h^p with N/2, N and 2N segments.
 SegmentsError of_power(double constant, double p, double joints_order = 2.0) {
@@ -69,7 +68,7 @@ TEST(SegmentsError, CallsAMillionthSettled) {
 }
 
 TEST(SegmentsError, AssumesTheOrderOfTheJointsOfTwoValues) {
-  const SegmentsError finer = segments_error(kNone, 103.0, 100.75, 2.0);
+  const SegmentsError finer = segments_error(kNan, 103.0, 100.75, 2.0);
   EXPECT_EQ(finer.trend, SegmentsTrend::Assumed);
   EXPECT_TRUE(std::isnan(finer.observed_order));
   EXPECT_NEAR(finer.extrapolated, 100.0, 1e-12);
@@ -77,15 +76,15 @@ TEST(SegmentsError, AssumesTheOrderOfTheJointsOfTwoValues) {
   EXPECT_NEAR(finer.error, 9.0, 1e-12);
   EXPECT_NEAR(finer.extrapolated_error, 2.25, 1e-12);
   // Of the coarser one the value itself is the finest.
-  const SegmentsError coarser = segments_error(112.0, 103.0, kNone, 2.0);
+  const SegmentsError coarser = segments_error(112.0, 103.0, kNan, 2.0);
   EXPECT_NEAR(coarser.extrapolated, 100.0, 1e-12);
   EXPECT_NEAR(coarser.error, 9.0, 1e-12);
-  EXPECT_NEAR(segments_error(kNone, 102.0, 101.0, 1.0).extrapolated, 100.0, 1e-12);
+  EXPECT_NEAR(segments_error(kNan, 102.0, 101.0, 1.0).extrapolated, 100.0, 1e-12);
 }
 
 TEST(SegmentsError, KnowsNothingOfOneValue) {
-  for (const SegmentsError& error : {segments_error(kNone, 1.0, kNone, 2.0),
-                                     segments_error(1.0, kNone, 2.0, 2.0), SegmentsError{}}) {
+  for (const SegmentsError& error : {segments_error(kNan, 1.0, kNan, 2.0),
+                                     segments_error(1.0, kNan, 2.0, 2.0), SegmentsError{}}) {
     EXPECT_EQ(error.trend, SegmentsTrend::Unknown);
     EXPECT_TRUE(std::isnan(error.error));
     EXPECT_TRUE(std::isnan(error.extrapolated));

@@ -4,13 +4,12 @@
 
 #include <bit>
 #include <cmath>
-#include <limits>
 #include <vector>
+
+#include "calibrate/inference/not_a_number.hpp"
 
 namespace plastica::calibrate {
 namespace {
-
-constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 
 /// A parameter of 100 within 10 and 400 with an error of 1.
 Evidence valid() {

@@ -13,18 +13,18 @@ namespace plastica::calibrate {
 namespace {
 
 /// Elastic to its yield stress, then s = yield + strength ep^exponent; evenly spaced strains.
-struct Hardening {
+struct HardeningLine {
   const char* material;
   double modulus, yield, strength, exponent, end;
 };
 
-constexpr Hardening kAustenitic{"austenitic steel", 193e9, 240e6, 1000e6, 0.75, 0.5};
-constexpr Hardening kCompressed{"aluminium in compression", 69e9, 120e6, 400e6, 0.6, 0.6};
-constexpr Hardening kHot{"hot soft metal", 45e9, 8e6, 20e6, 0.3, 0.5};
-constexpr Hardening kPolymer{"polymer", 2.3e9, 40e6, 20e6, 1.0, 0.8};
+constexpr HardeningLine kAustenitic{"austenitic steel", 193e9, 240e6, 1000e6, 0.75, 0.5};
+constexpr HardeningLine kCompressed{"aluminium in compression", 69e9, 120e6, 400e6, 0.6, 0.6};
+constexpr HardeningLine kHot{"hot soft metal", 45e9, 8e6, 20e6, 0.3, 0.5};
+constexpr HardeningLine kPolymer{"polymer", 2.3e9, 40e6, 20e6, 1.0, 0.8};
 
 /// @param samples  on the elastic part; as many times more on all of it as it is longer, or 400
-Curve curve_of(const Hardening& of, int samples, double noise = 0.0) {
+Curve curve_of(const HardeningLine& of, int samples, double noise = 0.0) {
   std::mt19937_64 random(7);
   std::normal_distribution<double> normal(0.0, 1.0);
   Curve curve;
@@ -45,7 +45,7 @@ Curve curve_of(const Hardening& of, int samples, double noise = 0.0) {
 /// Worked by hand: the elastic part is exactly straight, so E is the material's, the toe nothing,
 /// and the proof stress that of 0.2 % on the hardening curve.
 TEST(ElasticLine, IsBelowTheKneeHoweverStronglyACurveHardens) {
-  for (const Hardening& of : {kAustenitic, kCompressed, kHot, kPolymer}) {
+  for (const HardeningLine& of : {kAustenitic, kCompressed, kHot, kPolymer}) {
     for (const int samples : {8, 20, 100}) {
       for (const double noise : {0.0, 0.005}) {
         const Target target = make_target("t", curve_of(of, samples, noise));
@@ -71,7 +71,7 @@ TEST(ElasticLine, IsBelowTheKneeHoweverStronglyACurveHardens) {
 
 /// One or two samples on the elastic part say nothing of E, and no number may be made of them.
 TEST(ElasticLine, IsNotFoundWhereTheElasticPartHasNoSamples) {
-  for (const Hardening& of : {kAustenitic, kCompressed, kHot}) {
+  for (const HardeningLine& of : {kAustenitic, kCompressed, kHot}) {
     for (const int samples : {1, 2}) {
       const Target target = make_target("t", curve_of(of, samples));
       const std::string what = of.material + (", " + std::to_string(samples));
@@ -161,7 +161,7 @@ std::size_t outliers_of(const Target& target) {
   return found == target.repairs.end() ? 0 : found->count;
 }
 
-constexpr Hardening kSteel{"steel", 200e9, 300e6, 600e6, 0.5, 0.1};
+constexpr HardeningLine kSteel{"steel", 200e9, 300e6, 600e6, 0.5, 0.1};
 
 // The truth is the curve without it, whose E differs by what one sample says.
 TEST(ElasticLine, DoesNotMoveForALoneDropoutOrSpike) {

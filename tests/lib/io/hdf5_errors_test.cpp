@@ -16,7 +16,7 @@ namespace {
 using Strings = std::vector<std::string>;
 
 /// A file with one of each kind, for asking it the wrong things.
-class Hdf5Errors : public testing::Test {
+class Hdf5Errors : public ::testing::Test {
  protected:
   Hdf5Errors() : path_(folder_.file("a.h5")) {
     Hdf5File file = Hdf5File::create(path_);

@@ -164,10 +164,11 @@ TEST(ReportRows, Equation24TakesTheSineOfTheHalfAngle) {
   EXPECT_NEAR(row.mechanics, 0.01 / kHalf, tolerance(1e-12));
   EXPECT_NEAR(row.report, 0.02 / kHalf * std::sin(kept / 2.0) / kept, tolerance(1e-12));
   // As printed it falls beyond half a turn, and a joint would heal.
-  const double pi = std::numbers::pi;
-  const Row beyond{theory::report::bending_strain(0.02, 1.5 * pi, kHalf), 0.01 * 1.5 * pi / kHalf};
+  constexpr double kThreeQuarters = 1.5 * std::numbers::pi;  // of a turn [rad]
+  const Row beyond{theory::report::bending_strain(0.02, kThreeQuarters, kHalf),
+                   0.01 * kThreeQuarters / kHalf};
   show("(24) as printed, strain at 270 degrees, square [1]", beyond);
-  EXPECT_NEAR(beyond.report, 0.02 / kHalf * std::sin(0.75 * pi), tolerance(1e-12));
+  EXPECT_NEAR(beyond.report, 0.02 / kHalf * std::sin(0.5 * kThreeQuarters), tolerance(1e-12));
 }
 
 TEST(ReportRows, ShearYieldsAtTheYieldStressItselfInTheReport) {
