@@ -154,15 +154,18 @@ void complete(const io::CsvTable& table, TargetSource& source, bool measure_give
   if (source.strain) check_unit(table, *source.strain, Dimension::Strain, "--strain");
   if (source.stress) check_unit(table, *source.stress, Dimension::Stress, "--stress");
   const auto need = [&](const auto& column, const auto& value, Dimension dimension,
-                        std::string_view option, std::string_view other) {
+                        std::string_view option, std::string_view other, std::string_view of) {
     if (!column) return;
     check_unit(table, *column, dimension, option);
     if (value) return;
-    throw InputError({table.file(), 0}, option, column->column,
-                     "needs " + std::string(other) + " to become a strain or stress");
+    throw InputError(
+        {table.file(), 0}, other, "",
+        fmt::format("is missing: by it the column \"{}\", {}, becomes a {}", column->column,
+                    dimension == Dimension::Force ? "a load" : "a length", of));
   };
-  need(source.elongation, source.gauge_length, Dimension::Length, "--elongation", "--gauge-length");
-  need(source.force, source.area, Dimension::Force, "--load", "--area");
+  need(source.elongation, source.gauge_length, Dimension::Length, "--elongation", "--gauge-length",
+       "strain");
+  need(source.force, source.area, Dimension::Force, "--load", "--area", "stress");
   const auto is_of_no_use = [&](bool given, std::string_view option, std::string_view what,
                                 const auto& column, std::string_view instead) {
     if (!given) return;

@@ -119,13 +119,14 @@ std::string groups_text(std::span<const FitRecord> records, const ReportOptions&
            std::ranges::any_of(group.parameters, shares_sampling);
   });
   if (any) {
-    text += wrapped(
-        "  ",
-        drawn ? fmt::format("of the mean: Student's t; of {} values and more bootstrap-t of {}",
-                            kFewestToDraw,
-                            counted(static_cast<std::size_t>(draws.resamples), "resample"))
-              : std::string("of the mean: Student's t"),
-        kWidth);
+    std::string how = "of the mean: Student's t";
+    if (drawn) {
+      how += fmt::format("; of {} values and more bootstrap-t of {}", kFewestToDraw,
+                         counted(static_cast<std::size_t>(draws.resamples), "resample"));
+    } else if (draws.resamples > 0) {
+      how += fmt::format(": no group has the {} values that a bootstrap takes", kFewestToDraw);
+    }
+    text += wrapped("  ", how, kWidth);
     if (is_shared) {
       text += wrapped("  ",
                       "of breaks that lie between the same two samples also their place between "

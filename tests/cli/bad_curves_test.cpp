@@ -79,11 +79,13 @@ INSTANTIATE_TEST_SUITE_P(
             "a.csv: strain = Stress: is in MPa in the file, and \"Strain\" for the stress in %: "
             "the columns are swapped"),
         options("LoadWithoutArea", {"--load", "Stress:N"},
-                "a.csv: --load = Stress: needs --area to become a strain or stress"),
+                "a.csv: --area: is missing: by it the column \"Stress\", a load, becomes a stress"),
         options("NegativeArea", {"--load", "Stress:N", "--area", "-3 mm^2"},
                 "--area = -3 mm^2: must be positive"),
-        options("ElongationWithoutGaugeLength", {"--elongation", "Strain:mm"},
-                "a.csv: --elongation = Strain: needs --gauge-length to become a strain or stress"),
+        options(
+            "ElongationWithoutGaugeLength", {"--elongation", "Strain:mm"},
+            "a.csv: --gauge-length: is missing: by it the column \"Strain\", a length, becomes a "
+            "strain"),
         options("UnknownTest", {"--test", "pull"},
                 "--test = pull: must be one of tension, bending, torsion"),
         options("TableWithoutKey", {"--table", "info.csv"},

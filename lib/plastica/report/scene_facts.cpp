@@ -141,12 +141,26 @@ ScenePeaks peaks_of(const io::SceneRecord& record) {
   return peaks;
 }
 
+namespace {
+
+/// With as many digits as tell the two factors apart.
+std::string limit_line(const LimitLoad& limit) {
+  constexpr int kFewest = 5;
+  constexpr int kMost = 15;
+  int digits = kFewest;
+  const auto text = [&](double factor) { return fmt::format("{:.{}g}", factor, digits); };
+  while (digits < kMost && text(limit.below) == text(limit.above)) ++digits;
+  return fmt::format("limit load: no equilibrium beyond factor {} (none found at {})",
+                     text(limit.below), text(limit.above));
+}
+
+}  // namespace
+
 std::string outcome_line(const io::SceneRecord& record) {
   const Response& response = record.response;
   if (is_motion(record)) return motion_line(record);
   if (response.status == Status::LimitLoad && response.limit) {
-    return fmt::format("limit load: no equilibrium beyond factor {:.5g} (none found at {:.5g})",
-                       response.limit->below, response.limit->above);
+    return limit_line(*response.limit);
   }
   if (response.status == Status::Unstable) return unstable_line(response);
   if (response.event) {

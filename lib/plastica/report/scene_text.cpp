@@ -107,8 +107,12 @@ std::string peak_text(const io::SceneRecord& record, const Ink& ink) {
     const double modulus = record.outline.modulus[3 * peak->joint + peak->axis];
     return std::fabs(peak->value) * modulus > 1e-9 * moment;
   };
-  if (matters(peaks.stress)) add("bending stress", peaks.stress, Dimension::Stress, "");
-  if (matters(peaks.shear_stress)) add("shear stress", peaks.shear_stress, Dimension::Stress, "");
+  // Of a joint's moment, by the elastic modulus: beyond first yield no stress that is there.
+  const std::string_view elastic = peaks.plastic_strain ? "as if elastic" : "";
+  if (matters(peaks.stress)) add("bending stress", peaks.stress, Dimension::Stress, elastic);
+  if (matters(peaks.shear_stress)) {
+    add("shear stress", peaks.shear_stress, Dimension::Stress, elastic);
+  }
   add("plastic strain", peaks.plastic_strain, Dimension::Strain, "in the break measure");
   const std::string frames = " of " + counted(frames_of(record), "frame");
   return '\n' + ink.heading("Joints" + (keeps_all_frames(record) ? std::string() : frames) + '\n') +

@@ -183,10 +183,11 @@ TEST_F(BareFilesTest, RefusesAMissingOrWrongUnit) {
 TEST_F(BareFilesTest, RefusesForceWithoutAreaAndTheLike) {
   BareFiles bare = of({"machine.csv"});
   EXPECT_EQ(error(bare),
-            "machine.csv: --elongation = Elongation: needs --gauge-length to become a strain or "
-            "stress");
+            "machine.csv: --gauge-length: is missing: by it the column \"Elongation\", a length, "
+            "becomes a strain");
   bare.gauge_length = "50 mm";
-  EXPECT_EQ(error(bare), "machine.csv: --load = Load: needs --area to become a strain or stress");
+  EXPECT_EQ(error(bare),
+            "machine.csv: --area: is missing: by it the column \"Load\", a load, becomes a stress");
   bare.area = "100";
   EXPECT_EQ(error(bare), "--area = 100: an area needs a unit (examples: m^2, mm^2, in^2)");
   bare.area = "0 mm^2";
