@@ -153,14 +153,11 @@ int advise(AdviseArguments arguments) {
   if (!for_engine) require_ending("-o", arguments.output, ".toml", "it is the scene");
   if (for_engine) (void)engine_request(arguments);
   take_wish(arguments);
-  if (for_engine) {
-    check_outputs_of(arguments);
-    return advise_for_engine(engine_request(arguments));
-  }
   expect_input(arguments.scene, {InputKind::Scene});
   const io::SceneFile file = io::read_scene_file(arguments.scene);
   tell_notes(file.notes);
   check_outputs_of(arguments);
+  if (for_engine) return advise_for_engine(engine_request(arguments), file);
   const sweeps::Advice advice = io::with_place_in(
       file, [&] { return advise_with_progress(file.setup, arguments.options, arguments.quiet); });
   const std::string name = std::filesystem::path(arguments.scene).filename().string();

@@ -8,7 +8,6 @@
 
 #include "calibrate/engine/engine_text.hpp"
 #include "cli/exit_code.hpp"
-#include "cli/input_kind.hpp"
 #include "cli/interrupt.hpp"
 #include "cli/progress_bar.hpp"
 #include "cli/run_files.hpp"
@@ -65,10 +64,7 @@ void check_engine_request(const EngineAdviceRequest& request) {
                  fmt::format("with --for {} it is the beam", engine.word));
 }
 
-int advise_for_engine(EngineAdviceRequest request) {
-  expect_input(request.scene, {InputKind::Scene});
-  const io::SceneFile file = io::read_scene_file(request.scene);
-  tell_notes(file.notes);
+int advise_for_engine(EngineAdviceRequest request, const io::SceneFile& file) {
   sweeps::EngineAdvice advice = engine_advice_with_progress(
       *sweeps::advised_engine(request.engine), file.setup, request.options, request.quiet);
   const std::string name = std::filesystem::path(request.scene).filename().string();

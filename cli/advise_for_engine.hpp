@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "plastica/io/scene_file.hpp"
 #include "sweeps/advise/advice.hpp"
 
 namespace plastica::cli {
@@ -23,6 +24,6 @@ void check_engine_request(const EngineAdviceRequest& request);
 /// Advises, prints the advice, and writes what is asked for.
 /// @return exit code: 0, 1 if there is no setting within the error, 130 if interrupted
 /// @throws InputError
-int advise_for_engine(EngineAdviceRequest request);
+int advise_for_engine(EngineAdviceRequest request, const io::SceneFile& file);
 
 }  // namespace plastica::cli

@@ -59,11 +59,7 @@ calibrate::FitFile read_inputs(const CalibrateArguments& arguments) {
 
 void expect_inputs(const CalibrateArguments& arguments) {
   for (const std::string& path : arguments.inputs) {
-    if (is_fit_file(path)) {
-      expect_input(path, {InputKind::Fit});
-    } else {
-      expect_input(path, {});
-    }
+    expect_input(path, {InputKind::Fit, InputKind::Curves});
   }
 }
 

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <string_view>
 #include <system_error>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -24,19 +25,35 @@ struct KindOfInput {
 constexpr std::array kKinds{
     KindOfInput{"a scene", "simulate"},       KindOfInput{"a sweep", "sweep"},
     KindOfInput{"a file of claims", "check"}, KindOfInput{"a fit file", "calibrate"},
-    KindOfInput{"a result file", "show"},
+    KindOfInput{"a result file", "show"},     KindOfInput{"a file of curves", "inspect"},
 };
 
 const KindOfInput& known(InputKind kind) { return kKinds[static_cast<std::size_t>(kind)]; }
 
-/// By the keys that a file of its kind must have.
+/// Keys at the top of a file that no other kind has.
+constexpr std::array<std::pair<std::string_view, InputKind>, 11> kMarks{{
+    {"claim", InputKind::Check},
+    {"fit", InputKind::Fit},
+    {"target", InputKind::Fit},
+    {"axis", InputKind::Sweep},
+    {"scene", InputKind::Sweep},
+    {"beam", InputKind::Scene},
+    {"drive", InputKind::Scene},
+    {"load", InputKind::Scene},
+    {"mass", InputKind::Scene},
+    {"probe", InputKind::Scene},
+    {"support", InputKind::Scene},
+}};
+
+/// Nothing of a file with keys of two kinds: one of them is a mistake, which its reader names.
 std::optional<InputKind> kind_of_toml(const io::TomlTable& root) {
-  using enum InputKind;
-  if (root.contains("claim")) return Check;
-  if (root.contains("target")) return Fit;
-  if (root.contains("axis") || root.contains("scene")) return Sweep;
-  if (root.contains("beam")) return Scene;
-  return {};
+  std::optional<InputKind> kind;
+  for (const auto& [key, of] : kMarks) {
+    if (!root.contains(key)) continue;
+    if (kind && *kind != of) return {};
+    kind = of;
+  }
+  return kind;
 }
 
 }  // namespace
@@ -60,7 +77,6 @@ void expect_input(const std::string& path, std::initializer_list<InputKind> take
   for (const InputKind one : taken) {
     wanted += (wanted.empty() ? "" : " or ") + std::string(known(one).words);
   }
-  if (wanted.empty()) wanted = "a file of curves";
   throw InputError({path, 0}, "", "",
                    fmt::format("is {}, which plastica {} takes: must be {}", known(*kind).words,
                                known(*kind).command, wanted));

@@ -7,10 +7,10 @@
 namespace plastica::cli {
 
 /// What a file is that a command is given, as far as it can be told from what stands in it.
-enum class InputKind { Scene, Sweep, Check, Fit, Result };
+enum class InputKind { Scene, Sweep, Check, Fit, Result, Curves };
 
-/// Nothing: a file of another kind (a curve), one that cannot be read, or one that is no TOML and
-/// no HDF5; whoever reads it says so.
+/// Never `Curves`, which may look like anything. Nothing: keys of two kinds, or of none; a file
+/// that cannot be read, or one that is no TOML and no HDF5; whoever reads it says so.
 std::optional<InputKind> kind_of_input(const std::string& path);
 
 /// Refuses a file that is of another kind than a command takes, saying what it is and which command

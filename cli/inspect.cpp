@@ -72,7 +72,7 @@ void print_specimens(const calibrate::TargetSource& source) {
 }
 
 void inspect_file(const std::string& path, const calibrate::TargetSource& given) {
-  expect_input(path, {});
+  expect_input(path, {InputKind::Curves});
   const io::CsvTable table = io::CsvTable::read(path, given.csv);
   const std::string layout =
       table.sheet().empty() ? fmt::format("separated by {}", name_of_separator(table.separator()))

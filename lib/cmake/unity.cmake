@@ -17,8 +17,11 @@ function(plastica_unity target)
     set(inside ${sources})
     list(FILTER inside INCLUDE REGEX "^${CMAKE_CURRENT_SOURCE_DIR}/${folder}/")
     list(LENGTH inside count)
-    math(EXPR batches
-      "(${count} + ${CMAKE_UNITY_BUILD_BATCH_SIZE} / 2) / ${CMAKE_UNITY_BUILD_BATCH_SIZE}")
+    set(batches 0)  # a size of 0: all of them as one
+    if(CMAKE_UNITY_BUILD_BATCH_SIZE GREATER 0)
+      math(EXPR batches
+        "(${count} + ${CMAKE_UNITY_BUILD_BATCH_SIZE} / 2) / ${CMAKE_UNITY_BUILD_BATCH_SIZE}")
+    endif()
     if(batches LESS 1)
       set(batches 1)
     endif()

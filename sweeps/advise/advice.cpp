@@ -17,7 +17,7 @@ namespace {
 /// the time they aim at, and how much of the time, or of an error that is too dear, is good enough.
 constexpr double kLoosest = 0.5;
 constexpr int kBudgetSearches = 6;
-constexpr double kAimed = 0.85;
+constexpr double kAimedTime = 0.85;
 constexpr double kGoodUse = 1.3;
 /// By how much the error may fall from one search to the next.
 constexpr double kLargestFall = 30.0;
@@ -54,23 +54,24 @@ bool is_used_up(AdviceEnd end) {
 }
 
 /// The setting of the scene's file, if it takes no more time than the budget and is more accurate
-/// than what was found: a search from coarse to fine may have gone past it.
+/// than what was found: so that none is advised that is worse.
 void look_at_own(AdviceRuns& runs, double budget, Adviser& adviser, Found& fits) {
   const Trial own = runs.own();
   const double foreseen = runs.expected_seconds(fits.candidate.trial) * runs.foreseen_cost({own}) /
                           runs.cost(fits.candidate.trial);
   if (own == fits.candidate.trial || foreseen > kLikelyTooDear * budget) return;
-  if (runs.run_all({own}) && usable(runs.outcome(own).status) &&
-      runs.expected_seconds(own) <= budget) {
-    adviser.look_at(fits.candidate.promised, own);
-    Found found = found_by(adviser);
-    const bool better = found.end == AdviceEnd::Found &&
-                        found.candidate.promised < fits.candidate.promised &&
-                        runs.expected_seconds(found.candidate.trial) <= budget;
-    if (better) fits = std::move(found);
-  }
-  if (runs.end() == AdviceEnd::Interrupted) fits.end = AdviceEnd::Interrupted;
-  if (is_used_up(runs.end())) fits.cut_short = runs.end();
+  const auto note_end = [&](AdviceEnd end) {
+    if (end == AdviceEnd::Interrupted) fits.end = end;
+    if (is_used_up(end)) fits.cut_short = end;
+  };
+  if (!runs.run_all({own})) return note_end(runs.end());
+  if (!usable(runs.outcome(own).status) || runs.expected_seconds(own) > budget) return;
+  adviser.look_at(fits.candidate.promised, own);
+  Found found = found_by(adviser);
+  if (found.end != AdviceEnd::Found) return note_end(found.end);
+  const bool better = found.candidate.promised < fits.candidate.promised &&
+                      runs.expected_seconds(found.candidate.trial) <= budget;
+  if (better) fits = std::move(found);
 }
 
 /// Finds the most accurate of those that take no more time than a budget [s].
@@ -83,13 +84,15 @@ Found found_for_budget(AdviceRuns& runs, double budget) {
     fits.end = AdviceEnd::TooDear;
     return fits;
   }
+  look_at_own(runs, budget, adviser, fits);
+  if (fits.end != AdviceEnd::Found || fits.cut_short) return fits;
   double too_small = 0.0;  // an error that costs too much
   for (int k = 0; k < kBudgetSearches; ++k) {
     const double promised = fits.candidate.promised;
     const double left = budget / runs.expected_seconds(fits.candidate.trial);
     if (left < kGoodUse || promised < kGoodUse * too_small) break;
     // Between what fits and what does not.
-    const double within = std::max({error_for(fits.candidate, kAimed * left),
+    const double within = std::max({error_for(fits.candidate, kAimedTime * left),
                                     std::sqrt(too_small * promised), promised / kLargestFall});
     adviser.search(within, fits.candidate.trial);
     Found next = found_by(adviser);
@@ -106,7 +109,6 @@ Found found_for_budget(AdviceRuns& runs, double budget) {
       too_small = within;
     }
   }
-  look_at_own(runs, budget, adviser, fits);
   return fits;
 }
 

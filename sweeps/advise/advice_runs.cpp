@@ -168,6 +168,39 @@ LimitedRun AdviceRuns::run(const Trial& trial, const CostLimit& limit) const {
   return run;
 }
 
+bool AdviceRuns::affords(const Trial& trial) const {
+  if (has(trial)) return true;
+  return runs_ < options_.max_runs && cost_ + foreseen_cost({trial}) <= options_.max_work;
+}
+
+bool AdviceRuns::is_as_fine_and_rich(const Trial& trial, const Trial& as) const {
+  for (std::size_t k = 0; k < axes_.size(); ++k) {
+    const bool coarser = axes_[k].size(trial.setting[k]) > axes_[k].size(as.setting[k]);
+    if (coarser && acts(k, as.words)) return false;
+  }
+  for (std::size_t w = 0; w < word_axes_.size(); ++w) {
+    if (word_axes_[w].kind == WordKind::Model && trial.words[w] < as.words[w]) return false;
+  }
+  return true;
+}
+
+std::string AdviceRuns::at_rest_where_finer_moves(const Trial& trial, const Trial& finer) const {
+  for (std::size_t p = 0; p < probes_.watched.size(); ++p) {
+    const WatchedProbe& probe = probes_.watched[p];
+    const auto moves = [&](const Outcome& of) {
+      return std::ranges::any_of(of.history[p],
+                                 [&](double value) { return std::abs(value) > probe.least; });
+    };
+    if (moves(outcome(trial)) || moves(outcome(finer))) continue;
+    const bool elsewhere = std::ranges::any_of(outcomes_, [&](const auto& ran) {
+      return usable(ran.second.status) && is_as_fine_and_rich(ran.first, trial) &&
+             moves(ran.second);
+    });
+    if (elsewhere) return probe.name;
+  }
+  return {};
+}
+
 double AdviceRuns::cost(const Trial& trial) const {
   return static_cast<double>(outcome(trial).work) * kernel_cost(setup_of(trial));
 }

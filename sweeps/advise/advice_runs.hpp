@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <map>
+#include <string>
 #include <string_view>
 #include <tuple>
 #include <vector>
@@ -75,6 +76,12 @@ class AdviceRuns {
   Deviation off(const Trial& coarse, const Trial& fine, std::string_view than = "finer") const {
     return deviation(outcome(coarse), outcome(fine), probes_.watched, than);
   }
+  /// The name of a watched probe that stays within rounding in both runs, and moves in one that is
+  /// no coarser than the first in any number and no simpler in any model; empty where there is
+  /// none.
+  std::string at_rest_where_finer_moves(const Trial& trial, const Trial& finer) const;
+  /// Whether runs and work are left for a trial, as far as its work can be foreseen.
+  bool affords(const Trial& trial) const;
   /// The work of a run by the cost of its kernels, see `kernel_cost`.
   double cost(const Trial& trial) const;
   /// The cost of a trial over that of another, if it goes with the number of segments and steps.
@@ -89,6 +96,7 @@ class AdviceRuns {
   int runs() const { return runs_; }
 
  private:
+  bool is_as_fine_and_rich(const Trial& trial, const Trial& as) const;
   /// By counts of segments and steps alone.
   double expected_work(const Trial& from, const Trial& to) const;
   /// @param together  the trials that are run with it, itself among them

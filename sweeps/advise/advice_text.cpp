@@ -17,6 +17,7 @@ std::string cost_text(std::int64_t work, double seconds) {
 
 std::string error_text(const TriedSetting& one) {
   return std::isfinite(one.error) ? "error " + error_percent(one.error)
+         : one.reason.empty()     ? "error unknown"
                                   : "error unknown: " + one.reason;
 }
 

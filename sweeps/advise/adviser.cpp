@@ -15,9 +15,10 @@ namespace {
 /// An axis that adds less than this part of the allowed error is not measured again; nor is one
 /// whose order was seen, at a size that differs by no more than this factor from where it was
 /// measured.
-constexpr double kMinor = 0.1;
+constexpr double kMinorError = 0.1;
 constexpr double kNear = 2.2;
-/// The run that verifies is finer by `kRefined`, in what adds less than `kMinor` of all by this.
+/// The run that verifies is finer by `kRefined`, in what adds less than `kMinorError` of all by
+/// this.
 constexpr double kSlightlyRefined = 0.7;
 /// Errors that were foretold are measured if the run that verifies shows so much more.
 constexpr double kTrusted = 1.25;
@@ -27,6 +28,10 @@ constexpr double kCloseError = 0.2;
 constexpr double kCloseToAllowed = 8.0;
 /// Where nothing moves, on the sizes of the run that tells whether anything does.
 constexpr double kFarFiner = 0.0625;
+/// The scene as its file has it is run beside what seems to be found, where it takes no more than
+/// so many times its work: whoever wrote the file knew how fine a beam must be to show what is
+/// probed.
+constexpr double kOwnIsWorth = 20.0;
 /// So often words may be decided: where those that a coarse beam asks for do not do.
 constexpr int kDecisions = 3;
 
@@ -59,7 +64,7 @@ std::vector<double> Adviser::factors_in_all(const Candidate& candidate, double f
   std::vector<double> factors;
   for (std::size_t k = 0; k < candidate.errors.size(); ++k) {
     // Segments are divided, whatever their number alone seems to do.
-    const bool minor = k > 0 && candidate.errors[k].error < kMinor * candidate.numbers;
+    const bool minor = k > 0 && candidate.errors[k].error < kMinorError * candidate.numbers;
     factors.push_back(factor * (minor ? kSlightlyRefined / kRefined : 1.0));
   }
   return factors;
@@ -76,7 +81,7 @@ double Adviser::supposed_order(std::size_t axis, const Trial& trial) const {
 
 bool Adviser::is_foretold(std::size_t axis, const Candidate& candidate) const {
   if (!models_.knows(axis)) return false;
-  if (candidate.errors[axis].error < kMinor * within_) return true;
+  if (candidate.errors[axis].error < kMinorError * within_) return true;
   const double ratio =
       models_.ratio_to_last(axis, runs_.axes()[axis].size(candidate.trial.setting[axis]));
   return !measure_all_ && candidate.errors[axis].seen && ratio < kNear && ratio > 1.0 / kNear;
@@ -233,12 +238,25 @@ bool Adviser::verify(Candidate& candidate) {
   candidate.of_finest = (left - 1.0) * std::max(changes, off.largest - words);
   candidate.promised = promise(candidate, words_.error());
   candidate.within = candidate.promised <= within_;
+  return !candidate.within || look_for_rest(candidate);
+}
+
+bool Adviser::look_for_rest(Candidate& candidate) {
+  const Trial own = runs_.own();
+  const bool cheap = runs_.foreseen_cost({own}) <= kOwnIsWorth * runs_.cost(candidate.trial);
+  if (cheap && runs_.affords(own) && !runs_.run_all({own})) return false;
+  const std::string probe = runs_.at_rest_where_finer_moves(candidate.trial, *candidate.finest);
+  if (probe.empty()) return true;
+  candidate.rests = true;
+  candidate.within = false;
+  candidate.worst = probe;
+  candidate.reason = probe + " is at rest in it, and moves in a finer run";
   return true;
 }
 
 bool Adviser::rests_on_unseen(const Candidate& candidate, std::size_t axis) const {
   const AxisError& e = candidate.errors[axis];
-  return !e.seen && e.error > kMinor * candidate.numbers;
+  return !e.seen && e.error > kMinorError * candidate.numbers;
 }
 
 bool Adviser::outcomes_vary(const Trial& trial) const {
@@ -258,6 +276,7 @@ bool Adviser::judge(Candidate& candidate) {
       if (!estimate(candidate) || !settle_words(candidate, changed)) return false;
     }
     if (words_.decided() && !moves_) {
+      if (alone_) return true;
       if (!go_on_if_finer_moves(candidate)) return false;
       continue;
     }

@@ -63,6 +63,9 @@ class Adviser {
                             SettledWords& settled);
   /// Measures what the words leave out, and runs the finest beside the candidate.
   bool verify(Candidate& candidate);
+  /// Looks whether what is at rest in a candidate, and in the run that verifies it, moves in a
+  /// finer run, among them that of the scene's file: two coarse beams may both not yield.
+  bool look_for_rest(Candidate& candidate);
   bool judge(Candidate& candidate);
   /// Where all that is probed stays within rounding: from a setting that is far finer, by the
   /// file's own methods, if anything moves there. What the ends of a coarse beam hold may.
@@ -85,6 +88,7 @@ class Adviser {
   std::optional<Trial> finest_{};
   bool measure_all_ = false;  ///< what was foretold of the candidate is not to be trusted
   bool moves_ = false;        ///< whether any quantity of the last estimates is beyond rounding
+  bool alone_ = false;        ///< only the candidate is looked at, no other is taken in its place
   double share_ = 0.0;        ///< of the allowed error, for the numbers
   int decisions_ = 0;
   AdviceEnd end_ = AdviceEnd::AtFinest;

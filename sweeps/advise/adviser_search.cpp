@@ -20,6 +20,10 @@ constexpr double kWorthTrying = 0.7;
 }  // namespace
 
 Trial Adviser::next_of(const Candidate& candidate) {
+  if (candidate.rests) {
+    for (std::size_t k = 0; k < runs_.axes().size(); ++k) models_.forget(k);
+    return runs_.scaled(candidate.trial, std::vector<double>(runs_.axes().size(), kRefined));
+  }
   const double allowed = within_ - (words_.decided() ? words_.error() : 0.0);
   const bool summed = candidate.numbers + words_.error() <= within_;
   if (!candidate.within && summed && words_.decided()) {
@@ -77,8 +81,11 @@ void Adviser::begin(double within, const Trial& trial) {
 
 void Adviser::look_at(double within, const Trial& trial) {
   begin(within, trial);
-  if (judge(now_) && now_.within) best_ = now_;
-  if (!best_ && end_ == AdviceEnd::AtFinest) end_ = runs_.end();
+  alone_ = true;
+  const bool judged = judge(now_);
+  alone_ = false;
+  if (judged && now_.within) best_ = now_;
+  if (!judged && end_ == AdviceEnd::AtFinest) end_ = runs_.end();
 }
 
 void Adviser::search(double within, const std::optional<Trial>& start) {

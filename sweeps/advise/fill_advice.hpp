@@ -25,6 +25,8 @@ struct Candidate {
   std::string worst{};
   std::string reason{};
   bool within = false;
+  bool rests =
+      false;  ///< a probe that moves in finer runs is at rest in it, and where it is verified
   std::optional<Trial> even{};  ///< whose place it takes, where its segments are graded
 };
 

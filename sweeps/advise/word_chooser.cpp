@@ -185,6 +185,7 @@ void WordChooser::choose_models(const Trial& trial, const std::vector<AxisError>
 bool WordChooser::choose_method(const Trial& trial, std::size_t w,
                                 const std::vector<AxisError>& errors) {
   const WordAxis& axis = runs_.word_axes()[w];
+  lines_[w] = {};
   const bool of_time = axis.field().path == "solver.scheme";
   std::size_t k = 0;  // the axis of numbers along which the method errs: segments come first
   if (of_time) {

@@ -31,7 +31,7 @@ component = "y"
 )";
 
 // A line number in an error line is one of this text.
-constexpr const char* kSceneFit =
+constexpr const char* kBentBarFit =
     "[fit]\n"                                                               // 1
     "parameters.youngs_modulus = { bounds = ['50 GPa', '500 GPa'] }\n"      // 2
     "[[target]]\n"                                                          // 3
@@ -41,7 +41,7 @@ constexpr const char* kSceneFit =
     "ordinate = { probe = 'force', column = 'Force', factor = -1 }\n";      // 7
 
 BadInput refused(std::string name, std::string curve, std::string line,
-                 const std::string& fit = kSceneFit) {
+                 const std::string& fit = kBentBarFit) {
   return {std::move(name),
           {{"fit.toml", fit}, {"bar.toml", kBar}, {"a.csv", std::move(curve)}},
           {"calibrate", "fit.toml", "-o", "fit.h5"},
@@ -52,7 +52,7 @@ BadInput refused(std::string name, std::string curve, std::string line,
 BadInput scene_fit_change(std::string name, const std::string& from, const std::string& to,
                           std::string line) {
   return refused(std::move(name), "Displacement (mm),Force (N)\n0,0\n1,130\n2,260\n",
-                 "fit.toml:" + std::move(line), changed(kSceneFit, from, to));
+                 "fit.toml:" + std::move(line), changed(kBentBarFit, from, to));
 }
 
 class BadSceneTarget : public ::testing::TestWithParam<BadInput> {};
@@ -97,7 +97,7 @@ INSTANTIATE_TEST_SUITE_P(
         refused("ToleranceOfADrivenAbscissa", "Displacement (mm),Force (N)\n0,0\n1,130\n2,260\n",
                 "fit.toml:5: target[1].reversal_tolerance = 0.1 mm: is for an abscissa of a probe: "
                 "a scene follows a driven one to and fro",
-                changed(changed(kSceneFit, "probe = 'tip'", "drive = 'support[2]'"),
+                changed(changed(kBentBarFit, "probe = 'tip'", "drive = 'support[2]'"),
                         "scene =", "reversal_tolerance = '0.1 mm'\nscene =")),
         scene_fit_change("NegativeTolerance", "scene =", "reversal_tolerance = '-1 mm'\nscene =",
                          "5: target[1].reversal_tolerance = -1 mm: must be at least 0")),

@@ -33,10 +33,14 @@ class WrongKind : public ::testing::Test {
 };
 
 TEST_F(WrongKind, IsNamedAsWhatItIsWithTheCommandThatTakesIt) {
-  expect_line({"calibrate", "scene.toml"},
-              "scene.toml: is a scene, which plastica simulate takes: must be a fit file");
-  expect_line({"calibrate", "result.h5"},
-              "result.h5: is a result file, which plastica show takes: must be a file of curves");
+  expect_line(
+      {"calibrate", "scene.toml"},
+      "scene.toml: is a scene, which plastica simulate takes: must be a fit file or a file of "
+      "curves");
+  expect_line(
+      {"calibrate", "result.h5"},
+      "result.h5: is a result file, which plastica show takes: must be a fit file or a file "
+      "of curves");
   for (const char* command : {"simulate", "stability"}) {
     expect_line({command, "sweep.toml"},
                 "sweep.toml: is a sweep, which plastica sweep takes: must be a scene");
@@ -55,6 +59,16 @@ TEST_F(WrongKind, IsNamedAsWhatItIsWithTheCommandThatTakesIt) {
   }
   expect_line({"inspect", "fit.toml"},
               "fit.toml: is a fit file, which plastica calibrate takes: must be a file of curves");
+}
+
+TEST_F(WrongKind, WithKeysOfTwoKindsIsLeftToItsReader) {
+  place_.write("two.toml", place_.read("scene.toml") + "\n[[axis]]\nfield = 'beam.segments'\n");
+  const CommandResult ran = place_.run({"simulate", "two.toml"});
+  EXPECT_EQ(ran.code, 2);
+  EXPECT_NE(ran.err.find("axis: is not a key"), std::string::npos) << ran.err;
+  place_.write("half.toml", "[fit]\nseed = 1\n[beam]\nlength = '1 m'\n");
+  expect_line({"calibrate", "half.toml"},
+              "half.toml: target: is missing: a fit needs at least one [[target]]");
 }
 
 TEST_F(WrongKind, OfItsOwnCommandPasses) {
