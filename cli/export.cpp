@@ -240,12 +240,12 @@ int run_export(ExportArguments arguments) {
       refuse_input("--output", arguments.output, arguments.beam.scene);
   }
   take_format(arguments);
-  if (arguments.output != "-") io::check_output_path(arguments.output, arguments.force);
   const std::string text = text_of(arguments);
   if (arguments.output == "-") {
     put(text);
     return kDone;
   }
+  io::check_output_path(arguments.output, arguments.force);
   io::write_text_file(arguments.output, text, io::overwrite_if(arguments.force));
   return kDone;
 }

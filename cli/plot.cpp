@@ -111,14 +111,14 @@ int plot(const PlotArguments& arguments) {
     list(arguments);
     return kDone;
   }
-  const std::string& output = arguments.request.output;
-  if (output != "-") {
-    for (const std::string& file : arguments.files) refuse_input("--output", output, file);
-    io::check_output_path(output, arguments.force);
-  }
   const std::string& file = arguments.files.front();
   const ResultKind kind = kind_of_result(file);
   check_options(kind, arguments);
+  const std::string& output = arguments.request.output;
+  if (output != "-") {
+    for (const std::string& read : arguments.files) refuse_input("--output", output, read);
+    io::check_output_path(output, arguments.force);
+  }
   constexpr std::string_view kOneOfFits = "fits are drawn of one file";
   switch (kind) {
     case ResultKind::Fits:

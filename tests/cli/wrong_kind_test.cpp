@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
-#include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "tests/cli/bad_input.hpp"
@@ -82,6 +82,16 @@ TEST_F(WrongKind, OfItsOwnCommandPasses) {
 TEST_F(WrongKind, OrAnotherFaultOfTheInputIsSaidBeforeThatTheOutputIsThere) {
   expect_line({"advise", "sweep.toml", "--within", "1 %", "-o", "scene.toml"},
               "sweep.toml: is a sweep, which plastica sweep takes: must be a scene");
+  place_.write("there.xml", "");
+  place_.write("there.svg", "");
+  place_.write("there.csv", "");
+  expect_line({"advise", "check.toml", "--within", "1 %", "--for", "mujoco", "-o", "there.xml"},
+              "check.toml: is a file of claims, which plastica check takes: must be a scene");
+  for (const auto& [command, output] :
+       {std::pair{"plot", "there.svg"}, std::pair{"export", "there.csv"}}) {
+    expect_line({command, "missing.h5", "-o", output},
+                "missing.h5: cannot be read: No such file or directory");
+  }
   expect_line(
       {"calibrate", "example-curve.csv", "--strain", "Weg:%", "--stress", "Stress:MPa", "-o",
        "result.h5"},
