@@ -160,12 +160,12 @@ void expect_same_for_all_scalars() {
   const auto lanes = force_after<Lanes, Law>(values_of<Lanes>(material), form, yield);
   const auto single = force_after<float, Law>(values_of<float>(material), form, yield);
   MaterialValues<D> values = values_of<D>(material);
-  constexpr auto kYield = static_cast<std::size_t>(MaterialField::YieldStress);
-  values[kYield] = D::parameter(values[kYield].value(), 0);
+  constexpr auto kYieldStress = static_cast<std::size_t>(MaterialField::YieldStress);
+  values[kYieldStress] = D::parameter(values[kYieldStress].value(), 0);
   const auto dual = force_after<D, Law>(values, form, yield);
   const auto moved = [&](double step) {
     MaterialValues<double> other = values_of<double>(material);
-    other[kYield] += step;
+    other[kYieldStress] += step;
     return force_after<double, Law>(other, form, yield);
   };
   for (std::size_t i = 0; i < 4; ++i) {
