@@ -13,19 +13,17 @@ namespace plastica::calibrate::report {
 using plastica::report::Ink;
 using plastica::report::kWidth;
 using plastica::report::Table;
-namespace {
-using Align = Table::Align;
-}  // namespace
 
 std::string parameters_text(
     const FitOutcome& fit, const ReportOptions& options, const Ink& ink,
     const std::function<std::vector<std::string>(const FittedParameter&)>& notes_on) {
   if (fit.parameters.empty()) return {};
-  Table table({{"", Align::Left},
-               {"value ± error", Align::PlusMinus},
-               {"", Align::Left},
-               {fmt::format("{:.4g} % interval", 100.0 * options.confidence), Align::Range},
-               {"verdict", Align::Left}});
+  using enum Table::Align;
+  Table table({{"", Left},
+               {"value ± error", PlusMinus},
+               {"", Left},
+               {fmt::format("{:.4g} % interval", 100.0 * options.confidence), Range},
+               {"verdict", Left}});
   for (const FittedParameter& parameter : fit.parameters) {
     const DisplayUnit unit = display_unit(parameter);
     table.add({short_name(parameter.path), value_text(parameter, unit), std::string(unit.name),
@@ -51,7 +49,7 @@ std::vector<StrongCorrelation> strong_correlations(const std::vector<const Fitte
 }
 
 std::string correlations_text(const std::vector<StrongCorrelation>& all, const Ink& ink) {
-  Table table({{"", Align::Left}, {"", Align::Right}});
+  Table table({{"", Table::Align::Left}, {"", Table::Align::Right}});
   for (const StrongCorrelation& pair : all) {
     table.add({short_name(pair.a->path) + ", " + short_name(pair.b->path),
                fmt::format("{:+.3f}", pair.value)});

@@ -188,8 +188,9 @@ std::string AdviceRuns::at_rest_where_finer_moves(const Trial& trial, const Tria
   for (std::size_t p = 0; p < probes_.watched.size(); ++p) {
     const WatchedProbe& probe = probes_.watched[p];
     const auto moves = [&](const Outcome& of) {
-      return std::ranges::any_of(of.history[p],
-                                 [&](double value) { return std::abs(value) > probe.least; });
+      return p < of.history.size() && std::ranges::any_of(of.history[p], [&](double value) {
+               return std::abs(value) > probe.least;
+             });
     };
     if (moves(outcome(trial)) || moves(outcome(finer))) continue;
     const bool elsewhere = std::ranges::any_of(outcomes_, [&](const auto& ran) {

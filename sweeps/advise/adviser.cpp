@@ -244,7 +244,9 @@ bool Adviser::verify(Candidate& candidate) {
 bool Adviser::look_for_rest(Candidate& candidate) {
   const Trial own = runs_.own();
   const bool cheap = runs_.foreseen_cost({own}) <= kOwnIsWorth * runs_.cost(candidate.trial);
-  if (cheap && runs_.affords(own) && !runs_.run_all({own})) return false;
+  // It may take more than was foreseen: what was found does not hang on it.
+  const bool ran = !cheap || !runs_.affords(own) || runs_.run_all({own});
+  if (!ran && runs_.end() == AdviceEnd::Interrupted) return false;
   const std::string probe = runs_.at_rest_where_finer_moves(candidate.trial, *candidate.finest);
   if (probe.empty()) return true;
   candidate.rests = true;

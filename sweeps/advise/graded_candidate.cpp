@@ -105,7 +105,8 @@ class Grading {
     made.verified = off.largest;
     made.worst = off.quantity;
     made.promised = promise(made, words_);
-    made.within = made.promised <= within_;
+    made.within = made.promised <= within_ &&
+                  runs_.at_rest_where_finer_moves(made.trial, *even_.finest).empty();
     return made;
   }
 

@@ -96,6 +96,8 @@ TEST(FitIntervalsReport, WritesMeansOfSpecimensAsJsonAndText) {
   for (int i = 0; i < 10; ++i)
     many.push_back(fitted_record("x" + std::to_string(i), 2e8 + i * 1e6));
   options.specimen_resamples = 100;
+  EXPECT_TRUE(has(batch_report(records, options),
+                  "Student's t: no group has the 10 values that a bootstrap takes\n"));
   EXPECT_TRUE(
       has(batch_report(many, options), "of 10 values and more bootstrap-t of 100 resamples"));
 }

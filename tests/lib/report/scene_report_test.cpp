@@ -94,9 +94,22 @@ TEST(SceneReport, SaysWhatRanDefaultsIncluded) {
   EXPECT_EQ(json.at("section").at("width"), 0.1);
 }
 
+TEST(SceneReport, CallsAStressOfTheElasticModulusSoWhereTheBeamYields) {
+  io::SceneRecord record = record_of(cantilever_text());
+  EXPECT_TRUE(has(scene_report(record), "bending stress"));
+  EXPECT_FALSE(has(scene_report(record), "as if elastic"));
+  record.response.chain.plastic_strain.back() = 1e-3;
+  EXPECT_TRUE(has(scene_report(record), "as if elastic")) << scene_report(record);
+}
+
 TEST(SceneReport, NamesALimitLoadByItsBracket) {
   EXPECT_EQ(outcome_line(limited()),
             "limit load: no equilibrium beyond factor 1.4998 (none found at 1.5003)");
+  io::SceneRecord close = limited();
+  close.response.limit->below = 1.4998213;
+  close.response.limit->above = 1.4998219;
+  EXPECT_EQ(outcome_line(close),
+            "limit load: no equilibrium beyond factor 1.499821 (none found at 1.499822)");
 }
 
 TEST(SceneReport, NamesEachBrokenJointWithCauseStrainAndLimit) {
