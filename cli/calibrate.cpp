@@ -23,6 +23,7 @@
 #include "cli/progress_bar.hpp"
 #include "cli/run_files.hpp"
 #include "cli/run_fits.hpp"
+#include "cli/shard_option.hpp"
 #include "cli/tell.hpp"
 
 namespace plastica::cli {
@@ -97,12 +98,12 @@ int calibrate_files(const CalibrateArguments& arguments) {
   contents.meta = begin_fit_meta(arguments);
   const InterruptGuard interrupt;
   calibrate::JournaledOptions how = journaling(arguments, output, contents.meta, &interrupt.flag());
-  const std::size_t fits = targets.size() * std::max<std::size_t>(1, file.options.laws.size());
-  ProgressBar bar("fitting", fits, arguments.quiet);
+  ProgressBar bar("fitting", 0, arguments.quiet);
   how.progress = [&bar](const calibrate::BatchProgress& progress) {
     bar.update(progress.done, progress.failed + progress.rejected, progress.resumed);
   };
   calibrate::JournaledBatch batch(targets, file.options, how);
+  bar.set_total(batch.own());
   contents.options = file.options;
   return run_fits(arguments, output, found, contents, begin, batch, [&] {
     std::vector<calibrate::FitResult> results = batch.run();
@@ -180,6 +181,7 @@ void add_calibrate(CLI::App& app, const std::string& command_line, Action& actio
   add_dry_run_option(*sub, arguments->dry_run);
   sub->add_flag("--resume", arguments->resume, "Continue an interrupted run");
   add_force_option(*sub, arguments->force, "the output, and an interrupted run");
+  add_shard_option(*sub, arguments->shard);
   add_quiet_option(*sub, arguments->quiet, "no report, no progress");
   sub->add_flag("--accept", arguments->accept,
                 "Fit curves that are those of no material, too; --dry-run prints the bounds");
@@ -198,6 +200,7 @@ void add_calibrate(CLI::App& app, const std::string& command_line, Action& actio
   arguments->command_line = command_line;
   sub->callback([&action, arguments, sub] {
     arguments->bare_option = first_given(*sub, kBareGroup);
+    arguments->words = words_again(*sub);
     action = [arguments] {
       expect_inputs(*arguments);
       return has_scenes(*arguments) ? calibrate_scenes(*arguments) : calibrate_files(*arguments);

@@ -30,6 +30,8 @@ struct CalibrateArguments {
   std::string bare_option;  ///< first of the options for curves without a fit file that was given
   bool profile = false;     ///< and these replace what a fit file says
   std::optional<int> bootstrap, bootstrap_block, bootstrap_specimens;
+  std::string shard;               ///< "2/7"; empty: the whole run
+  std::vector<std::string> words;  ///< see `words_again`
   std::string command_line;
 };
 

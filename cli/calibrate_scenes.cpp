@@ -89,6 +89,8 @@ int calibrate_scenes(const CalibrateArguments& arguments) {
   }
   const bool found = finds_output(arguments.resume, arguments.force, output);
   check_outputs(file.read_files, output, arguments.json, arguments.force, found);
+  refuse_option(file.chooses_segments && !arguments.shard.empty(), "--shard",
+                "needs a number of segments: trial fits of the whole run would find it");
   const InterruptGuard interrupt;
   try {
     if (const int code = take_chosen_segments(file, arguments, &interrupt.flag()); code != kDone) {
@@ -101,8 +103,7 @@ int calibrate_scenes(const CalibrateArguments& arguments) {
   calibrate::SceneFitContents contents;
   contents.meta = begin_fit_meta(arguments);
   calibrate::JournaledOptions how = journaling(arguments, output, contents.meta, &interrupt.flag());
-  ProgressBar bar("fitting", file.cases.size() * std::max<std::size_t>(1, file.options.laws.size()),
-                  arguments.quiet);
+  ProgressBar bar("fitting", 0, arguments.quiet);
   // A lone fit has a line of its own.
   const bool several = file.cases.size() > 1;
   how.progress = [&bar, several](const calibrate::BatchProgress& progress) {
@@ -112,6 +113,7 @@ int calibrate_scenes(const CalibrateArguments& arguments) {
   calibrate::JournaledSceneFits batch(
       file.cases, file.options, how,
       [&search](const calibrate::SceneFitProgress& progress) { search.update(progress); });
+  bar.set_total(batch.own());
   contents.confidence = file.options.confidence;
   contents.inputs = std::move(file.inputs);
   const int code = run_fits(arguments, output, found, contents, begin, batch, [&] {

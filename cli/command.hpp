@@ -2,6 +2,7 @@
 
 #include <functional>
 #include <string>
+#include <vector>
 
 namespace CLI {
 class App;
@@ -12,6 +13,9 @@ namespace plastica::cli {
 /// What the chosen subcommand does; returns the exit code. May throw: `main` turns an InputError
 /// into exit code 2 and anything else into 3, each with one line.
 using Action = std::function<int()>;
+/// Runs the program with other words, the command first; returns the exit code. Throws as an
+/// action.
+using RunWords = std::function<int(const std::vector<std::string>&)>;
 
 // Each adds its subcommand to the program and, when the command line chooses it, sets `action`.
 void add_calibrate(CLI::App& app, const std::string& command_line, Action& action);
@@ -24,6 +28,7 @@ void add_recommend(CLI::App& app, Action& action);
 void add_advise(CLI::App& app, Action& action);
 void add_stability(CLI::App& app, Action& action);
 void add_diff(CLI::App& app, Action& action);
+void add_merge(CLI::App& app, const RunWords& run, Action& action);
 void add_show(CLI::App& app, Action& action);
 void add_plot(CLI::App& app, Action& action);
 void add_export(CLI::App& app, Action& action);

@@ -11,6 +11,7 @@
 
 #include "plastica/base/check.hpp"
 #include "plastica/io/content_digest.hpp"
+#include "plastica/io/merge_shards.hpp"
 #include "plastica/io/toml.hpp"
 
 namespace plastica::cli {
@@ -23,9 +24,13 @@ struct KindOfInput {
 
 /// In the order of InputKind.
 constexpr std::array kKinds{
-    KindOfInput{"a scene", "simulate"},       KindOfInput{"a sweep", "sweep"},
-    KindOfInput{"a file of claims", "check"}, KindOfInput{"a fit file", "calibrate"},
-    KindOfInput{"a result file", "show"},     KindOfInput{"a file of curves", "inspect"},
+    KindOfInput{"a scene", "simulate"},
+    KindOfInput{"a sweep", "sweep"},
+    KindOfInput{"a file of claims", "check"},
+    KindOfInput{"a fit file", "calibrate"},
+    KindOfInput{"a result file", "show"},
+    KindOfInput{"a file of curves", "inspect"},
+    KindOfInput{"a shard or journal of a run", "merge"},
 };
 
 const KindOfInput& known(InputKind kind) { return kKinds[static_cast<std::size_t>(kind)]; }
@@ -62,6 +67,7 @@ std::optional<InputKind> kind_of_input(const std::string& path) {
   std::error_code ignored;
   if (!std::filesystem::is_regular_file(path, ignored)) return {};  // a pipe can be read but once
   if (io::begins_as_result(path)) return InputKind::Result;
+  if (io::begins_as_journal(path)) return InputKind::Shard;
   if (std::filesystem::path(path).extension() != ".toml") return {};
   try {
     return kind_of_toml(io::TomlDocument::read(path).root());

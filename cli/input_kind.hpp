@@ -7,7 +7,7 @@
 namespace plastica::cli {
 
 /// What a file is that a command is given, as far as it can be told from what stands in it.
-enum class InputKind { Scene, Sweep, Check, Fit, Result, Curves };
+enum class InputKind { Scene, Sweep, Check, Fit, Result, Curves, Shard };
 
 /// Never `Curves`, which may look like anything. Nothing: keys of two kinds, or of none; a file
 /// that cannot be read, or one that is no TOML and no HDF5; whoever reads it says so.

@@ -44,12 +44,14 @@ constexpr const char* kFooter =
     "failed; 130 interrupted by Ctrl-C (what was finished is kept).\n"
     "`plastica COMMAND --help` says more.";
 
-void add_commands(CLI::App& app, const std::string& command_line, Action& action) {
+void add_commands(CLI::App& app, const std::string& command_line,
+                  const plastica::cli::RunWords& run, Action& action) {
   plastica::cli::add_calibrate(app, command_line, action);
   plastica::cli::add_inspect(app, action);
   plastica::cli::add_init(app, action);
   plastica::cli::add_simulate(app, command_line, action);
   plastica::cli::add_sweep(app, command_line, action);
+  plastica::cli::add_merge(app, run, action);
   plastica::cli::add_check(app, action);
   plastica::cli::add_advise(app, action);
   plastica::cli::add_recommend(app, action);
@@ -100,7 +102,8 @@ int finish_output(int code) {
                 : code;
 }
 
-int run(int argc, char** argv) {
+/// @param words  of the command line, the command first
+int run(std::vector<std::string> words) {
   CLI::App app{"Fit lumped beams of rigid segments to measured curves, and simulate them",
                "plastica"};
   app.set_version_flag("--version", std::string(plastica::version()), "Print the version");
@@ -110,11 +113,11 @@ int run(int argc, char** argv) {
   app.get_formatter()->label("SUBCOMMAND", "COMMAND");
   app.set_help_flag("-h,--help", "Print this help");
   app.footer(kFooter);
-  std::string command_line;
-  for (int i = 0; i < argc; ++i) command_line += (i == 0 ? "" : " ") + std::string(argv[i]);
+  const std::string command_line = fmt::format("plastica {}", fmt::join(words, " "));
+  const plastica::cli::RunWords run_again = run;
   Action action;
-  add_commands(app, command_line, action);
-  std::vector<std::string> words = plastica::cli::with_new_names({argv + 1, argv + argc});
+  add_commands(app, command_line, run_again, action);
+  words = plastica::cli::with_new_names(std::move(words));
   const std::string first = words.empty() ? std::string() : words.front();
   // Before help for it is asked for.
   if (const std::string wrong = wrong_command(app, first); !wrong.empty()) {
@@ -136,7 +139,7 @@ int main(int argc, char** argv) {
   plastica::cli::open_closed_streams();
   plastica::keep_freed_memory();
   try {
-    return run(argc, argv);
+    return run({argv + 1, argv + argc});
   } catch (const plastica::InputError& error) {
     return complain(error.what(), plastica::cli::kBadInput);
   } catch (const std::bad_alloc&) {

@@ -13,6 +13,8 @@ class ProgressBar {
   /// @param quiet  never show anything
   ProgressBar(std::string what, std::size_t total, bool quiet);
 
+  void set_total(std::size_t total) { total_ = total; }
+
   /// Redraws at most ten times a second, and at the end.
   /// @param resumed  of the done: from an earlier run, so that they took no time
   void update(std::size_t done, std::size_t failed, std::size_t resumed = 0);

@@ -14,6 +14,7 @@
 #include "cli/exit_code.hpp"
 #include "cli/fit_reports.hpp"
 #include "cli/run_files.hpp"
+#include "cli/shard_option.hpp"
 #include "plastica/io/text_file.hpp"
 
 /// What `plastica calibrate` does with fits of either kind, once it has read its inputs.
@@ -38,6 +39,26 @@ int report_fits(const CalibrateArguments& arguments, Contents& contents) {
   return all ? kDone : kNotAcceptable;
 }
 
+/// Fits what a shard lacks. @param shard  is computed into `path`; `fit` as below
+template <class Batch, class Fit>
+int run_shard(const CalibrateArguments& arguments, const std::string& output,
+              const io::Shard& shard, Batch& batch, const Fit& fit) {
+  const std::string path = io::shard_path(output, shard);
+  if (batch.shard_ended()) {
+    tell_shard_found(path);
+    return kDone;
+  }
+  tell_of_journal(batch, arguments.quiet);
+  fit();
+  if (!batch.complete()) {
+    tell_interrupted(output);
+    return kInterrupted;
+  }
+  batch.end_shard();
+  if (!arguments.quiet) tell_shard_ended(path, shard, batch.own(), batch.size(), "fits");
+  return kDone;
+}
+
 /// Fits what neither a found output nor the journal has, stores all and reports.
 /// @param found  whether the output is there, see `finds_output`
 /// @param contents  has all but records, id and end of the run
@@ -48,6 +69,9 @@ template <class Contents, class Batch, class Fit>
 int run_fits(const CalibrateArguments& arguments, const std::string& output, bool found,
              Contents& contents, std::chrono::steady_clock::time_point begin, Batch& batch,
              const Fit& fit) {
+  if (!arguments.shard.empty()) {
+    return run_shard(arguments, output, io::parse_shard("--shard", arguments.shard), batch, fit);
+  }
   if (found) {
     contents = read_fits<Contents>(output);
     take_complete_output(output, contents.run, batch);
@@ -88,7 +112,8 @@ inline calibrate::JournaledOptions journaling(const CalibrateArguments& argument
                                               const std::string& output, const io::RunMeta& meta,
                                               StopFlag stop) {
   calibrate::JournaledOptions how;
-  how.journal = {io::journal_path(output), arguments.resume, arguments.force, meta.instruction_set};
+  how.journal = policy_of(output, shard_of(arguments.shard, arguments.json, arguments.words),
+                          arguments.resume, arguments.force, meta.instruction_set);
   how.threads = arguments.threads;
   how.stop = stop;
   return how;

@@ -18,6 +18,7 @@
 #include "cli/progress_bar.hpp"
 #include "cli/result_kind.hpp"
 #include "cli/run_files.hpp"
+#include "cli/shard_option.hpp"
 #include "cli/tell.hpp"
 #include "plastica/io/text_file.hpp"
 #include "plastica/report/format.hpp"
@@ -44,6 +45,8 @@ struct SweepArguments {
   bool force = false;
   bool quiet = false;
   std::string isa;
+  std::string shard;               ///< "2/7"; empty: the whole sweep
+  std::vector<std::string> words;  ///< see `words_again`
   std::string command_line;
 };
 
@@ -135,17 +138,22 @@ int sweep_file(const SweepArguments& arguments) {
   meta.instruction_set = name_of(resolved(sweep.setup.solver.isa));
   const InterruptGuard interrupt;
   sweeps::SweepRunOptions how;
-  how.journal = {io::journal_path(output), arguments.resume || arguments.rerun_failed,
-                 arguments.force, meta.instruction_set};
-  how.earlier = results_before(arguments, output);
+  const auto shard = shard_of(arguments.shard, arguments.json, arguments.words);
+  how.journal = policy_of(output, shard, arguments.resume || arguments.rerun_failed,
+                          arguments.force, meta.instruction_set);
+  if (!shard) how.earlier = results_before(arguments, output);
   how.rerun_failed = arguments.rerun_failed;
   how.threads = arguments.threads;
   how.stop = &interrupt.flag();
   sweeps::SweepRun run(sweep, std::move(how));
+  if (shard && run.journal()->shard_ended() && !arguments.rerun_failed) {
+    tell_shard_found(io::shard_path(output, shard->shard));
+    return kDone;
+  }
   // Another run may have had the journal until now, and have written the output.
   io::check_output_path(output, arguments.force || arguments.resume || arguments.rerun_failed);
   tell_of_journal(run, arguments.quiet);
-  ProgressBar bar("sweeping", run.cases().size(), arguments.quiet);
+  ProgressBar bar("sweeping", run.own(), arguments.quiet);
   run.on_progress([&bar](const sweeps::SweepProgress& progress) {
     bar.update(progress.done, progress.failed, progress.resumed);
   });
@@ -154,6 +162,14 @@ int sweep_file(const SweepArguments& arguments) {
   if (!run.complete()) {
     tell("plastica: interrupted; what is finished is kept: --resume goes on\n");
     return kInterrupted;
+  }
+  if (shard) {
+    run.end_shard();
+    if (!arguments.quiet) {
+      tell_shard_ended(io::shard_path(output, shard->shard), shard->shard, run.own(),
+                       run.cases().size(), "cases");
+    }
+    return kDone;
   }
 
   sweeps::SweepRecord record =
@@ -199,6 +215,7 @@ void add_sweep(CLI::App& app, const std::string& command_line, Action& action) {
                 "As --resume, and run the failed cases again");
   add_force_option(*sub, arguments->force, "the output, and an interrupted run");
   add_quiet_option(*sub, arguments->quiet, "no report, no progress");
+  add_shard_option(*sub, arguments->shard);
   group_options(*sub, "Results", {"--output", "--json", "--force"});
   group_options(*sub, "After an interruption", {"--resume", "--rerun-failed"});
   sub->footer(
@@ -206,7 +223,10 @@ void add_sweep(CLI::App& app, const std::string& command_line, Action& action) {
       "  plastica sweep sweep.toml -o sweep.h5\n"
       "Exit code 1 if no case has a usable result, 130 after Ctrl-C: --resume goes on.");
   arguments->command_line = command_line;
-  sub->callback([&action, arguments] { action = [arguments] { return sweep_file(*arguments); }; });
+  sub->callback([&action, arguments, sub] {
+    arguments->words = words_again(*sub);
+    action = [arguments] { return sweep_file(*arguments); };
+  });
 }
 
 }  // namespace plastica::cli

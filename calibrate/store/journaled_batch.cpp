@@ -61,6 +61,7 @@ JournaledBatch::JournaledBatch(std::span<const Target> targets, const FitOptions
       options_(options),
       cases_(cases_of(targets.size(), options)) {
   resume(ids_of(targets, options, cases_, how_.threads));
+  deal(run_id());
 }
 
 std::string JournaledBatch::run_id() const {
@@ -87,7 +88,7 @@ std::vector<FitResult> JournaledBatch::run() {
   std::vector<std::size_t> missing;
   std::vector<FitCase> to_fit;
   for (std::size_t i = 0; i < cases_.size(); ++i) {
-    if (results_[i]) continue;
+    if (results_[i] || !is_own(i)) continue;
     missing.push_back(i);
     to_fit.push_back(cases_[i]);
   }
@@ -95,7 +96,7 @@ std::vector<FitResult> JournaledBatch::run() {
   std::vector<FitResult> fitted =
       fit_cases(targets_, to_fit, options_,
                 {.threads = how_.threads, .stop = how_.stop, .finished = finished});
-  end_run(progress_.done == cases_.size());
+  end_run(progress_.done == progress_.total);
 
   std::vector<FitResult> results(cases_.size());
   for (std::size_t k = 0; k < missing.size(); ++k) results[missing[k]] = std::move(fitted[k]);
@@ -103,7 +104,7 @@ std::vector<FitResult> JournaledBatch::run() {
     if (results_[i]) results[i] = std::move(*results_[i]);
   }
   // Of all fits together, and quick: no part of the journal.
-  if (complete()) add_unseen(targets_, cases_, options_, how_.threads, results);
+  if (complete() && own() == size()) add_unseen(targets_, cases_, options_, how_.threads, results);
   return results;
 }
 

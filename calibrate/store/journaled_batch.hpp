@@ -39,7 +39,7 @@ class JournaledBatch : public JournaledFits<FitResult> {
   std::string run_id() const;
 
   /// Fits what is missing. Result i belongs to case i; a fit that was not begun, because of the
-  /// stop flag, has the reason "not run". To be called once.
+  /// stop flag, has the reason "not run", as those of other shards have. To be called once.
   /// @throws InputError as `fit_target`; io::StorageError if the journal cannot be written. What
   ///         was finished before is in the journal.
   std::vector<FitResult> run();

@@ -18,7 +18,6 @@ template <typename Result>
 void JournaledFits<Result>::resume(std::vector<std::string> ids) {
   ids_ = std::move(ids);
   results_.resize(ids_.size());
-  progress_.total = ids_.size();
   for (std::size_t i = 0; i < ids_.size(); ++i) {
     const std::vector<std::byte>* bytes = journal_.find(ids_[i]);
     if (bytes == nullptr) continue;
@@ -27,6 +26,15 @@ void JournaledFits<Result>::resume(std::vector<std::string> ids) {
     ++progress_.resumed;
   }
   stale_ = journal_.found() - progress_.resumed;
+}
+
+template <typename Result>
+void JournaledFits<Result>::deal(const std::string& run, std::size_t together) {
+  std::vector<std::string> dealt;
+  for (std::size_t i = 0; i < ids_.size(); i += together) dealt.push_back(ids_[i]);
+  const std::vector<bool> own = journal_.begin(run, dealt);
+  for (std::size_t i = 0; i < ids_.size(); ++i) own_.push_back(own[i / together]);
+  progress_.total = static_cast<std::size_t>(std::count(own_.begin(), own_.end(), true));
 }
 
 template <typename Result>
@@ -60,6 +68,12 @@ template <typename Result>
 void JournaledFits<Result>::finish() {
   if (!complete_) throw std::logic_error("JournaledFits::finish: the run is not complete");
   journal_.finish();
+}
+
+template <typename Result>
+void JournaledFits<Result>::end_shard() {
+  if (!complete_) throw std::logic_error("JournaledFits::end_shard: the run is not complete");
+  journal_.end_shard();
 }
 
 template class JournaledFits<FitResult>;

@@ -55,8 +55,17 @@ class JournaledFits {
   /// How often this run was interrupted and resumed, this time included.
   int resumptions() const { return journal_.resumptions(); }
 
-  /// Whether all was fitted.
+  /// Whether all was fitted, of a shard all that is its own.
   bool complete() const { return complete_; }
+  /// Whether a shard's file was found that has all of its fits.
+  bool shard_ended() const { return journal_.shard_ended(); }
+  /// Fits that a run, or its shard, has to do, those of the journal included.
+  std::size_t own() const { return progress_.total; }
+  /// All fits.
+  std::size_t size() const { return ids_.size(); }
+  /// Says in a shard's file that it has all of its fits.
+  /// @throws std::logic_error if it is not complete; io::StorageError
+  void end_shard();
   /// Deletes the journal, once the results of a complete run are stored elsewhere.
   /// @throws std::logic_error if it is not complete; io::StorageError
   void finish();
@@ -74,6 +83,13 @@ class JournaledFits {
 
   /// Takes the results of the fits from the journal that it has. @param ids  of all fits (n_fits)
   void resume(std::vector<std::string> ids);
+  /// Says what is computed, and deals the fits where it is a shard. To be called after `resume`.
+  /// @param run  see `run_id_of`
+  /// @param together  as many fits as go to one shard, one behind the other
+  /// @throws InputError as `io::CaseJournal::begin`
+  void deal(const std::string& run, std::size_t together = 1);
+  /// Whether a fit is to be done here.
+  bool is_own(std::size_t index) const { return own_[index]; }
   /// To be called once, before the first fit. @throws std::logic_error when it is called again
   void start_run();
   /// Keeps a fit that has ended, and tells so; may be called by several threads.
@@ -90,7 +106,8 @@ class JournaledFits {
  private:
   void count(const Result& result);
 
-  std::mutex mutex_;  ///< of the progress
+  std::vector<bool> own_;  ///< (n_fits)
+  std::mutex mutex_;       ///< of the progress
   bool has_run_ = false;
   bool complete_ = false;
 };

@@ -13,6 +13,7 @@
 #include "calibrate/search/search_record.hpp"
 #include "calibrate/store/result_bytes.hpp"
 #include "calibrate/store/scene_fit_digest.hpp"
+#include "plastica/base/check.hpp"
 #include "plastica/base/parallel_for.hpp"
 #include "plastica/base/version.hpp"
 #include "plastica/io/digest.hpp"
@@ -57,6 +58,11 @@ JournaledSceneFits::JournaledSceneFits(std::span<const SceneFitCase> cases,
       cases_(cases),
       options_(options),
       within_(std::move(within)) {
+  if (how_.journal.shard && makes_complete()) {
+    throw InputError({}, "shard", "",
+                     "cannot be told which law is advised for all fits, which alone gets intervals "
+                     "and other numbers of segments: compare laws without these");
+  }
   std::vector<std::string> ids;
   for (std::size_t of = 0; of < cases.size(); ++of) {
     const SceneFitCase& one = cases[of];
@@ -82,6 +88,7 @@ JournaledSceneFits::JournaledSceneFits(std::span<const SceneFitCase> cases,
       stale_ -= stages + (ended && all == &complete_ids_ ? 1 : 0);
     }
   }
+  deal(run_id(), std::max<std::size_t>(1, options.laws.size()));
   seconds_.assign(fits_.size(), std::numeric_limits<double>::quiet_NaN());
   kept_.resize(fits_.size());
 }
@@ -196,8 +203,10 @@ std::vector<SceneFitResult> JournaledSceneFits::run() {
   for (std::size_t of = 0; of < cases_.size(); ++of) {
     const auto begin = results_.begin() + static_cast<std::ptrdiff_t>(first_fit(of));
     const auto end = results_.begin() + static_cast<std::ptrdiff_t>(first_fit(of + 1));
-    if (!std::all_of(begin, end, [](const auto& r) { return r.has_value(); }))
+    if (is_own(first_fit(of)) &&
+        !std::all_of(begin, end, [](const auto& r) { return r.has_value(); })) {
       missing.push_back(of);
+    }
   }
   fit_side_by_side(missing, std::nullopt);
   if (makes_complete() && progress_.done == fits_.size()) {

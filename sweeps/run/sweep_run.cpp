@@ -1,5 +1,6 @@
 #include "sweeps/run/sweep_run.hpp"
 
+#include <algorithm>
 #include <mutex>
 #include <utility>
 
@@ -55,6 +56,28 @@ SweepRun::SweepRun(const Sweep& sweep, SweepRunOptions options)
                                               ": go on with that, name another output") +
                          ", or use --force to start afresh");
   }
+  deal();
+}
+
+/// Says in the journal what is run, and finds what of it is to be run here.
+void SweepRun::deal() {
+  own_.assign(ids_.size(), true);
+  if (journal_) {
+    std::vector<std::string> distinct;
+    io::Digest run;
+    for (std::size_t i = 0; i < ids_.size(); ++i) {
+      if (owner_[i] != i) continue;
+      distinct.push_back(ids_[i]);
+      run.text(ids_[i]);
+    }
+    const std::vector<bool> dealt = journal_->begin(io::hexadecimal(run.value()), distinct);
+    std::size_t k = 0;
+    for (std::size_t i = 0; i < ids_.size(); ++i) {
+      own_[i] = owner_[i] == i ? dealt[k++] : own_[owner_[i]];
+    }
+  }
+  const auto count = std::count(own_.begin(), own_.end(), true);
+  progress_.total = static_cast<std::size_t>(count);
 }
 
 void SweepRun::take_earlier() {
@@ -126,12 +149,12 @@ void SweepRun::run_missing(const std::vector<std::size_t>& missing) {
 }
 
 std::vector<CaseResult> SweepRun::run() {
-  progress_ = {.resumed = resumed_, .total = ids_.size()};
+  progress_.resumed = resumed_;
   std::vector<std::size_t> missing;
   for (std::size_t i = 0; i < ids_.size(); ++i) {
     if (owner_[i] != i) continue;
     if (!results_[i]) {
-      missing.push_back(i);
+      if (own_[i]) missing.push_back(i);
       continue;
     }
     progress_.done += shared_by_[i];
@@ -139,7 +162,7 @@ std::vector<CaseResult> SweepRun::run() {
   }
   if (report_) report_(progress_);
   run_missing(missing);
-  complete_ = progress_.done == ids_.size();
+  complete_ = progress_.done == progress_.total;
   if (!complete_ && journal_) journal_->sync();
 
   std::vector<CaseResult> results(ids_.size());

@@ -51,6 +51,8 @@ class SweepRun {
   const std::vector<std::string>& ids() const { return ids_; }
   /// Number of cases resumed from journal and earlier results.
   std::size_t resumed() const { return resumed_; }
+  /// Number of cases to be done, of a shard its own, those resumed included.
+  std::size_t own() const { return progress_.total; }
   /// Null where no journal is kept.
   const io::CaseJournal* journal() const { return journal_ ? &*journal_ : nullptr; }
 
@@ -64,14 +66,17 @@ class SweepRun {
   /// called once. @throws io::StorageError if the journal cannot be written; InputError if cases
   /// that may run side by side do not fit into the machine's memory
   std::vector<CaseResult> run();
-  /// Whether `run` has results of all cases.
+  /// Whether `run` has results of all cases, of a shard all its own.
   bool complete() const { return complete_; }
+  /// Says in a shard's file that it has all of its cases. @throws io::StorageError
+  void end_shard() { journal_->end_shard(); }
   /// Deletes the journal, once the results are stored. @throws io::StorageError
   void finish();
 
  private:
   void take(std::size_t index, CaseResult result);
   void take_earlier();
+  void deal();
   void run_missing(const std::vector<std::size_t>& missing);
   void check_memory_of(const std::vector<std::size_t>& missing) const;
 
@@ -81,6 +86,7 @@ class SweepRun {
   std::vector<std::string> ids_;
   std::vector<std::size_t> owner_;      ///< first case of the same id (n_cases)
   std::vector<std::size_t> shared_by_;  ///< how many cases have the id of an owner (n_cases)
+  std::vector<bool> own_;               ///< whether a case is to be done here (n_cases)
   std::optional<io::CaseJournal> journal_;
   std::vector<std::optional<CaseResult>> results_;  ///< of owners (n_cases)
   std::size_t resumed_ = 0;

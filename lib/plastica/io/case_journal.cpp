@@ -16,29 +16,45 @@ constexpr std::string_view kResumption = "resumption";
 /// The name of the instruction set of the run that began the journal.
 constexpr std::string_view kInstructionSet = "instruction set";
 
+std::string text_of(const JournalRecord& record) {
+  return {reinterpret_cast<const char*>(record.payload.data()), record.payload.size()};
+}
+
 /// What a journal says of its run beside the cases.
 struct Marks {
   int resumptions = 0;
   std::string instruction_set{};  ///< empty in journals of older versions
+  std::optional<ShardMark> shard{};
+  bool shard_ended = false;
+  std::string merged_run{};
 };
 
 /// Takes the marks out of a journal's records.
-Marks take_marks(std::vector<JournalRecord>& records) {
+Marks take_marks(std::vector<JournalRecord>& records, const std::string& path) {
   Marks marks;
-  std::erase_if(records, [&marks](const JournalRecord& record) {
-    if (record.id == kResumption) ++marks.resumptions;
-    if (record.id == kInstructionSet) {
-      marks.instruction_set.assign(reinterpret_cast<const char*>(record.payload.data()),
-                                   record.payload.size());
+  std::erase_if(records, [&](const JournalRecord& record) {
+    if (record.id == kResumption) {
+      ++marks.resumptions;
+    } else if (record.id == kInstructionSet) {
+      marks.instruction_set = text_of(record);
+    } else if (record.id == kShardMark) {
+      marks.shard = shard_mark_from_bytes(record.payload, path);
+    } else if (record.id == kShardEnd) {
+      marks.shard_ended = true;
+    } else if (record.id == kMergedMark) {
+      marks.merged_run = text_of(record);
+    } else {
+      return false;
     }
-    return record.id == kResumption || record.id == kInstructionSet;
+    return true;
   });
   return marks;
 }
 
 /// Whether to go on from a journal that was found; else it is to be written afresh.
 /// @throws InputError if it may not be overwritten; StorageError if another run has it
-bool shall_go_on(const JournalContent& found, const JournalPolicy& policy, std::string_view noun) {
+bool shall_go_on(const JournalContent& found, const Marks& marks, const JournalPolicy& policy,
+                 std::string_view noun) {
   const auto refuse = [&](std::string_view rule) {
     throw InputError({policy.path, 0}, "", "", rule);
   };
@@ -59,8 +75,10 @@ bool shall_go_on(const JournalContent& found, const JournalPolicy& policy, std::
   }
   if (policy.resume) return true;
   if (!found.records.empty() && !policy.force) {
-    refuse("is the journal of an interrupted run, with " + std::to_string(found.records.size()) +
-           " finished " + std::string(noun) + ": use --resume to go on or --force to start afresh");
+    const std::string what = marks.shard ? words_of(marks.shard->shard) + " already"
+                                         : std::string("the journal of an interrupted run");
+    refuse("is " + what + ", with " + std::to_string(found.records.size()) + " finished " +
+           std::string(noun) + ": use --resume to go on or --force to start afresh");
   }
   return false;
 }
@@ -69,10 +87,11 @@ bool shall_go_on(const JournalContent& found, const JournalPolicy& policy, std::
 
 std::string journal_path(const std::string& output) { return output + ".journal"; }
 
-CaseJournal::CaseJournal(const JournalPolicy& policy, std::uint64_t kind, std::string_view noun) {
+CaseJournal::CaseJournal(const JournalPolicy& policy, std::uint64_t kind, std::string_view noun)
+    : path_(policy.path), noun_(noun), shard_(policy.shard) {
   JournalContent content = read_journal(policy.path, kind);
-  const Marks marks = take_marks(content.records);
-  if (!shall_go_on(content, policy, noun)) {
+  const Marks marks = take_marks(content.records, policy.path);
+  if (!shall_go_on(content, marks, policy, noun)) {
     journal_.emplace(Journal::create(policy.path, kind));
     if (!policy.instruction_set.empty()) {
       journal_->append(kInstructionSet, std::as_bytes(std::span(policy.instruction_set)));
@@ -80,18 +99,64 @@ CaseJournal::CaseJournal(const JournalPolicy& policy, std::uint64_t kind, std::s
     return;
   }
   dropped_bytes_ = content.dropped_bytes;
+  found_shard_ = marks.shard;
+  shard_ended_ = marks.shard_ended;
+  merged_run_ = marks.merged_run;
   journal_.emplace(Journal::resume(policy.path, kind, content));
-  if (content.records.empty()) return;
+  if (content.records.empty() && !marks.shard) return;
   if (marks.instruction_set != policy.instruction_set) {
     other_instruction_set_ = marks.instruction_set;
   }
   empty_ = false;
-  journal_->append(kResumption, {});
+  if (!shard_ended_) journal_->append(kResumption, {});
   resumptions_ = marks.resumptions + 1;
   // A case that stands there twice was run again on purpose.
   for (JournalRecord& record : content.records) {
     found_.insert_or_assign(std::move(record.id), std::move(record.payload));
   }
+}
+
+std::vector<bool> CaseJournal::begin(const std::string& run, std::span<const std::string> ids) {
+  check_merged(run, ids);
+  if (shard_ || found_shard_) return begin_shard(run, ids);
+  return std::vector<bool>(ids.size(), true);
+}
+
+/// What was merged is whole: nothing is to be computed anew, which the user would not expect.
+void CaseJournal::check_merged(const std::string& run, std::span<const std::string> ids) const {
+  if (merged_run_.empty()) return;
+  const auto lacking = std::count_if(ids.begin(), ids.end(),
+                                     [&](const std::string& id) { return !found_.contains(id); });
+  if (merged_run_ == run && lacking == 0) return;
+  throw InputError({}, "shards", "",
+                   "were computed of other inputs, options or version of plastica than are here: " +
+                       (other_instruction_set_.empty()
+                            ? "run merge where they ran, or in a copy of it"
+                            : "by the instruction set " + other_instruction_set_ + ", at least"));
+}
+
+std::vector<bool> CaseJournal::begin_shard(const std::string& run,
+                                           std::span<const std::string> ids) {
+  const auto refuse = [&](const std::string& what) {
+    throw InputError({path_, 0}, "", "", "is " + what + ": use --force to start afresh");
+  };
+  if (!shard_) refuse(words_of(found_shard_->shard) + " of a run");
+  std::vector<bool> own = own_cases(ids, shard_->shard);
+  if (found_shard_) {
+    if (found_shard_->shard != shard_->shard) refuse(words_of(found_shard_->shard));
+    if (found_shard_->run != run) refuse("a shard of a run of other inputs, options or version");
+    return own;
+  }
+  const auto count = static_cast<std::size_t>(std::count(own.begin(), own.end(), true));
+  journal_->append(kShardMark,
+                   bytes_of({shard_->shard, run, ids.size(), count, noun_, shard_->words}));
+  empty_ = false;
+  return own;
+}
+
+void CaseJournal::end_shard() {
+  if (!shard_ended_) journal_->append(kShardEnd, {});
+  journal_->sync();
 }
 
 CaseJournal::~CaseJournal() {

@@ -11,19 +11,27 @@
 #include <vector>
 
 #include "plastica/io/journal.hpp"
+#include "plastica/io/shard.hpp"
 
 namespace plastica::io {
 
 /// Where the journal of an output stands: beside it, "OUT.h5.journal".
 std::string journal_path(const std::string& output);
 
+/// Which part of a run is computed, and by which command.
+struct ShardOfRun {
+  Shard shard;
+  std::vector<std::string> words{};  ///< see `ShardMark::words`
+};
+
 /// What to do about the journal of an interrupted run.
 struct JournalPolicy {
-  std::string path{};   ///< of the journal, see `journal_path`
+  std::string path{};   ///< of the journal, see `journal_path`, or of the shard, see `shard_path`
   bool resume = false;  ///< go on from it; start afresh where there is none
   bool force = false;   ///< start afresh, over it
   /// Name of the one that the run computes with, to be told from that of an earlier run.
   std::string instruction_set{};
+  std::optional<ShardOfRun> shard{};  ///< empty: the whole run
 };
 
 /// The finished cases of a batch that survives its interruption: those that an earlier run has left
@@ -56,6 +64,19 @@ class CaseJournal {
   /// How often the batch was interrupted and resumed, this time included.
   int resumptions() const { return resumptions_; }
 
+  /// Says what the run computes, of which the cases are; to be called once, before a case is kept.
+  /// Of a shard the file then says so, too.
+  /// @param run  a digest of all that decides the results
+  /// @param ids  of all cases (n)
+  /// @return which of them are to be computed: all, or the shard's own (n)
+  /// @throws InputError if the journal is of another shard or, as a shard or merged of shards, of
+  ///         another run; or if it was merged and lacks a case
+  std::vector<bool> begin(const std::string& run, std::span<const std::string> ids);
+  /// Says in a shard's file that all of its cases are there. @throws StorageError
+  void end_shard();
+  /// Whether it said so when it was found.
+  bool shard_ended() const { return shard_ended_; }
+
   /// Adds a finished case; may be called by several threads. @throws StorageError
   void keep(std::string_view id, std::span<const std::byte> payload);
   /// Forces all cases to the disk now. @throws StorageError
@@ -64,7 +85,16 @@ class CaseJournal {
   void finish();
 
  private:
+  void check_merged(const std::string& run, std::span<const std::string> ids) const;
+  std::vector<bool> begin_shard(const std::string& run, std::span<const std::string> ids);
+
+  std::string path_;
+  std::string noun_;
+  std::optional<ShardOfRun> shard_;
   std::unordered_map<std::string, std::vector<std::byte>> found_;
+  std::optional<ShardMark> found_shard_;  ///< what the file that was found is a shard of
+  std::string merged_run_;                ///< whose shards it was merged of; empty: of none
+  bool shard_ended_ = false;
   std::optional<Journal> journal_;
   std::uint64_t dropped_bytes_ = 0;
   std::string other_instruction_set_;

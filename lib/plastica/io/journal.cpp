@@ -22,7 +22,6 @@
 namespace plastica::io {
 namespace {
 
-constexpr std::string_view kMagic = "PLASTJNL";
 constexpr std::uint64_t kVersion = 1;
 constexpr std::size_t kHeaderBytes = 24;
 constexpr std::size_t kRecordHeadBytes = 24;
@@ -60,7 +59,7 @@ bool write_all(int descriptor, std::span<const std::byte> bytes) {
 
 std::vector<std::byte> header_of(std::uint64_t run_digest) {
   ByteWriter writer;
-  for (const char c : kMagic) writer.put(c);
+  for (const char c : kJournalMagic) writer.put(c);
   writer.put(kVersion).put(run_digest);
   return writer.take();
 }
@@ -107,14 +106,14 @@ JournalState read_all(const std::string& path, std::vector<std::byte>& bytes) {
 
 }  // namespace
 
-JournalContent read_journal(const std::string& path, std::uint64_t run_digest) {
+JournalContent read_journal(const std::string& path, std::optional<std::uint64_t> run_digest) {
   JournalContent content;
   std::vector<std::byte> bytes;
   content.state = read_all(path, bytes);
   if (content.state != JournalState::Usable) return content;
 
-  const std::size_t magic_bytes = std::min(bytes.size(), kMagic.size());
-  if (std::memcmp(bytes.data(), kMagic.data(), magic_bytes) != 0) {
+  const std::size_t magic_bytes = std::min(bytes.size(), kJournalMagic.size());
+  if (std::memcmp(bytes.data(), kJournalMagic.data(), magic_bytes) != 0) {
     content.state = JournalState::NotAJournal;
     return content;
   }
@@ -124,7 +123,7 @@ JournalContent read_journal(const std::string& path, std::uint64_t run_digest) {
     return content;
   }
   const std::span<const std::byte> all = bytes;
-  ByteReader header(all.subspan(kMagic.size(), kHeaderBytes - kMagic.size()), path);
+  ByteReader header(all.subspan(kJournalMagic.size(), kHeaderBytes - kJournalMagic.size()), path);
   const auto version = header.get<std::uint64_t>();
   content.run_digest = header.get<std::uint64_t>();
   content.complete_bytes = kHeaderBytes;
@@ -132,7 +131,7 @@ JournalContent read_journal(const std::string& path, std::uint64_t run_digest) {
     content.state = JournalState::OtherVersion;
     return content;
   }
-  if (content.run_digest != run_digest) {
+  if (run_digest && content.run_digest != *run_digest) {
     content.state = JournalState::OtherRun;
     return content;
   }

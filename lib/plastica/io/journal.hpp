@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -12,6 +13,9 @@
 #include "plastica/io/storage_error.hpp"
 
 namespace plastica::io {
+
+/// What a journal's file begins with.
+inline constexpr std::string_view kJournalMagic = "PLASTJNL";
 
 /// A finished case: who it is and what came out.
 struct JournalRecord {
@@ -39,10 +43,11 @@ struct JournalContent {
 };
 
 /// Reads a journal up to its first record that is torn or damaged.
-/// @param run_digest  identifies what is computed: settings and inputs
+/// @param run_digest  identifies what is computed: settings and inputs; empty: whatever run it is
+/// of
 /// @throws InputError if a link, folder, pipe or device stands there; StorageError if the file is
 ///         there but cannot be read
-JournalContent read_journal(const std::string& path, std::uint64_t run_digest);
+JournalContent read_journal(const std::string& path, std::optional<std::uint64_t> run_digest);
 
 /// An append-only file of finished cases beside an output, which survives `kill -9` at any byte.
 ///
