@@ -25,6 +25,7 @@
 #include "cli/run_fits.hpp"
 #include "cli/shard_option.hpp"
 #include "cli/tell.hpp"
+#include "plastica/base/instruction_set.hpp"
 
 namespace plastica::cli {
 namespace {
@@ -77,6 +78,7 @@ int calibrate_files(const CalibrateArguments& arguments) {
   set_intervals(arguments, file.options.intervals);
   if (!arguments.laws.empty()) file.options.laws = calibrate::laws_of(arguments.laws, "--laws");
   if (arguments.no_modulus_prior) file.options.modulus_prior = false;
+  take_isa(arguments.isa, file.options.setup.solver);
   const bool found = finds_output(arguments.resume, arguments.force, output);
   for (calibrate::TargetBlock& block : file.targets) {
     block.options.accept = block.options.accept || arguments.accept;
@@ -89,6 +91,7 @@ int calibrate_files(const CalibrateArguments& arguments) {
   if (arguments.dry_run) {
     print_plausible(file.targets);
     print_dry_run(targets, file.options, output);
+    say_shard(output, arguments.shard);
     return kDone;
   }
   check_outputs(file, output, arguments.json, arguments.force, found);
@@ -96,6 +99,7 @@ int calibrate_files(const CalibrateArguments& arguments) {
   calibrate::FitStoreContents contents;
   contents.inputs = input_texts(file);
   contents.meta = begin_fit_meta(arguments);
+  contents.meta.instruction_set = name_of(resolved(file.options.setup.solver.isa));
   const InterruptGuard interrupt;
   calibrate::JournaledOptions how = journaling(arguments, output, contents.meta, &interrupt.flag());
   ProgressBar bar("fitting", 0, arguments.quiet);
@@ -178,10 +182,11 @@ void add_calibrate(CLI::App& app, const std::string& command_line, Action& actio
       ->allow_extra_args(false)
       ->option_text("LAW,...");
   add_threads_option(*sub, arguments->threads);
+  add_isa_option(*sub, arguments->isa);
   add_dry_run_option(*sub, arguments->dry_run);
   sub->add_flag("--resume", arguments->resume, "Continue an interrupted run");
   add_force_option(*sub, arguments->force, "the output, and an interrupted run");
-  add_shard_option(*sub, arguments->shard);
+  add_shard_option(*sub);
   add_quiet_option(*sub, arguments->quiet, "no report, no progress");
   sub->add_flag("--accept", arguments->accept,
                 "Fit curves that are those of no material, too; --dry-run prints the bounds");
@@ -200,8 +205,8 @@ void add_calibrate(CLI::App& app, const std::string& command_line, Action& actio
   arguments->command_line = command_line;
   sub->callback([&action, arguments, sub] {
     arguments->bare_option = first_given(*sub, kBareGroup);
-    arguments->words = words_again(*sub);
-    action = [arguments] {
+    action = [arguments, sub] {
+      arguments->shard = shard_of(*sub, arguments->json);
       expect_inputs(*arguments);
       return has_scenes(*arguments) ? calibrate_scenes(*arguments) : calibrate_files(*arguments);
     };

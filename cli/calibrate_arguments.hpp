@@ -11,6 +11,7 @@
 #include "calibrate/config/bare_files.hpp"
 #include "calibrate/inference/intervals.hpp"
 #include "cli/tell.hpp"
+#include "plastica/io/case_journal.hpp"
 
 namespace plastica::cli {
 
@@ -30,8 +31,8 @@ struct CalibrateArguments {
   std::string bare_option;  ///< first of the options for curves without a fit file that was given
   bool profile = false;     ///< and these replace what a fit file says
   std::optional<int> bootstrap, bootstrap_block, bootstrap_specimens;
-  std::string shard;               ///< "2/7"; empty: the whole run
-  std::vector<std::string> words;  ///< see `words_again`
+  std::string isa;                      ///< empty: as the files say
+  std::optional<io::ShardOfRun> shard;  ///< empty: the whole run
   std::string command_line;
 };
 

@@ -13,6 +13,7 @@
 #include "calibrate/search/fit_interrupted.hpp"
 #include "calibrate/store/journaled_scene_fits.hpp"
 #include "cli/chosen_segments.hpp"
+#include "cli/common_options.hpp"
 #include "cli/dry_run.hpp"
 #include "cli/exit_code.hpp"
 #include "cli/interrupt.hpp"
@@ -21,6 +22,7 @@
 #include "cli/run_fits.hpp"
 #include "cli/search_progress.hpp"
 #include "cli/tell.hpp"
+#include "plastica/base/instruction_set.hpp"
 #include "plastica/run/simulate.hpp"
 
 namespace plastica::cli {
@@ -61,6 +63,15 @@ void print_dry_run(const SceneFitFile& file, const std::string& output) {
   }
 }
 
+/// Lets `--isa` take the place of what the scenes say.
+void take_isa(const std::string& isa, SceneFitFile& file) {
+  for (SceneFitCase& one : file.cases) {
+    for (calibrate::WeightedTarget& weighted : one.targets) {
+      cli::take_isa(isa, weighted.setup.solver);
+    }
+  }
+}
+
 /// Whether the segments move any value by more than was asked for.
 bool moved_too_far(const std::vector<SceneFitRecord>& records, double within) {
   return within > 0.0 && std::ranges::any_of(records, [within](const SceneFitRecord& record) {
@@ -82,14 +93,16 @@ int calibrate_scenes(const CalibrateArguments& arguments) {
     throw InputError({}, "--no-modulus-prior", "",
                      "is for curves: fits through scenes have no such prior");
   }
+  take_isa(arguments.isa, file);
   calibrate::check_fits(file);
   if (arguments.dry_run) {
     print_dry_run(file, output);
+    say_shard(output, arguments.shard);
     return kDone;
   }
   const bool found = finds_output(arguments.resume, arguments.force, output);
   check_outputs(file.read_files, output, arguments.json, arguments.force, found);
-  refuse_option(file.chooses_segments && !arguments.shard.empty(), "--shard",
+  refuse_option(file.chooses_segments && arguments.shard.has_value(), "--shard",
                 "needs a number of segments: trial fits of the whole run would find it");
   const InterruptGuard interrupt;
   try {
@@ -102,6 +115,8 @@ int calibrate_scenes(const CalibrateArguments& arguments) {
   }
   calibrate::SceneFitContents contents;
   contents.meta = begin_fit_meta(arguments);
+  contents.meta.instruction_set =
+      name_of(resolved(file.cases.front().targets.front().setup.solver.isa));
   calibrate::JournaledOptions how = journaling(arguments, output, contents.meta, &interrupt.flag());
   ProgressBar bar("fitting", 0, arguments.quiet);
   // A lone fit has a line of its own.

@@ -39,10 +39,11 @@ int report_fits(const CalibrateArguments& arguments, Contents& contents) {
   return all ? kDone : kNotAcceptable;
 }
 
-/// Fits what a shard lacks. @param shard  is computed into `path`; `fit` as below
+/// Fits what the file of a shard lacks. @param fit  as below
 template <class Batch, class Fit>
-int run_shard(const CalibrateArguments& arguments, const std::string& output,
-              const io::Shard& shard, Batch& batch, const Fit& fit) {
+int run_shard(const CalibrateArguments& arguments, const std::string& output, Batch& batch,
+              const Fit& fit) {
+  const io::Shard shard = arguments.shard->shard;
   const std::string path = io::shard_path(output, shard);
   if (batch.shard_ended()) {
     tell_shard_found(path);
@@ -69,9 +70,7 @@ template <class Contents, class Batch, class Fit>
 int run_fits(const CalibrateArguments& arguments, const std::string& output, bool found,
              Contents& contents, std::chrono::steady_clock::time_point begin, Batch& batch,
              const Fit& fit) {
-  if (!arguments.shard.empty()) {
-    return run_shard(arguments, output, io::parse_shard("--shard", arguments.shard), batch, fit);
-  }
+  if (arguments.shard) return run_shard(arguments, output, batch, fit);
   if (found) {
     contents = read_fits<Contents>(output);
     take_complete_output(output, contents.run, batch);
@@ -112,8 +111,8 @@ inline calibrate::JournaledOptions journaling(const CalibrateArguments& argument
                                               const std::string& output, const io::RunMeta& meta,
                                               StopFlag stop) {
   calibrate::JournaledOptions how;
-  how.journal = policy_of(output, shard_of(arguments.shard, arguments.json, arguments.words),
-                          arguments.resume, arguments.force, meta.instruction_set);
+  how.journal =
+      policy_of(output, arguments.shard, arguments.resume, arguments.force, meta.instruction_set);
   how.threads = arguments.threads;
   how.stop = stop;
   return how;

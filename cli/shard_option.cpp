@@ -12,13 +12,17 @@
 
 namespace plastica::cli {
 
-void add_shard_option(CLI::App& sub, std::string& text) {
-  sub.add_option("--shard", text,
+void add_shard_option(CLI::App& sub) {
+  sub.add_option("--shard",
                  "Compute part I of N, into OUT.h5.shard-I-of-N; plastica merge puts the parts "
                  "together")
       ->option_text("I/N");
 }
 
+namespace {
+
+/// The words that tell a command again what it was told, but for what is told to one shard alone:
+/// output, threads, what to go on from.
 std::vector<std::string> words_again(const CLI::App& sub) {
   constexpr std::array<std::string_view, 7> kOfOne{
       "--shard", "--output", "--threads", "--resume", "--rerun-failed", "--force", "--quiet"};
@@ -40,19 +44,26 @@ std::vector<std::string> words_again(const CLI::App& sub) {
   return words;
 }
 
-std::optional<io::ShardOfRun> shard_of(const std::string& text, const std::string& json,
-                                       const std::vector<std::string>& words) {
-  if (text.empty()) return {};
+}  // namespace
+
+std::optional<io::ShardOfRun> shard_of(const CLI::App& sub, const std::string& json) {
+  const CLI::Option* option = sub.get_option("--shard");
+  if (option->count() == 0) return {};
   refuse_option(!json.empty(), "--json",
-                "is of a whole run: plastica export makes it of the "
-                "merged result");
-  return io::ShardOfRun{io::parse_shard("--shard", text), words};
+                "is of a whole run: plastica export makes it of the merged result");
+  return io::ShardOfRun{io::parse_shard("--shard", option->as<std::string>()), words_again(sub)};
 }
 
 io::JournalPolicy policy_of(const std::string& output, std::optional<io::ShardOfRun> shard,
                             bool resume, bool force, const std::string& instruction_set) {
   const std::string path = shard ? io::shard_path(output, shard->shard) : io::journal_path(output);
   return {path, resume, force, instruction_set, std::move(shard)};
+}
+
+void say_shard(const std::string& output, const std::optional<io::ShardOfRun>& shard) {
+  if (!shard) return;
+  say("{} would be one in {} of these, written to {}\n", words_of(shard->shard), shard->shard.count,
+      io::shard_path(output, shard->shard));
 }
 
 void tell_shard_found(const std::string& path) {

@@ -12,25 +12,21 @@ class App;
 
 namespace plastica::cli {
 
-/// Adds `--shard`.
-void add_shard_option(CLI::App& sub, std::string& text);
-
-/// The words that tell a command again what it was told, but for what is told to one shard alone:
-/// output, threads, what to go on from.
-std::vector<std::string> words_again(const CLI::App& sub);
+/// Adds `--shard`, which `shard_of` reads.
+void add_shard_option(CLI::App& sub);
 
 /// The shard that a run was told to compute; empty: it computes all.
-/// @param text   of `--shard`; empty: not given
-/// @param json   of `--json`, which a shard cannot write
-/// @param words  see `words_again`
+/// @param sub   the command as it was told
+/// @param json  of `--json`, which a shard cannot write
 /// @throws InputError
-std::optional<io::ShardOfRun> shard_of(const std::string& text, const std::string& json,
-                                       const std::vector<std::string>& words);
+std::optional<io::ShardOfRun> shard_of(const CLI::App& sub, const std::string& json);
 
 /// Where a run keeps what is finished: in its journal, or in its shard's file.
 io::JournalPolicy policy_of(const std::string& output, std::optional<io::ShardOfRun> shard,
                             bool resume, bool force, const std::string& instruction_set);
 
+/// Says of a dry run what a shard would do of it; nothing where it is the whole run.
+void say_shard(const std::string& output, const std::optional<io::ShardOfRun>& shard);
 /// Says that a shard was found complete.
 void tell_shard_found(const std::string& path);
 /// Says what a shard's file has now. @param noun  "fits"

@@ -5,6 +5,7 @@
 #include <chrono>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -45,8 +46,7 @@ struct SweepArguments {
   bool force = false;
   bool quiet = false;
   std::string isa;
-  std::string shard;               ///< "2/7"; empty: the whole sweep
-  std::vector<std::string> words;  ///< see `words_again`
+  std::optional<io::ShardOfRun> shard;  ///< empty: the whole sweep
   std::string command_line;
 };
 
@@ -76,8 +76,11 @@ void check_outputs(const SweepArguments& arguments, const std::string& output,
     io::check_output_path(arguments.json, arguments.force || goes_on);
   }
   io::check_output_path(output, arguments.force || goes_on);
-  if (arguments.rerun_failed && !fs::exists(output) && !fs::exists(io::journal_path(output))) {
-    throw InputError({}, "--rerun-failed", output, "is not there: nothing has been run yet");
+  const std::string kept =
+      arguments.shard ? io::shard_path(output, arguments.shard->shard) : io::journal_path(output);
+  if (arguments.rerun_failed && !fs::exists(kept) && (arguments.shard || !fs::exists(output))) {
+    throw InputError({}, "--rerun-failed", arguments.shard ? kept : output,
+                     "is not there: nothing has been run yet");
   }
 }
 
@@ -88,7 +91,7 @@ sweeps::EarlierResults results_before(const SweepArguments& arguments, const std
   return sweeps::earlier_results(output);
 }
 
-int print_dry_run(const sweeps::Sweep& sweep, const std::string& output) {
+void print_dry_run(const sweeps::Sweep& sweep, const std::string& output) {
   const sweeps::CaseTable cases(sweep);
   say("{}: {} of {}\n", sweep.path, report::counted(cases.size(), "case"), sweep.scene.path);
   for (const sweeps::Axis& axis : sweep.axes) {
@@ -110,7 +113,6 @@ int print_dry_run(const sweeps::Sweep& sweep, const std::string& output) {
       sweep.against.kind == sweeps::AgainstKind::Nothing ? "" : " against ",
       sweeps::words_of(sweep.against, sweep.quantity));
   say("nothing was run; the result would be {}\n", output);
-  return kDone;
 }
 
 void tell_of_journal(const sweeps::SweepRun& run, bool quiet) {
@@ -131,14 +133,18 @@ int sweep_file(const SweepArguments& arguments) {
   tell_notes(sweep.notes);
   take_isa(arguments.isa, sweep.setup.solver);
   sweeps::check_reference(sweep, sweeps::CaseTable(sweep));
-  if (arguments.dry_run) return print_dry_run(sweep, output);
+  if (arguments.dry_run) {
+    print_dry_run(sweep, output);
+    say_shard(output, arguments.shard);
+    return kDone;
+  }
   check_outputs(arguments, output, sweep);
 
   io::RunMeta meta = io::begin_meta(arguments.command_line, arguments.threads);
   meta.instruction_set = name_of(resolved(sweep.setup.solver.isa));
   const InterruptGuard interrupt;
   sweeps::SweepRunOptions how;
-  const auto shard = shard_of(arguments.shard, arguments.json, arguments.words);
+  const std::optional<io::ShardOfRun>& shard = arguments.shard;
   how.journal = policy_of(output, shard, arguments.resume || arguments.rerun_failed,
                           arguments.force, meta.instruction_set);
   if (!shard) how.earlier = results_before(arguments, output);
@@ -215,7 +221,7 @@ void add_sweep(CLI::App& app, const std::string& command_line, Action& action) {
                 "As --resume, and run the failed cases again");
   add_force_option(*sub, arguments->force, "the output, and an interrupted run");
   add_quiet_option(*sub, arguments->quiet, "no report, no progress");
-  add_shard_option(*sub, arguments->shard);
+  add_shard_option(*sub);
   group_options(*sub, "Results", {"--output", "--json", "--force"});
   group_options(*sub, "After an interruption", {"--resume", "--rerun-failed"});
   sub->footer(
@@ -224,8 +230,10 @@ void add_sweep(CLI::App& app, const std::string& command_line, Action& action) {
       "Exit code 1 if no case has a usable result, 130 after Ctrl-C: --resume goes on.");
   arguments->command_line = command_line;
   sub->callback([&action, arguments, sub] {
-    arguments->words = words_again(*sub);
-    action = [arguments] { return sweep_file(*arguments); };
+    action = [arguments, sub] {
+      arguments->shard = shard_of(*sub, arguments->json);
+      return sweep_file(*arguments);
+    };
   });
 }
 

@@ -14,6 +14,7 @@
 #include "calibrate/store/result_bytes.hpp"
 #include "calibrate/store/scene_fit_digest.hpp"
 #include "plastica/base/check.hpp"
+#include "plastica/base/instruction_set.hpp"
 #include "plastica/base/parallel_for.hpp"
 #include "plastica/base/version.hpp"
 #include "plastica/io/digest.hpp"
@@ -29,11 +30,14 @@ std::uint64_t scene_journal_kind() {
       .value();
 }
 
-/// Who a fit is: its name, and a digest of all that can change the result's bits. Its scenes are
-/// at rest or step by kernels of the instruction set that they name.
+/// Who a fit is: its name, and a digest of all that can change the result's bits, the instruction
+/// sets that its scenes run with among them.
 std::string id_of(const SceneFitCase& one, const SceneFitOptions& options) {
   io::Digest digest;
   digest.text(version()).integer(digest_of(one.targets, options));
+  for (const WeightedTarget& weighted : one.targets) {
+    digest.text(name_of(resolved(weighted.setup.solver.isa)));
+  }
   return one.name + " " + io::hexadecimal(digest.value());
 }
 
@@ -59,9 +63,10 @@ JournaledSceneFits::JournaledSceneFits(std::span<const SceneFitCase> cases,
       options_(options),
       within_(std::move(within)) {
   if (how_.journal.shard && makes_complete()) {
-    throw InputError({}, "shard", "",
-                     "cannot be told which law is advised for all fits, which alone gets intervals "
-                     "and other numbers of segments: compare laws without these");
+    throw InputError(
+        {}, "--shard", "",
+        "cannot tell which law all fits together advise, and that alone gets intervals "
+        "and other numbers of segments: ask for none (segments_error = false)");
   }
   std::vector<std::string> ids;
   for (std::size_t of = 0; of < cases.size(); ++of) {

@@ -14,11 +14,19 @@
 namespace plastica::sweeps {
 namespace {
 
+/// What all cases run with; where an axis moves it, what "auto" is here.
+InstructionSet common_instruction_set(const Sweep& sweep) {
+  const bool varied = std::any_of(sweep.axes.begin(), sweep.axes.end(), [](const Axis& axis) {
+    return axis.field->path == "solver.isa";
+  });
+  return varied ? InstructionSet::Auto : sweep.setup.solver.isa;
+}
+
 /// What besides the setup decides a case's result.
 std::uint64_t quantity_digest(const Sweep& sweep) {
   const Quantity& q = sweep.quantity;
   io::Digest digest;
-  digest.text(version()).text(name_of(resolved(InstructionSet::Auto)));
+  digest.text(version()).text(name_of(resolved(common_instruction_set(sweep))));
   digest.integer(static_cast<std::uint64_t>(q.kind)).integer(q.probe);
   digest.integer(static_cast<std::uint64_t>(q.take)).integer(static_cast<std::uint64_t>(q.mode));
   digest.text(old_path(q.parameter)).integer(static_cast<std::uint64_t>(sweep.timed_runs));

@@ -88,7 +88,10 @@ bool shall_go_on(const JournalContent& found, const Marks& marks, const JournalP
 std::string journal_path(const std::string& output) { return output + ".journal"; }
 
 CaseJournal::CaseJournal(const JournalPolicy& policy, std::uint64_t kind, std::string_view noun)
-    : path_(policy.path), noun_(noun), shard_(policy.shard) {
+    : path_(policy.path),
+      noun_(noun),
+      instruction_set_(policy.instruction_set),
+      shard_(policy.shard) {
   JournalContent content = read_journal(policy.path, kind);
   const Marks marks = take_marks(content.records, policy.path);
   if (!shall_go_on(content, marks, policy, noun)) {
@@ -129,10 +132,11 @@ void CaseJournal::check_merged(const std::string& run, std::span<const std::stri
                                      [&](const std::string& id) { return !found_.contains(id); });
   if (merged_run_ == run && lacking == 0) return;
   throw InputError({}, "shards", "",
-                   "were computed of other inputs, options or version of plastica than are here: " +
-                       (other_instruction_set_.empty()
-                            ? "run merge where they ran, or in a copy of it"
-                            : "by the instruction set " + other_instruction_set_ + ", at least"));
+                   other_instruction_set_.empty()
+                       ? "were computed of other inputs, options or version than are here: run "
+                         "merge where they ran, or in a copy of it"
+                       : "were computed with the instruction set " + other_instruction_set_ +
+                             ", which is not this machine's: give all shards the same --isa");
 }
 
 std::vector<bool> CaseJournal::begin_shard(const std::string& run,
@@ -148,8 +152,8 @@ std::vector<bool> CaseJournal::begin_shard(const std::string& run,
     return own;
   }
   const auto count = static_cast<std::size_t>(std::count(own.begin(), own.end(), true));
-  journal_->append(kShardMark,
-                   bytes_of({shard_->shard, run, ids.size(), count, noun_, shard_->words}));
+  journal_->append(kShardMark, bytes_of({shard_->shard, run, ids.size(), count, noun_,
+                                         instruction_set_, shard_->words}));
   empty_ = false;
   return own;
 }

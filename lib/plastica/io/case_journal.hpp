@@ -90,6 +90,7 @@ class CaseJournal {
 
   std::string path_;
   std::string noun_;
+  std::string instruction_set_;
   std::optional<ShardOfRun> shard_;
   std::unordered_map<std::string, std::vector<std::byte>> found_;
   std::optional<ShardMark> found_shard_;  ///< what the file that was found is a shard of

@@ -74,9 +74,14 @@ void check_together(std::span<const ReadShard> shards) {
   const ReadShard& first = shards.front();
   std::vector<const ReadShard*> at(first.mark.shard.count, nullptr);
   for (const ReadShard& one : shards) {
+    if (one.mark.instruction_set != first.mark.instruction_set) {
+      refuse(one.path, "was computed with the instruction set " + one.mark.instruction_set +
+                           ", while " + first.path + " was with " + first.mark.instruction_set +
+                           ": give all shards the same --isa");
+    }
     if (one.mark.run != first.mark.run || one.kind != first.kind) {
       refuse(one.path, "is a shard of another run than " + first.path +
-                           ": of other inputs, options, version or instruction set");
+                           ": of other inputs, options or version");
     }
     if (one.mark.shard.count != first.mark.shard.count) {
       refuse(one.path, "is " + words_of(one.mark.shard) + ", while " + first.path + " is " +

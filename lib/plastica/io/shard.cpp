@@ -67,7 +67,7 @@ std::vector<std::byte> bytes_of(const ShardMark& mark) {
   ByteWriter writer;
   writer.put(std::uint64_t{mark.shard.index}).put(std::uint64_t{mark.shard.count});
   writer.put(mark.run).put(std::uint64_t{mark.cases}).put(std::uint64_t{mark.own});
-  writer.put(mark.noun).put(mark.words);
+  writer.put(mark.noun).put(mark.instruction_set).put(mark.words);
   return writer.take();
 }
 
@@ -80,6 +80,7 @@ ShardMark shard_mark_from_bytes(std::span<const std::byte> bytes, const std::str
   mark.cases = static_cast<std::size_t>(reader.get<std::uint64_t>());
   mark.own = static_cast<std::size_t>(reader.get<std::uint64_t>());
   mark.noun = reader.get<std::string>();
+  mark.instruction_set = reader.get<std::string>();
   mark.words = reader.get<std::vector<std::string>>();
   reader.expect_end();
   if (mark.shard.count < 1 || mark.shard.count > kMaxShards || mark.shard.index < 1 ||

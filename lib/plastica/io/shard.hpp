@@ -40,10 +40,11 @@ std::vector<bool> own_cases(std::span<const std::string> ids, const Shard& shard
 /// What a shard's file says of the run of which it is a part.
 struct ShardMark {
   Shard shard;
-  std::string run{};      ///< of all shards alike: a digest of all that the run computes
-  std::size_t cases = 0;  ///< of the run
-  std::size_t own = 0;    ///< of these the shard's
-  std::string noun{};     ///< what the cases are called, in the plural
+  std::string run{};              ///< of all shards alike: a digest of all that the run computes
+  std::size_t cases = 0;          ///< of the run
+  std::size_t own = 0;            ///< of these the shard's
+  std::string noun{};             ///< what the cases are called, in the plural
+  std::string instruction_set{};  ///< that it was computed with
   /// The command that computed it, without the program and what differs between shards.
   std::vector<std::string> words{};
 };
