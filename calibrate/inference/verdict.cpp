@@ -4,23 +4,41 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <limits>
+#include <vector>
 
 namespace plastica::calibrate {
 namespace {
 
-/// ln of n over k; of none, minus infinity. (lgamma writes a global; fits run on several threads.)
-double log_choices(int n, int k) {
-  if (k < 0 || k > n) return -std::numeric_limits<double>::infinity();
-  int sign = 1;
-  return lgamma_r(n + 1.0, &sign) - lgamma_r(k + 1.0, &sign) - lgamma_r(n - k + 1.0, &sign);
-}
+/// Logarithms of binomial coefficients, of those of so many and fewer.
+class LogChoices {
+ public:
+  explicit LogChoices(int most) : log_factorial_(static_cast<std::size_t>(most) + 1) {
+    int sign = 1;  // lgamma writes a global, and fits run on several threads
+    for (std::size_t n = 0; n < log_factorial_.size(); ++n) {
+      log_factorial_[n] = lgamma_r(static_cast<double>(n) + 1.0, &sign);
+    }
+  }
+
+  /// ln of n over k; of none, minus infinity.
+  double operator()(int n, int k) const {
+    if (k < 0 || k > n) return -std::numeric_limits<double>::infinity();
+    return of(n) - of(k) - of(n - k);
+  }
+
+ private:
+  double of(int n) const { return log_factorial_[static_cast<std::size_t>(n)]; }
+
+  std::vector<double> log_factorial_;
+};
 
 /// Of all orders of so many of each sign the fraction with no more runs: of 2 k runs there are k of
 /// each sign, which C(above - 1, k - 1) C(below - 1, k - 1) ways make, and either may be first.
 double as_few_runs(int runs, int above, int below) {
-  const double all = log_choices(above + below, above);
   if (above == 0 || below == 0) return 1.0;
+  const LogChoices log_choices(above + below);
+  const double all = log_choices(above + below, above);
   double sum = 0.0;
   for (int r = 2; r <= runs; ++r) {
     const int more = (r + 1) / 2 - 1, less = r / 2 - 1;
@@ -32,6 +50,7 @@ double as_few_runs(int runs, int above, int below) {
 
 /// Probability that no more than so many of all have the rarer of two signs that are alike.
 double as_few_of_a_sign(int few, int all) {
+  const LogChoices log_choices(all);
   double sum = 0.0;
   for (int k = 0; k <= few; ++k) sum += std::exp(log_choices(all, k) - all * std::log(2.0));
   return std::min(2.0 * sum, 1.0);
