@@ -3,6 +3,8 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <array>
+#include <charconv>
+#include <cstdlib>
 #include <string_view>
 #include <utility>
 
@@ -15,11 +17,37 @@ namespace plastica::cli {
 void add_shard_option(CLI::App& sub) {
   sub.add_option("--shard",
                  "Compute part I of N, into OUT.h5.shard-I-of-N; plastica merge puts the parts "
-                 "together")
-      ->option_text("I/N");
+                 "together; auto: the part of this process under mpirun or srun")
+      ->option_text("I/N|auto");
 }
 
 namespace {
+
+/// Variables in which launchers say which of how many processes this one is, from 0 on: Open MPI,
+/// MPICH and others by PMI, SLURM.
+constexpr std::array<std::pair<const char*, const char*>, 3> kRanks{{
+    {"OMPI_COMM_WORLD_RANK", "OMPI_COMM_WORLD_SIZE"},
+    {"PMI_RANK", "PMI_SIZE"},
+    {"SLURM_PROCID", "SLURM_NTASKS"},
+}};
+
+/// Part and number of parts of this process, "2/7".
+std::string part_of_process() {
+  for (const auto& [rank, size] : kRanks) {
+    const char* index = std::getenv(rank);
+    const char* count = std::getenv(size);
+    if (index == nullptr || count == nullptr) continue;
+    std::size_t number = 0;
+    const std::string_view digits = index;
+    const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), number);
+    if (error != std::errc{} || end != digits.data() + digits.size()) {
+      throw InputError({}, rank, index, "in the environment, must be a number");
+    }
+    return std::to_string(number + 1) + "/" + count;
+  }
+  throw InputError({}, "--shard", "auto",
+                   "needs mpirun or srun, which say in the environment which part this process is");
+}
 
 /// The words that tell a command again what it was told, but for what is told to one shard alone:
 /// output, threads, what to go on from.
@@ -51,7 +79,9 @@ std::optional<io::ShardOfRun> shard_of(const CLI::App& sub, const std::string& j
   if (option->count() == 0) return {};
   refuse_option(!json.empty(), "--json",
                 "is of a whole run: plastica export makes it of the merged result");
-  return io::ShardOfRun{io::parse_shard("--shard", option->as<std::string>()), words_again(sub)};
+  std::string part = option->as<std::string>();
+  if (part == "auto") part = part_of_process();
+  return io::ShardOfRun{io::parse_shard("--shard", part), words_again(sub)};
 }
 
 io::JournalPolicy policy_of(const std::string& output, std::optional<io::ShardOfRun> shard,

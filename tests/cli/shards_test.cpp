@@ -230,6 +230,22 @@ TEST_F(Shards, AreSaidByADryRun) {
       << result.out;
 }
 
+// As Open MPI starts four of them.
+TEST_F(Shards, AreThoseOfTheProcessesOfAnMpiJob) {
+  write_curves(3);
+  for (const char* rank : {"0", "1", "2", "3"}) {
+    const CommandResult result =
+        place_.run({"calibrate", "curve-0.csv", "curve-1.csv", "curve-2.csv", "-o", "all.h5",
+                    "--shard", "auto", "--quiet"},
+                   {std::string("OMPI_COMM_WORLD_RANK=") + rank, "OMPI_COMM_WORLD_SIZE=4"});
+    ASSERT_EQ(result.code, 0) << result.err;
+  }
+  const CommandResult merged =
+      place_.run({"merge", "all.h5.shard-1-of-4", "all.h5.shard-2-of-4", "all.h5.shard-3-of-4",
+                  "all.h5.shard-4-of-4", "-o", "all.h5", "--quiet"});
+  EXPECT_EQ(merged.code, 0) << merged.err;
+}
+
 class BadShard : public ::testing::TestWithParam<BadInput> {};
 
 TEST_P(BadShard, IsRefusedInOneLine) { expect_refusal(GetParam()); }
@@ -251,6 +267,11 @@ INSTANTIATE_TEST_SUITE_P(
                  kCurve,
                  {"calibrate", "a.csv", "--shard", ""},
                  "--shard: must be a part and their number, such as 2/7"},
+        BadInput{"auto_alone",
+                 kCurve,
+                 {"calibrate", "a.csv", "--shard", "auto"},
+                 "--shard = auto: needs mpirun or srun, which say in the environment which part "
+                 "this process is"},
         BadInput{"json",
                  kCurve,
                  {"calibrate", "a.csv", "--shard", "1/2", "--json", "a.json"},
