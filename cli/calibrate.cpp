@@ -71,6 +71,9 @@ bool has_scenes(const CalibrateArguments& arguments) {
          arguments.bare_option.empty() && calibrate::names_scenes(arguments.inputs.front());
 }
 
+/// Most fits of a run whose evaluations are stored one by one.
+constexpr std::size_t kTracedFits = 100;
+
 int calibrate_files(const CalibrateArguments& arguments) {
   const auto begin = std::chrono::steady_clock::now();
   const std::string output = output_of(arguments);
@@ -84,6 +87,7 @@ int calibrate_files(const CalibrateArguments& arguments) {
     block.options.accept = block.options.accept || arguments.accept;
   }
   std::vector<calibrate::Target> targets = calibrate::import_all(file, arguments.threads);
+  file.options.keep_trace = calibrate::cases_of(targets.size(), file.options).size() <= kTracedFits;
   if (file.options.intervals.specimens > 0 && targets.size() < 2) {
     throw InputError({}, "bootstrap_specimens", std::to_string(file.options.intervals.specimens),
                      "needs several specimens, for the mean of their parameters");
@@ -113,8 +117,11 @@ int calibrate_files(const CalibrateArguments& arguments) {
     std::vector<calibrate::FitResult> results = batch.run();
     bar.clear();
     std::vector<calibrate::FitRecord> records;
+    records.reserve(results.size());
     for (std::size_t i = 0; i < results.size(); ++i) {
-      records.push_back({targets[batch.cases()[i].target], std::move(results[i])});
+      const std::size_t of = batch.cases()[i].target;
+      const bool is_last = i + 1 == results.size() || batch.cases()[i + 1].target != of;
+      records.push_back({is_last ? std::move(targets[of]) : targets[of], std::move(results[i])});
     }
     return records;
   });

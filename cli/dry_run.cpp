@@ -22,7 +22,8 @@ using calibrate::TargetStatus;
 /// Bytes that a target and its fit hold: four curves and the trace of a fit of usual length.
 std::size_t memory_of(const Target& target, const FitOptions& options) {
   constexpr std::size_t kCurves = 4;
-  const auto evaluations = static_cast<std::size_t>(options.stopping.global_evaluations) + 100;
+  const std::size_t usual = static_cast<std::size_t>(options.stopping.global_evaluations) + 100;
+  const std::size_t evaluations = options.keep_trace ? usual : 0;
   return sizeof(double) *
          (2 * kCurves * target.raw.size() + evaluations * (options.parameters.size() + 1));
 }

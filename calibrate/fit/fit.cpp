@@ -100,6 +100,7 @@ std::vector<FitResult> fit_cases(std::span<const Target> targets, std::span<cons
       results[i].reason = error.what();
       if (cases[i].law) results[i].law = *cases[i].law;
     }
+    if (!options.keep_trace) results[i].trace.leave_out();
     if (!batch.finished) return;
     const std::lock_guard lock(mutex);
     batch.finished(i, results[i]);

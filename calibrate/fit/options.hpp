@@ -55,6 +55,9 @@ struct FitOptions {
   bool modulus_prior = true;
   std::string algorithm = "auto";  ///< see `algorithm_names()`
   StoppingRules stopping;
+  /// Whether a result has every evaluation of its search, or their number alone. They are more than
+  /// half of what a result takes.
+  bool keep_trace = true;
   /// Laws to be compared, see fit_law.hpp; empty: the material's own alone.
   std::vector<Law> laws;
   std::uint64_t seed = 1;       ///< each target's own seed is made from this and the target's name

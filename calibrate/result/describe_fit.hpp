@@ -106,6 +106,10 @@ inline constexpr auto kDescribeFit = [](auto& d) {
   d.since(8, [](auto& later) {
     later.optional("stated_priors", PLASTICA_MEMBER(stated_priors), kDescribeStatedPriors);
   });
+  d.since(11, [](auto& later) {
+    later("evaluations_left_out", "1", PLASTICA_MEMBER(trace.left_out),
+          "evaluations of which only the number is kept");
+  });
 };
 
 /// Of a SceneFitResult, beside its outcome.

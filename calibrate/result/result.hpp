@@ -22,13 +22,20 @@ struct OptimizerStage {
   double cost = 0.0;  ///< best cost of the stage [Pa^2]
 };
 
-/// Every cost evaluation in order, for the file.
+/// Every cost evaluation in order, for the file; of large batches their number alone.
 struct Trace {
   /// The free parameters that the target depends on, as indices into those of the fit, in rising
   /// order (n).
   std::vector<std::uint32_t> active;
   std::vector<double> values;  ///< (n_evaluations x n), SI, row by row
   std::vector<double> costs;   ///< (n_evaluations) [Pa^2]
+  std::size_t left_out = 0;    ///< evaluations that are counted, but neither in values nor in costs
+
+  void leave_out() {
+    left_out += costs.size();
+    values = {};
+    costs = {};
+  }
 };
 
 /// What the priors that parameters state did to a fit (weighed_priors.hpp).
@@ -69,7 +76,7 @@ struct FitResult : FitOutcome {
   /// where the model breaks between the two, with its stress before and 0 after.
   Curve fitted;
 
-  std::size_t evaluations() const { return trace.costs.size(); }
+  std::size_t evaluations() const { return trace.costs.size() + trace.left_out; }
   /// Those that `correlation` is of: the free ones that the target depends on.
   std::vector<const FittedParameter*> correlated_parameters() const;
 };

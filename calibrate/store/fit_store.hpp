@@ -12,7 +12,7 @@ namespace plastica::calibrate {
 
 /// The attributes `schema` and `version` of a result file's root.
 inline constexpr std::string_view kFitStoreSchema = "plastica/fits";
-inline constexpr int kFitStoreVersion = 10;
+inline constexpr int kFitStoreVersion = 11;
 inline constexpr int kOldestFitStore = 3;  ///< that is read
 
 /// What a result file holds. Summaries of groups are derived from it and are not stored.

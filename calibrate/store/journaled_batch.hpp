@@ -25,7 +25,7 @@ namespace plastica::calibrate {
 class JournaledBatch : public JournaledFits<FitResult> {
  public:
   /// Reads the journal, if one is there, and opens it for writing; computes nothing.
-  /// @param targets  must outlive the batch, as `options` must
+  /// @param targets  must live until `run` has ended, as `options` must
   /// @throws InputError if the options are bad or two targets have the same name; if there is the
   /// journal of an interrupted run that
   ///         is neither to be resumed nor overwritten, or of another version and not to be
@@ -35,8 +35,6 @@ class JournaledBatch : public JournaledFits<FitResult> {
 
   /// What result i is of.
   const std::vector<FitCase>& cases() const { return cases_; }
-  /// See `run_id_of`: of targets, options, library version and instruction set.
-  std::string run_id() const;
 
   /// Fits what is missing. Result i belongs to case i; a fit that was not begun, because of the
   /// stop flag, has the reason "not run", as those of other shards have. To be called once.
@@ -45,6 +43,9 @@ class JournaledBatch : public JournaledFits<FitResult> {
   std::vector<FitResult> run();
 
  private:
+  /// Of targets, options, library version and instruction set.
+  std::string make_run_id() const;
+
   std::span<const Target> targets_;
   const FitOptions& options_;
   std::vector<FitCase> cases_;

@@ -15,13 +15,16 @@ JournaledFits<Result>::JournaledFits(JournaledOptions how, std::uint64_t kind,
     : how_(std::move(how)), journal_(how_.journal, kind, noun) {}
 
 template <typename Result>
-void JournaledFits<Result>::resume(std::vector<std::string> ids) {
+void JournaledFits<Result>::resume(std::vector<std::string> ids,
+                                   const std::function<bool(Result&)>& usable) {
   ids_ = std::move(ids);
   results_.resize(ids_.size());
   for (std::size_t i = 0; i < ids_.size(); ++i) {
     const std::vector<std::byte>* bytes = journal_.find(ids_[i]);
     if (bytes == nullptr) continue;
-    results_[i] = result_from_bytes<Result>(*bytes);
+    Result result = result_from_bytes<Result>(*bytes);
+    if (usable && !usable(result)) continue;
+    results_[i] = std::move(result);
     count(*results_[i]);
     ++progress_.resumed;
   }
@@ -30,6 +33,7 @@ void JournaledFits<Result>::resume(std::vector<std::string> ids) {
 
 template <typename Result>
 void JournaledFits<Result>::deal(const std::string& run, std::size_t together) {
+  run_id_ = run;
   std::vector<std::string> dealt;
   for (std::size_t i = 0; i < ids_.size(); i += together) dealt.push_back(ids_[i]);
   const std::vector<bool> own = journal_.begin(run, dealt);

@@ -63,6 +63,8 @@ class JournaledFits {
   std::size_t own() const { return progress_.total; }
   /// All fits.
   std::size_t size() const { return ids_.size(); }
+  /// See `run_id_of`: of all that decides the results.
+  const std::string& run_id() const { return run_id_; }
   /// Says in a shard's file that it has all of its fits.
   /// @throws std::logic_error if it is not complete; io::StorageError
   void end_shard();
@@ -82,7 +84,10 @@ class JournaledFits {
   ~JournaledFits() = default;
 
   /// Takes the results of the fits from the journal that it has. @param ids  of all fits (n_fits)
-  void resume(std::vector<std::string> ids);
+  /// @param usable  told each; false: it is stale, whatever its id. It may change the result;
+  /// empty:
+  ///                all are usable
+  void resume(std::vector<std::string> ids, const std::function<bool(Result&)>& usable = {});
   /// Says what is computed, and deals the fits where it is a shard. To be called after `resume`.
   /// @param run  see `run_id_of`
   /// @param together  as many fits as go to one shard, one behind the other
@@ -107,7 +112,8 @@ class JournaledFits {
   void count(const Result& result);
 
   std::vector<bool> own_;  ///< (n_fits)
-  std::mutex mutex_;       ///< of the progress
+  std::string run_id_;
+  std::mutex mutex_;  ///< of the progress
   bool has_run_ = false;
   bool complete_ = false;
 };

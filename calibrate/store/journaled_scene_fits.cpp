@@ -93,7 +93,7 @@ JournaledSceneFits::JournaledSceneFits(std::span<const SceneFitCase> cases,
       stale_ -= stages + (ended && all == &complete_ids_ ? 1 : 0);
     }
   }
-  deal(run_id(), std::max<std::size_t>(1, options.laws.size()));
+  deal(make_run_id(), std::max<std::size_t>(1, options.laws.size()));
   seconds_.assign(fits_.size(), std::numeric_limits<double>::quiet_NaN());
   kept_.resize(fits_.size());
 }
@@ -106,7 +106,7 @@ bool JournaledSceneFits::makes_complete() const {
   return any && !options_.laws.empty();
 }
 
-std::string JournaledSceneFits::run_id() const {
+std::string JournaledSceneFits::make_run_id() const {
   std::vector<std::string> ids = ids_;
   ids.insert(ids.end(), complete_ids_.begin(), complete_ids_.end());
   return run_id_of(std::move(ids));

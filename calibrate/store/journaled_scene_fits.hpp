@@ -34,8 +34,6 @@ class JournaledSceneFits : public JournaledFits<SceneFitResult> {
 
   /// Finished stages of fits that have not ended, of the journal.
   std::size_t stages() const { return stages_; }
-  /// See `run_id_of`: of cases, options and library version.
-  std::string run_id() const;
 
   /// Whose fit a result is.
   struct Fit {
@@ -56,6 +54,8 @@ class JournaledSceneFits : public JournaledFits<SceneFitResult> {
   /// What a fit's searches have kept, by their names.
   using Kept = std::map<std::string, std::vector<std::byte>>;
 
+  /// Of cases, options, library version and instruction sets.
+  std::string make_run_id() const;
   bool makes_complete() const;
   std::size_t first_fit(std::size_t of) const { return of * fits_.size() / cases_.size(); }
   void fit_side_by_side(const std::vector<std::size_t>& of, std::optional<Law> complete);

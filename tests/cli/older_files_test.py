@@ -267,7 +267,7 @@ class OlderFiles(unittest.TestCase):
         done = subprocess.run([COMMAND, "show", "older.h5"], cwd=self.folder, capture_output=True,
                               text=True)
         self.assertEqual(done.returncode, 2)
-        self.assertIn("older.h5: version = 2: must be 3 to 10, which this Plastica reads", done.stderr)
+        self.assertIn("older.h5: version = 2: must be 3 to 11, which this Plastica reads", done.stderr)
 
 
 if __name__ == "__main__":

@@ -81,7 +81,7 @@ class ReadResult(unittest.TestCase):
 
     def test_says_what_it_is(self):
         self.assertEqual(self.file.attrs["schema"], "plastica/fits")
-        self.assertEqual(self.file.attrs["version"], 10)
+        self.assertEqual(self.file.attrs["version"], 11)
 
     def test_has_a_row_for_each_target_by_name(self):
         self.assertEqual(self.text("fits/name"), ["bad-curve", "example-curve"])

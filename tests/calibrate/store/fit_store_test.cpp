@@ -37,7 +37,7 @@ std::vector<FitRecord> mixed_records() {
   FitRecord failed = rejected_record("c");
   failed.target = ideal_target("c", 3e8);
   failed.result.status = FitStatus::Failed;
-  failed.result.trace = {{1}, {2.0}, {INFINITY}};
+  failed.result.trace = {{1}, {2.0}, {INFINITY}, 0};
   return {filled_record("a"), rejected_record("b"), failed, filled_record("Ω")};
 }
 

@@ -105,6 +105,37 @@ TEST_F(JournaledBatchTest, ResumesWithTheSameBitsWhereverTheJournalWasCut) {
   EXPECT_GT(torn, 15U);
 }
 
+// Whether a result has its evaluations depends on the size of a run: a journal of a smaller one has
+// them, one of a larger one has not.
+TEST_F(JournaledBatchTest, HasEvaluationsOrTheirNumberWhateverTheJournalHas) {
+  FitOptions brief = options_;
+  brief.keep_trace = false;
+  const std::vector<FitResult> without = fit(targets_, brief);
+  for (std::size_t i = 0; i < without.size(); ++i) {
+    EXPECT_EQ(without[i].evaluations(), reference_[i].evaluations());
+    EXPECT_GT(without[i].evaluations(), 0U);
+    EXPECT_TRUE(without[i].trace.costs.empty());
+    EXPECT_TRUE(without[i].trace.values.empty());
+    EXPECT_EQ(without[i].trace.active, reference_[i].trace.active);
+    EXPECT_EQ(without[i].cost, reference_[i].cost);
+  }
+  leave_journal();
+  {
+    JournaledBatch grown(targets_, brief, {.journal = {journal_, true}});
+    EXPECT_EQ(grown.resumed(), targets_.size());
+    EXPECT_TRUE(same_bits(grown.run(), without));
+    grown.finish();
+  }
+  {
+    JournaledBatch large(targets_, brief, {.journal = {journal_}, .threads = 1});
+    large.run();
+  }
+  JournaledBatch shrunk(targets_, options_, {.journal = {journal_, true}});
+  EXPECT_EQ(shrunk.resumed(), 0U);
+  EXPECT_EQ(shrunk.stale(), targets_.size());
+  EXPECT_TRUE(same_bits(shrunk.run(), reference_));
+}
+
 TEST_F(JournaledBatchTest, ResumesAfterAStopWithTheSameBits) {
   stop_after(4);
   JournaledBatch batch(targets_, options_, {.journal = {journal_, true}});

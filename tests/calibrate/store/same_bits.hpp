@@ -53,8 +53,8 @@ inline auto members(const OptimizerStage& v) {
   return std::tie(a, b, c, d);
 }
 inline auto members(const Trace& v) {
-  const auto& [a, b, c] = v;
-  return std::tie(a, b, c);
+  const auto& [a, b, c, d] = v;
+  return std::tie(a, b, c, d);
 }
 inline auto members(const LikelihoodProfile& v) {
   const auto& [a, b, c, d, e, f, g, h] = v;
@@ -86,7 +86,7 @@ inline auto members(const StatedPriors& v) {
 }
 inline auto members(const FitResult& v) {
   // No binding takes a class apart whose base has members, too.
-  static_assert(sizeof(FitResult) == sizeof(FitOutcome) + 352, "all members are compared here");
+  static_assert(sizeof(FitResult) == sizeof(FitOutcome) + 360, "all members are compared here");
   return std::tie(static_cast<const FitOutcome&>(v), v.cost, v.misfit_rms, v.misfit_fraction,
                   v.misfit_word, v.runs_test_p, v.autocorrelation, v.effective_samples, v.samples,
                   v.noise, v.simpler_evaluations, v.break_strain_total, v.seed, v.stages, v.trace,

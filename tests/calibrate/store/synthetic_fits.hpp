@@ -125,7 +125,7 @@ inline FitRecord filled_record(const std::string& name) {
   r.unseen = 4e-5;
   r.seed = 0xfedcba9876543210U;
   r.stages = {{"GN_CRS2_LM", "maxeval-reached", 60, 2e10}, {"LD_SLSQP", "xtol-reached", 9, 1e10}};
-  r.trace = {{0, 2}, {1.0, 2.0, 3.0, 4.0, kNan, -0.0}, {5.0, INFINITY, 7.0}};
+  r.trace = {{0, 2}, {1.0, 2.0, 3.0, 4.0, kNan, -0.0}, {5.0, INFINITY, 7.0}, 5};
   for (std::size_t i = 0; i < 3; ++i) {
     LikelihoodProfile& profile = r.intervals.profiles.emplace_back();
     profile.low = i == 1 ? kNan : 0.5 * static_cast<double>(i);
