@@ -113,7 +113,6 @@ TEST_F(JournaledBatchTest, HasEvaluationsOrTheirNumberWhateverTheJournalHas) {
   const std::vector<FitResult> without = fit(targets_, brief);
   for (std::size_t i = 0; i < without.size(); ++i) {
     EXPECT_EQ(without[i].evaluations(), reference_[i].evaluations());
-    EXPECT_GT(without[i].evaluations(), 0U);
     EXPECT_TRUE(without[i].trace.costs.empty());
     EXPECT_TRUE(without[i].trace.values.empty());
     EXPECT_EQ(without[i].trace.active, reference_[i].trace.active);
@@ -130,9 +129,12 @@ TEST_F(JournaledBatchTest, HasEvaluationsOrTheirNumberWhateverTheJournalHas) {
     JournaledBatch large(targets_, brief, {.journal = {journal_}, .threads = 1});
     large.run();
   }
+  const auto searched = static_cast<std::size_t>(std::ranges::count_if(
+      reference_, [](const FitResult& result) { return result.evaluations() > 0; }));
+  ASSERT_GT(searched, 5U);  // the others were rejected
   JournaledBatch shrunk(targets_, options_, {.journal = {journal_, true}});
-  EXPECT_EQ(shrunk.resumed(), 0U);
-  EXPECT_EQ(shrunk.stale(), targets_.size());
+  EXPECT_EQ(shrunk.resumed(), targets_.size() - searched);
+  EXPECT_EQ(shrunk.stale(), searched);
   EXPECT_TRUE(same_bits(shrunk.run(), reference_));
 }
 
