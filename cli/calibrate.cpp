@@ -98,7 +98,8 @@ int calibrate_files(const CalibrateArguments& arguments) {
     say_shard(output, arguments.shard);
     return kDone;
   }
-  check_outputs(file, output, arguments.json, arguments.force, found);
+  check_outputs(file, output, arguments.json, arguments.force,
+                found || arguments.shard.has_value());
 
   calibrate::FitStoreContents contents;
   contents.inputs = input_texts(file);
@@ -171,7 +172,7 @@ std::string first_given(const CLI::App& sub, const char* group) {
 
 }  // namespace
 
-void add_calibrate(CLI::App& app, const std::string& command_line, Action& action) {
+void add_calibrate(CLI::App& app, const Invocation& invocation, Action& action) {
   CLI::App* sub = app.add_subcommand(
       "calibrate", "Fit parameters to measured curves: a fit file, or bare curves");
   auto arguments = std::make_shared<CalibrateArguments>();
@@ -209,7 +210,8 @@ void add_calibrate(CLI::App& app, const std::string& command_line, Action& actio
       "  plastica calibrate fit.toml --profile --bootstrap 400\n"
       "  plastica calibrate a.csv b.csv --strain Strain --stress Stress:MPa \\\n"
       "    --fix youngs_modulus=\"200 GPa\"");
-  arguments->command_line = command_line;
+  arguments->command_line = invocation.command_line;
+  arguments->merged = invocation.merged;
   sub->callback([&action, arguments, sub] {
     arguments->bare_option = first_given(*sub, kBareGroup);
     action = [arguments, sub] {

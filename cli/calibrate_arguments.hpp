@@ -31,8 +31,9 @@ struct CalibrateArguments {
   std::string bare_option;  ///< first of the options for curves without a fit file that was given
   bool profile = false;     ///< and these replace what a fit file says
   std::optional<int> bootstrap, bootstrap_block, bootstrap_specimens;
-  std::string isa;                      ///< empty: as the files say
-  std::optional<io::ShardOfRun> shard;  ///< empty: the whole run
+  std::string isa;                           ///< empty: as the files say
+  std::optional<io::ShardOfRun> shard;       ///< empty: all of the run
+  const io::MergedShards* merged = nullptr;  ///< in place of fits; null: there are none
   std::string command_line;
 };
 
@@ -58,6 +59,11 @@ void tell_of_journal(const Batch& batch, bool quiet) {
   if (batch.dropped_bytes() > 0) {
     tell("plastica: dropped {} bytes of an unfinished record from the journal\n",
          batch.dropped_bytes());
+  }
+  tell_of_damage(batch.damaged());
+  if (!quiet && batch.merged_shards() > 0) {
+    tell("{} fits of {} shards\n", batch.resumed(), batch.merged_shards());
+    return;
   }
   if (!quiet && batch.resumed() > 0) {
     tell("{} fits resumed from the journal\n", batch.resumed());

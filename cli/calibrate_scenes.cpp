@@ -95,15 +95,19 @@ int calibrate_scenes(const CalibrateArguments& arguments) {
   }
   take_isa(arguments.isa, file);
   calibrate::check_fits(file);
+  if (arguments.shard) {
+    refuse_option(file.chooses_segments, "--shard",
+                  "needs a number of segments: trial fits of all of the run would find it");
+    calibrate::check_dealt(file.options);
+  }
   if (arguments.dry_run) {
     print_dry_run(file, output);
     say_shard(output, arguments.shard);
     return kDone;
   }
   const bool found = finds_output(arguments.resume, arguments.force, output);
-  check_outputs(file.read_files, output, arguments.json, arguments.force, found);
-  refuse_option(file.chooses_segments && arguments.shard.has_value(), "--shard",
-                "needs a number of segments: trial fits of the whole run would find it");
+  check_outputs(file.read_files, output, arguments.json, arguments.force,
+                found || arguments.shard.has_value());
   const InterruptGuard interrupt;
   try {
     if (const int code = take_chosen_segments(file, arguments, &interrupt.flag()); code != kDone) {

@@ -24,13 +24,10 @@ struct KindOfInput {
 
 /// In the order of InputKind.
 constexpr std::array kKinds{
-    KindOfInput{"a scene", "simulate"},
-    KindOfInput{"a sweep", "sweep"},
-    KindOfInput{"a file of claims", "check"},
-    KindOfInput{"a fit file", "calibrate"},
-    KindOfInput{"a result file", "show"},
-    KindOfInput{"a file of curves", "inspect"},
-    KindOfInput{"a shard or journal of a run", "merge"},
+    KindOfInput{"a scene", "simulate"},       KindOfInput{"a sweep", "sweep"},
+    KindOfInput{"a file of claims", "check"}, KindOfInput{"a fit file", "calibrate"},
+    KindOfInput{"a result file", "show"},     KindOfInput{"a file of curves", "inspect"},
+    KindOfInput{"a shard of a run", "merge"},
 };
 
 const KindOfInput& known(InputKind kind) { return kKinds[static_cast<std::size_t>(kind)]; }
@@ -67,7 +64,7 @@ std::optional<InputKind> kind_of_input(const std::string& path) {
   std::error_code ignored;
   if (!std::filesystem::is_regular_file(path, ignored)) return {};  // a pipe can be read but once
   if (io::begins_as_result(path)) return InputKind::Result;
-  if (io::begins_as_journal(path)) return InputKind::Shard;
+  if (io::is_shard(path)) return InputKind::Shard;
   if (std::filesystem::path(path).extension() != ".toml") return {};
   try {
     return kind_of_toml(io::TomlDocument::read(path).root());

@@ -44,13 +44,13 @@ constexpr const char* kFooter =
     "failed; 130 interrupted by Ctrl-C (what was finished is kept).\n"
     "`plastica COMMAND --help` says more.";
 
-void add_commands(CLI::App& app, const std::string& command_line,
-                  const plastica::cli::RunWords& run, Action& action) {
-  plastica::cli::add_calibrate(app, command_line, action);
+void add_commands(CLI::App& app, const plastica::cli::Invocation& invocation,
+                  const plastica::cli::RunAgain& run, Action& action) {
+  plastica::cli::add_calibrate(app, invocation, action);
   plastica::cli::add_inspect(app, action);
   plastica::cli::add_init(app, action);
-  plastica::cli::add_simulate(app, command_line, action);
-  plastica::cli::add_sweep(app, command_line, action);
+  plastica::cli::add_simulate(app, invocation, action);
+  plastica::cli::add_sweep(app, invocation, action);
   plastica::cli::add_merge(app, run, action);
   plastica::cli::add_check(app, action);
   plastica::cli::add_advise(app, action);
@@ -102,8 +102,9 @@ int finish_output(int code) {
                 : code;
 }
 
-/// @param words  of the command line, the command first
-int run(std::vector<std::string> words) {
+/// @param words   of the command line, the command first
+/// @param merged  see `Invocation`
+int run(std::vector<std::string> words, const plastica::io::MergedShards* merged) {
   CLI::App app{"Fit lumped beams of rigid segments to measured curves, and simulate them",
                "plastica"};
   app.set_version_flag("--version", std::string(plastica::version()), "Print the version");
@@ -113,10 +114,14 @@ int run(std::vector<std::string> words) {
   app.get_formatter()->label("SUBCOMMAND", "COMMAND");
   app.set_help_flag("-h,--help", "Print this help");
   app.footer(kFooter);
-  const std::string command_line = fmt::format("plastica {}", fmt::join(words, " "));
-  const plastica::cli::RunWords run_again = run;
+  const plastica::cli::Invocation invocation{fmt::format("plastica {}", fmt::join(words, " ")),
+                                             merged};
+  const plastica::cli::RunAgain run_again = [](const std::vector<std::string>& others,
+                                               const plastica::io::MergedShards& shards) {
+    return run(others, &shards);
+  };
   Action action;
-  add_commands(app, command_line, run_again, action);
+  add_commands(app, invocation, run_again, action);
   words = plastica::cli::with_new_names(std::move(words));
   const std::string first = words.empty() ? std::string() : words.front();
   // Before help for it is asked for.
@@ -139,7 +144,7 @@ int main(int argc, char** argv) {
   plastica::cli::open_closed_streams();
   plastica::keep_freed_memory();
   try {
-    return run({argv + 1, argv + argc});
+    return run({argv + 1, argv + argc}, nullptr);
   } catch (const plastica::InputError& error) {
     return complain(error.what(), plastica::cli::kBadInput);
   } catch (const std::bad_alloc&) {

@@ -1,18 +1,20 @@
 #include <CLI/CLI.hpp>
+#include <algorithm>
+#include <array>
 #include <filesystem>
 #include <memory>
 #include <string>
+#include <string_view>
+#include <system_error>
 #include <vector>
 
 #include "cli/command.hpp"
 #include "cli/common_options.hpp"
 #include "cli/exit_code.hpp"
 #include "cli/run_files.hpp"
-#include "cli/tell.hpp"
-#include "plastica/io/case_journal.hpp"
+#include "plastica/base/check.hpp"
 #include "plastica/io/merge_shards.hpp"
 #include "plastica/io/output_file.hpp"
-#include "plastica/report/format.hpp"
 
 namespace plastica::cli {
 namespace {
@@ -27,50 +29,49 @@ struct MergeArguments {
   bool quiet = false;
 };
 
-/// What the command that made the shards is told, to make a result of the journal.
+/// What the command that made the shards is told, to take them for its result.
 std::vector<std::string> words_of(const io::ShardMark& mark, const MergeArguments& arguments) {
-  std::vector<std::string> words = mark.words;
-  words.insert(words.end(), {"--output=" + arguments.output, "--resume",
-                             "--threads=" + std::to_string(arguments.threads)});
+  constexpr std::array<std::string_view, 2> kCommands{"calibrate", "sweep"};
+  if (mark.words.empty() || std::ranges::find(kCommands, mark.words.front()) == kCommands.end()) {
+    throw InputError({arguments.shards.front(), 0}, "", "",
+                     "does not say which command computed it");
+  }
+  std::vector<std::string> words{mark.words.front(), "--output=" + arguments.output,
+                                 "--threads=" + std::to_string(arguments.threads)};
   if (arguments.force) words.emplace_back("--force");
   if (arguments.quiet) words.emplace_back("--quiet");
+  words.insert(words.end(), mark.words.begin() + 1, mark.words.end());
   return words;
 }
 
-/// The journal goes if no result was made of it: the shards have all that it has.
-class MergedJournal {
- public:
-  explicit MergedJournal(std::string path) : path_(std::move(path)) {}
-  ~MergedJournal() {
+/// Refuses to merge where the shards did not run. @throws InputError
+void check_inputs(const io::ShardMark& mark) {
+  const auto inputs = std::ranges::find(mark.words, "--");
+  if (inputs == mark.words.end()) return;
+  for (auto input = inputs + 1; input != mark.words.end(); ++input) {
     std::error_code ignored;
-    fs::remove(path_, ignored);
+    if (fs::exists(*input, ignored)) continue;
+    throw InputError(
+        {}, "shards", *input,
+        "is what they read, and is not here: run merge where they ran, or in a copy of "
+        "that folder");
   }
-  MergedJournal(const MergedJournal&) = delete;
-  MergedJournal& operator=(const MergedJournal&) = delete;
+}
 
- private:
-  std::string path_;
-};
-
-int merge(const MergeArguments& arguments, const RunWords& run) {
+int merge(const MergeArguments& arguments, const RunAgain& run) {
   for (const std::string& shard : arguments.shards) {
     refuse_input("--output", arguments.output, shard);
   }
   refuse_other_format(arguments.output);
   io::check_output_path(arguments.output, arguments.force);
-  const std::string path = io::journal_path(arguments.output);
-  const io::ShardMark mark = io::merge_shards(arguments.shards, path, arguments.force);
-  const MergedJournal journal(path);
-  if (!arguments.quiet) {
-    tell("{} of {}\n", report::counted(mark.cases, mark.noun.substr(0, mark.noun.size() - 1)),
-         report::counted(mark.shard.count, "shard"));
-  }
-  return run(words_of(mark, arguments));
+  const io::MergedShards merged = io::merge_shards(arguments.shards);
+  check_inputs(merged.mark);
+  return run(words_of(merged.mark, arguments), merged);
 }
 
 }  // namespace
 
-void add_merge(CLI::App& app, const RunWords& run, Action& action) {
+void add_merge(CLI::App& app, const RunAgain& run, Action& action) {
   CLI::App* sub =
       app.add_subcommand("merge", "Put the shards of a run together into its result file");
   auto arguments = std::make_shared<MergeArguments>();
@@ -81,12 +82,12 @@ void add_merge(CLI::App& app, const RunWords& run, Action& action) {
       ->required()
       ->option_text("FILE");
   add_threads_option(*sub, arguments->threads);
-  add_force_option(*sub, arguments->force, "the output, and an interrupted run");
+  add_force_option(*sub, arguments->force, "the output");
   add_quiet_option(*sub, arguments->quiet, "no report, no progress");
   sub->footer(
-      "Reads again what the shards were told to read: run it where they ran, or in a\n"
-      "copy of the folder. Nothing is computed anew. The result is, bit by bit, that of\n"
-      "one run without shards; only /meta says how it came about. The shards stay.\n"
+      "Reads again what the shards read: run it where they ran, or in a copy of that\n"
+      "folder. Computes nothing. The result is, bit by bit, that of one run without\n"
+      "shards; only /meta tells them apart. The shards stay.\n"
       "Example:\n"
       "  plastica calibrate fit.toml -o fit.h5 --shard 1/2   # here\n"
       "  plastica calibrate fit.toml -o fit.h5 --shard 2/2   # on another machine\n"

@@ -111,8 +111,8 @@ inline calibrate::JournaledOptions journaling(const CalibrateArguments& argument
                                               const std::string& output, const io::RunMeta& meta,
                                               StopFlag stop) {
   calibrate::JournaledOptions how;
-  how.journal =
-      policy_of(output, arguments.shard, arguments.resume, arguments.force, meta.instruction_set);
+  how.journal = policy_of(output, arguments.shard, arguments.resume, arguments.force,
+                          meta.instruction_set, arguments.merged);
   how.threads = arguments.threads;
   how.stop = stop;
   return how;

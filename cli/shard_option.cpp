@@ -15,9 +15,10 @@
 namespace plastica::cli {
 
 void add_shard_option(CLI::App& sub) {
-  sub.add_option("--shard",
-                 "Compute part I of N, into OUT.h5.shard-I-of-N; plastica merge puts the parts "
-                 "together; auto: the part of this process under mpirun or srun")
+  sub.add_option(
+         "--shard",
+         "Compute shard I of N, into OUT.h5.shard-I-of-N, which plastica merge puts together; "
+         "auto: that of this process under mpirun or srun")
       ->option_text("I/N|auto");
 }
 
@@ -31,8 +32,8 @@ constexpr std::array<std::pair<const char*, const char*>, 3> kRanks{{
     {"SLURM_PROCID", "SLURM_NTASKS"},
 }};
 
-/// Part and number of parts of this process, "2/7".
-std::string part_of_process() {
+/// The shard of this process, "2/7".
+std::string shard_of_process() {
   for (const auto& [rank, size] : kRanks) {
     const char* index = std::getenv(rank);
     const char* count = std::getenv(size);
@@ -43,10 +44,14 @@ std::string part_of_process() {
     if (error != std::errc{} || end != digits.data() + digits.size()) {
       throw InputError({}, rank, index, "in the environment, must be a number");
     }
+    // A task of an array is one process: all tasks would compute all.
+    if (std::string_view(count) == "1") break;
     return std::to_string(number + 1) + "/" + count;
   }
-  throw InputError({}, "--shard", "auto",
-                   "needs mpirun or srun, which say in the environment which part this process is");
+  throw InputError(
+      {}, "--shard", "auto",
+      "needs several processes of mpirun or srun, which tell each its number; a task of "
+      "an array says its own: --shard $SLURM_ARRAY_TASK_ID/N");
 }
 
 /// The words that tell a command again what it was told, but for what is told to one shard alone:
@@ -55,20 +60,20 @@ std::vector<std::string> words_again(const CLI::App& sub) {
   constexpr std::array<std::string_view, 7> kOfOne{
       "--shard", "--output", "--threads", "--resume", "--rerun-failed", "--force", "--quiet"};
   std::vector<std::string> words{sub.get_name()};
+  std::vector<std::string> inputs{"--"};
   for (const CLI::Option* option : sub.get_options()) {
     if (option->count() == 0) continue;
     const std::string name = option->get_name();
     if (std::ranges::find(kOfOne, name) != kOfOne.end()) continue;
     for (const std::string& value : option->results()) {
       if (option->get_positional()) {
-        words.push_back(value);
-      } else if (option->get_expected_max() == 0) {  // a flag
-        words.push_back(name);
+        inputs.push_back(value);
       } else {
-        words.push_back(name + "=" + value);
+        words.push_back(name + "=" + value);  // of a flag "true" or "false"
       }
     }
   }
+  words.insert(words.end(), inputs.begin(), inputs.end());
   return words;
 }
 
@@ -78,16 +83,17 @@ std::optional<io::ShardOfRun> shard_of(const CLI::App& sub, const std::string& j
   const CLI::Option* option = sub.get_option("--shard");
   if (option->count() == 0) return {};
   refuse_option(!json.empty(), "--json",
-                "is of a whole run: plastica export makes it of the merged result");
+                "is of all of a run: plastica export makes it of the merged result");
   std::string part = option->as<std::string>();
-  if (part == "auto") part = part_of_process();
+  if (part == "auto") part = shard_of_process();
   return io::ShardOfRun{io::parse_shard("--shard", part), words_again(sub)};
 }
 
 io::JournalPolicy policy_of(const std::string& output, std::optional<io::ShardOfRun> shard,
-                            bool resume, bool force, const std::string& instruction_set) {
+                            bool resume, bool force, const std::string& instruction_set,
+                            const io::MergedShards* merged) {
   const std::string path = shard ? io::shard_path(output, shard->shard) : io::journal_path(output);
-  return {path, resume, force, instruction_set, std::move(shard)};
+  return {path, resume, force, instruction_set, std::move(shard), merged};
 }
 
 void say_shard(const std::string& output, const std::optional<io::ShardOfRun>& shard) {

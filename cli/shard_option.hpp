@@ -21,9 +21,11 @@ void add_shard_option(CLI::App& sub);
 /// @throws InputError
 std::optional<io::ShardOfRun> shard_of(const CLI::App& sub, const std::string& json);
 
-/// Where a run keeps what is finished: in its journal, or in its shard's file.
+/// Where a run keeps what is finished: in its journal, or in its shard's file. Where shards are
+/// merged it computes nothing.
 io::JournalPolicy policy_of(const std::string& output, std::optional<io::ShardOfRun> shard,
-                            bool resume, bool force, const std::string& instruction_set);
+                            bool resume, bool force, const std::string& instruction_set,
+                            const io::MergedShards* merged);
 
 /// Says of a dry run what a shard would do of it; nothing where it is the whole run.
 void say_shard(const std::string& output, const std::optional<io::ShardOfRun>& shard);

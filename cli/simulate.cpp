@@ -217,7 +217,7 @@ int simulate_file(const SimulateArguments& arguments) {
 
 }  // namespace
 
-void add_simulate(CLI::App& app, const std::string& command_line, Action& action) {
+void add_simulate(CLI::App& app, const Invocation& invocation, Action& action) {
   CLI::App* sub = app.add_subcommand("simulate", "Simulate a scene: what the beam does");
   auto arguments = std::make_shared<SimulateArguments>();
   sub->add_option("file", arguments->file, "Scene file")->required()->option_text("SCENE.toml");
@@ -231,7 +231,7 @@ void add_simulate(CLI::App& app, const std::string& command_line, Action& action
   add_force_option(*sub, arguments->force, "the output");
   add_quiet_option(*sub, arguments->quiet, "no summary");
   sub->footer("Example:\n  plastica init scene && plastica simulate scene.toml -o scene.h5");
-  arguments->command_line = command_line;
+  arguments->command_line = invocation.command_line;
   sub->callback(
       [&action, arguments] { action = [arguments] { return simulate_file(*arguments); }; });
 }

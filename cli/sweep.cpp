@@ -46,7 +46,8 @@ struct SweepArguments {
   bool force = false;
   bool quiet = false;
   std::string isa;
-  std::optional<io::ShardOfRun> shard;  ///< empty: the whole sweep
+  std::optional<io::ShardOfRun> shard;       ///< empty: all of the sweep
+  const io::MergedShards* merged = nullptr;  ///< in place of runs; null: there are none
   std::string command_line;
 };
 
@@ -75,7 +76,7 @@ void check_outputs(const SweepArguments& arguments, const std::string& output,
     refuse_own_files("--json", arguments.json, output);
     io::check_output_path(arguments.json, arguments.force || goes_on);
   }
-  io::check_output_path(output, arguments.force || goes_on);
+  io::check_output_path(output, arguments.force || goes_on || arguments.shard.has_value());
   const std::string kept =
       arguments.shard ? io::shard_path(output, arguments.shard->shard) : io::journal_path(output);
   if (arguments.rerun_failed && !fs::exists(kept) && (arguments.shard || !fs::exists(output))) {
@@ -120,6 +121,11 @@ void tell_of_journal(const sweeps::SweepRun& run, bool quiet) {
     tell("plastica: dropped {} bytes of an unfinished record from the journal\n",
          run.journal()->dropped_bytes());
   }
+  tell_of_damage(run.journal()->damaged());
+  if (const std::size_t shards = run.journal()->merged_shards(); shards > 0) {
+    if (!quiet) tell("{} of {} shards\n", report::counted(run.resumed(), "case"), shards);
+    return;
+  }
   if (!quiet && run.resumed() > 0) {
     tell("{} resumed from an earlier run\n", report::counted(run.resumed(), "case"));
   }
@@ -146,7 +152,7 @@ int sweep_file(const SweepArguments& arguments) {
   sweeps::SweepRunOptions how;
   const std::optional<io::ShardOfRun>& shard = arguments.shard;
   how.journal = policy_of(output, shard, arguments.resume || arguments.rerun_failed,
-                          arguments.force, meta.instruction_set);
+                          arguments.force, meta.instruction_set, arguments.merged);
   if (!shard) how.earlier = results_before(arguments, output);
   how.rerun_failed = arguments.rerun_failed;
   how.threads = arguments.threads;
@@ -157,7 +163,8 @@ int sweep_file(const SweepArguments& arguments) {
     return kDone;
   }
   // Another run may have had the journal until now, and have written the output.
-  io::check_output_path(output, arguments.force || arguments.resume || arguments.rerun_failed);
+  io::check_output_path(
+      output, arguments.force || arguments.resume || arguments.rerun_failed || shard.has_value());
   tell_of_journal(run, arguments.quiet);
   ProgressBar bar("sweeping", run.own(), arguments.quiet);
   run.on_progress([&bar](const sweeps::SweepProgress& progress) {
@@ -202,7 +209,7 @@ int sweep_file(const SweepArguments& arguments) {
 
 }  // namespace
 
-void add_sweep(CLI::App& app, const std::string& command_line, Action& action) {
+void add_sweep(CLI::App& app, const Invocation& invocation, Action& action) {
   CLI::App* sub =
       app.add_subcommand("sweep", "Vary a scene over axes; compare its cases and what they cost");
   auto arguments = std::make_shared<SweepArguments>();
@@ -228,7 +235,8 @@ void add_sweep(CLI::App& app, const std::string& command_line, Action& action) {
       "Example:\n"
       "  plastica sweep sweep.toml -o sweep.h5\n"
       "Exit code 1 if no case has a usable result, 130 after Ctrl-C: --resume goes on.");
-  arguments->command_line = command_line;
+  arguments->command_line = invocation.command_line;
+  arguments->merged = invocation.merged;
   sub->callback([&action, arguments, sub] {
     action = [arguments, sub] {
       arguments->shard = shard_of(*sub, arguments->json);

@@ -40,6 +40,12 @@ void tell_notes(std::span<const std::string> notes) {
   for (const std::string& note : notes) tell("plastica: {}\n", note);
 }
 
+void tell_of_damage(std::size_t stretches) {
+  if (stretches == 0) return;
+  tell("plastica: the journal is damaged at {} {}: what stood there runs again\n", stretches,
+       stretches == 1 ? "place" : "places");
+}
+
 void say(const std::string& lines) { fmt::print("{}", shown(lines)); }
 
 void put(const std::string& text) {

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <cstddef>
 #include <span>
 #include <string>
 #include <utility>
@@ -20,6 +21,9 @@ void tell(fmt::format_string<Arguments...> format, Arguments&&... arguments) {
 
 /// Tells the old names that files have, each with the new one.
 void tell_notes(std::span<const std::string> notes);
+
+/// Says that a journal has damaged stretches of bytes; nothing where it has none.
+void tell_of_damage(std::size_t stretches);
 
 /// Writes lines to the standard output, as `report::printable` shows them: for text that has names
 /// of the user in it.

@@ -60,11 +60,12 @@ JournaledBatch::JournaledBatch(std::span<const Target> targets, const FitOptions
       targets_(targets),
       options_(options),
       cases_(cases_of(targets.size(), options)) {
-  resume(ids_of(targets, options, cases_, how_.threads), [&](FitResult& result) {
+  ids_ = ids_of(targets, options, cases_, how_.threads);
+  deal(make_run_id());
+  resume([&](FitResult& result) {
     if (!options.keep_trace) result.trace.leave_out();
     return !options.keep_trace || result.trace.left_out == 0;
   });
-  deal(make_run_id());
 }
 
 std::string JournaledBatch::make_run_id() const {

@@ -15,12 +15,10 @@ JournaledFits<Result>::JournaledFits(JournaledOptions how, std::uint64_t kind,
     : how_(std::move(how)), journal_(how_.journal, kind, noun) {}
 
 template <typename Result>
-void JournaledFits<Result>::resume(std::vector<std::string> ids,
-                                   const std::function<bool(Result&)>& usable) {
-  ids_ = std::move(ids);
+void JournaledFits<Result>::resume(const std::function<bool(Result&)>& usable) {
   results_.resize(ids_.size());
   for (std::size_t i = 0; i < ids_.size(); ++i) {
-    const std::vector<std::byte>* bytes = journal_.find(ids_[i]);
+    const std::vector<std::byte>* bytes = own_[i] ? journal_.find(ids_[i]) : nullptr;
     if (bytes == nullptr) continue;
     Result result = result_from_bytes<Result>(*bytes);
     if (usable && !usable(result)) continue;

@@ -57,6 +57,9 @@ class JournaledFits {
 
   /// Whether all was fitted, of a shard all that is its own.
   bool complete() const { return complete_; }
+  /// See `io::CaseJournal`.
+  std::size_t damaged() const { return journal_.damaged(); }
+  std::size_t merged_shards() const { return journal_.merged_shards(); }
   /// Whether a shard's file was found that has all of its fits.
   bool shard_ended() const { return journal_.shard_ended(); }
   /// Fits that a run, or its shard, has to do, those of the journal included.
@@ -83,16 +86,16 @@ class JournaledFits {
   JournaledFits(JournaledOptions how, std::uint64_t kind, std::string_view noun);
   ~JournaledFits() = default;
 
-  /// Takes the results of the fits from the journal that it has. @param ids  of all fits (n_fits)
-  /// @param usable  told each; false: it is stale, whatever its id. It may change the result;
-  /// empty:
-  ///                all are usable
-  void resume(std::vector<std::string> ids, const std::function<bool(Result&)>& usable = {});
-  /// Says what is computed, and deals the fits where it is a shard. To be called after `resume`.
+  /// Says what is computed, and deals the fits where it is a shard. `ids_` is to be there.
   /// @param run  see `run_id_of`
   /// @param together  as many fits as go to one shard, one behind the other
   /// @throws InputError as `io::CaseJournal::begin`
   void deal(const std::string& run, std::size_t together = 1);
+  /// Takes the results of its own fits that the journal has.
+  /// @param usable  told each; false: it is stale, whatever its id. It may change the result;
+  /// empty:
+  ///                all are usable
+  void resume(const std::function<bool(Result&)>& usable = {});
   /// Whether a fit is to be done here.
   bool is_own(std::size_t index) const { return own_[index]; }
   /// To be called once, before the first fit. @throws std::logic_error when it is called again

@@ -53,38 +53,55 @@ SceneFitOptions without_extras(SceneFitOptions options) {
   return options;
 }
 
+/// Whether the advised law gets more than the others have.
+bool completes_one(const SceneFitOptions& options) {
+  const auto& intervals = options.intervals;
+  const bool any = options.segments_error || intervals.profile || intervals.bootstrap > 0 ||
+                   intervals.specimens > 0;
+  return any && !options.laws.empty();
+}
+
+/// What is told, if it can be done: what cannot leaves a journal as it is.
+JournaledOptions checked(JournaledOptions how, const SceneFitOptions& options) {
+  if (how.journal.shard) check_dealt(options);
+  return how;
+}
+
 }  // namespace
+
+void check_dealt(const SceneFitOptions& options) {
+  if (!completes_one(options)) return;
+  throw InputError({}, "--shard", "",
+                   "cannot tell which law all fits together advise, and that alone gets intervals "
+                   "and other numbers of segments: ask for no intervals, and set segments_error = "
+                   "false");
+}
 
 JournaledSceneFits::JournaledSceneFits(std::span<const SceneFitCase> cases,
                                        const SceneFitOptions& options, JournaledOptions how,
                                        std::function<void(const SceneFitProgress&)> within)
-    : JournaledFits(std::move(how), scene_journal_kind(), "fits and stages of fits"),
+    : JournaledFits(checked(std::move(how), options), scene_journal_kind(),
+                    "fits and stages of fits"),
       cases_(cases),
       options_(options),
       within_(std::move(within)) {
-  if (how_.journal.shard && makes_complete()) {
-    throw InputError(
-        {}, "--shard", "",
-        "cannot tell which law all fits together advise, and that alone gets intervals "
-        "and other numbers of segments: ask for none (segments_error = false)");
-  }
-  std::vector<std::string> ids;
   for (std::size_t of = 0; of < cases.size(); ++of) {
     const SceneFitCase& one = cases[of];
     if (options.laws.empty()) {
       fits_.push_back({of, std::nullopt});
-      ids.push_back(id_of(one, options));
+      ids_.push_back(id_of(one, options));
     }
     for (const Law law : options.laws) {
       fits_.push_back({of, law});
       SceneFitCase named = one;
       named.name = fmt::format("{}:{}", one.name, name_of(law));
-      ids.push_back(id_of(named, without_extras(options)));
+      ids_.push_back(id_of(named, without_extras(options)));
       // The word is part of `run_id`, which outputs of older versions have.
-      if (makes_complete()) complete_ids_.push_back(id_of(named, options) + " whole");
+      if (completes_one(options)) complete_ids_.push_back(id_of(named, options) + " whole");
     }
   }
-  resume(std::move(ids));
+  deal(make_run_id(), std::max<std::size_t>(1, options.laws.size()));
+  resume();
   for (const std::vector<std::string>* all : {&ids_, &complete_ids_}) {
     for (const std::string& id : *all) {
       const std::size_t stages = journal_.found_under(stage_of(id, ""));
@@ -93,17 +110,8 @@ JournaledSceneFits::JournaledSceneFits(std::span<const SceneFitCase> cases,
       stale_ -= stages + (ended && all == &complete_ids_ ? 1 : 0);
     }
   }
-  deal(make_run_id(), std::max<std::size_t>(1, options.laws.size()));
   seconds_.assign(fits_.size(), std::numeric_limits<double>::quiet_NaN());
   kept_.resize(fits_.size());
-}
-
-/// Whether the advised law gets more than the others have.
-bool JournaledSceneFits::makes_complete() const {
-  const auto& intervals = options_.intervals;
-  const bool any = options_.segments_error || intervals.profile || intervals.bootstrap > 0 ||
-                   intervals.specimens > 0;
-  return any && !options_.laws.empty();
 }
 
 std::string JournaledSceneFits::make_run_id() const {
@@ -146,7 +154,7 @@ std::optional<SceneFitResult> JournaledSceneFits::fit(std::size_t index, bool co
     return found != nullptr ? found : journal_.find(stage_of(ids_[index], name));
   };
   options.hooks.keep = [&](const std::string& name, std::span<const std::byte> bytes) {
-    if (makes_complete()) kept_[index][name].assign(bytes.begin(), bytes.end());
+    if (completes_one(options_)) kept_[index][name].assign(bytes.begin(), bytes.end());
     journal_.keep(stage_of(id, name), bytes);
   };
   const bool alone = cases_.size() == 1;
@@ -214,7 +222,7 @@ std::vector<SceneFitResult> JournaledSceneFits::run() {
     }
   }
   fit_side_by_side(missing, std::nullopt);
-  if (makes_complete() && progress_.done == fits_.size()) {
+  if (completes_one(options_) && progress_.done == fits_.size()) {
     const Law law = advised();
     std::vector<std::size_t> unfinished;
     for (std::size_t i = 0; i < fits_.size(); ++i) {
@@ -229,7 +237,8 @@ std::vector<SceneFitResult> JournaledSceneFits::run() {
     }
     fit_side_by_side(unfinished, law);
   }
-  end_run(progress_.done == progress_.total && (!makes_complete() || completed_ == cases_.size()));
+  end_run(progress_.done == progress_.total &&
+          (!completes_one(options_) || completed_ == cases_.size()));
   std::vector<SceneFitResult> results;
   for (std::optional<SceneFitResult>& result : results_) {
     results.push_back(result ? std::move(*result) : SceneFitResult{});

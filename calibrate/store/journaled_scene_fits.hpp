@@ -14,6 +14,10 @@
 
 namespace plastica::calibrate {
 
+/// Refuses what cannot be dealt into shards: what is made of the law that all fits advise.
+/// @throws InputError
+void check_dealt(const SceneFitOptions& options);
+
 /// Fits cases through scenes and survives its interruption, see JournaledFits. Several cases are
 /// fitted side by side, a lone one has its scenes run side by side. The searches of a fit that have
 /// ended are kept, too, and a stop is heeded between the steps of its runs.
@@ -56,7 +60,6 @@ class JournaledSceneFits : public JournaledFits<SceneFitResult> {
 
   /// Of cases, options, library version and instruction sets.
   std::string make_run_id() const;
-  bool makes_complete() const;
   std::size_t first_fit(std::size_t of) const { return of * fits_.size() / cases_.size(); }
   void fit_side_by_side(const std::vector<std::size_t>& of, std::optional<Law> complete);
   std::optional<SceneFitResult> fit(std::size_t index, bool complete);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <mutex>
+#include <stdexcept>
 #include <utility>
 
 #include "calibrate/search/fit_interrupted.hpp"
@@ -45,9 +46,11 @@ SweepRun::SweepRun(const Sweep& sweep, SweepRunOptions options)
     owner_[i] = first.emplace(ids_[i], i).first->second;
     ++shared_by_[owner_[i]];
   }
+  deal();
   take_earlier();
   const std::size_t there = options_.earlier.size() + (journal_ ? journal_->found() : 0);
-  if (there > 0 && resumed_ == 0 && !options_.rerun_failed && !options_.journal.force) {
+  const bool merged = options_.journal.merged != nullptr;
+  if (there > 0 && resumed_ == 0 && !merged && !options_.rerun_failed && !options_.journal.force) {
     const std::string other = journal_ ? journal_->other_instruction_set() : std::string();
     throw InputError({options_.journal.path, 0}, "", "",
                      "has no case of this sweep, nor has its output: " +
@@ -56,7 +59,6 @@ SweepRun::SweepRun(const Sweep& sweep, SweepRunOptions options)
                                               ": go on with that, name another output") +
                          ", or use --force to start afresh");
   }
-  deal();
 }
 
 /// Says in the journal what is run, and finds what of it is to be run here.
@@ -85,7 +87,7 @@ void SweepRun::take_earlier() {
     return !options_.rerun_failed || usable(result.status);
   };
   for (std::size_t i = 0; i < ids_.size(); ++i) {
-    if (owner_[i] != i) continue;
+    if (owner_[i] != i || !own_[i]) continue;
     if (const auto* bytes = journal_ ? journal_->find(ids_[i]) : nullptr) {
       CaseResult result = result_from_bytes(*bytes);
       if (wanted(result)) results_[i] = std::move(result);
@@ -170,6 +172,11 @@ std::vector<CaseResult> SweepRun::run() {
     if (results_[owner_[i]]) results[i] = *results_[owner_[i]];
   }
   return results;
+}
+
+void SweepRun::end_shard() {
+  if (!complete_ || !journal_) throw std::logic_error("SweepRun::end_shard: it is not complete");
+  journal_->end_shard();
 }
 
 void SweepRun::finish() {

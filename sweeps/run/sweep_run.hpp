@@ -68,8 +68,9 @@ class SweepRun {
   std::vector<CaseResult> run();
   /// Whether `run` has results of all cases, of a shard all its own.
   bool complete() const { return complete_; }
-  /// Says in a shard's file that it has all of its cases. @throws io::StorageError
-  void end_shard() { journal_->end_shard(); }
+  /// Says in a shard's file that it has all of its cases.
+  /// @throws std::logic_error if it is not complete; io::StorageError
+  void end_shard();
   /// Deletes the journal, once the results are stored. @throws io::StorageError
   void finish();
 

@@ -40,7 +40,7 @@ class Shards : public ::testing::Test {
   }
 
   CommandResult run(Words command, const Words& more) const {
-    command.insert(command.end(), more.begin(), more.end());
+    command.insert(command.begin() + 1, more.begin(), more.end());
     return place_.run(command);
   }
 
@@ -115,17 +115,67 @@ TEST_F(Shards, OfFitsThroughScenesMakeTheResultOfOneRun) {
   expect_the_same({"calibrate", "fit.toml"}, 3);
 }
 
+// A refused command leaves the shard as it is, whatever is forced.
 TEST_F(Shards, CannotTellWhichLawAllFitsAdvise) {
   write_pushed_bars(place_);
+  place_.write("all.h5.shard-1-of-2", "mine");
   place_.write("fit.toml", kBars);
   const auto before = place_.contents();
-  const CommandResult result = place_.run({"calibrate", "fit.toml", "--shard", "1/2"});
-  EXPECT_EQ(result.code, 2);
-  EXPECT_EQ(
-      result.err,
-      "plastica: --shard: cannot tell which law all fits together advise, and that alone gets "
-      "intervals and other numbers of segments: ask for none (segments_error = false)\n");
-  EXPECT_EQ(place_.contents(), before);
+  for (const char* more : {"--force", "--dry-run"}) {
+    const CommandResult result =
+        place_.run({"calibrate", "fit.toml", "-o", "all.h5", "--shard", "1/2", more});
+    EXPECT_EQ(result.code, 2);
+    EXPECT_EQ(
+        result.err,
+        "plastica: --shard: cannot tell which law all fits together advise, and that alone gets "
+        "intervals and other numbers of segments: ask for no intervals, and set segments_error "
+        "= false\n");
+    EXPECT_EQ(place_.contents(), before);
+  }
+}
+
+// What the command line says is said again as it was meant.
+TEST_F(Shards, KnowFilesThatLookLikeOptionsAndFlagsThatAreOff) {
+  write_curves(2);
+  place_.write("-c.csv", broken_curve(320.0, 11));
+  expect_the_same({"calibrate", "--profile=false", "--strain", "Strain", "--stress", "Stress:MPa",
+                   "--bootstrap=0", "--", "curve-0.csv", "-c.csv"},
+                  2);
+}
+
+TEST_F(Shards, HaveTheInputsOfTheFirstInWhateverOrderTheyAreNamed) {
+  write_curves(3);
+  place_.write("a.toml", fit_file("'curve-*.csv'"));
+  place_.write("b.toml", "# the same\n" + fit_file("'curve-*.csv'"));
+  ASSERT_EQ(run({"calibrate", "a.toml", "-o", "all.h5", "--shard", "1/2", "--quiet"}, {}).code, 0);
+  ASSERT_EQ(run({"calibrate", "b.toml", "-o", "all.h5", "--shard", "2/2", "--quiet"}, {}).code, 0);
+  const std::string one = "all.h5.shard-1-of-2", two = "all.h5.shard-2-of-2";
+  ASSERT_EQ(place_.run({"merge", one, two, "-o", "up.h5", "--quiet"}).code, 0);
+  ASSERT_EQ(place_.run({"merge", two, one, "-o", "down.h5", "--quiet"}).code, 0);
+  expect_same_bits(place_, {"up.h5", "down.h5"});
+}
+
+TEST_F(Shards, OfASweepReplaceWhateverIsForced) {
+  ASSERT_EQ(place_.run({"init", "sweep"}).code, 0);
+  ASSERT_EQ(place_.run({"sweep", "sweep.toml", "-o", "all.h5", "--shard", "1/1", "--quiet"}).code,
+            0);
+  const Words merge{"merge", "all.h5.shard-1-of-1", "-o", "all.h5", "--quiet", "--force"};
+  place_.write("all.h5", "some text");
+  place_.write("all.h5.journal", "some other text");
+  const CommandResult merged = place_.run(merge);
+  EXPECT_EQ(merged.code, 0) << merged.err;
+  EXPECT_EQ(place_.read("all.h5.journal"), "some other text");
+  ASSERT_EQ(place_.run({"sweep", "sweep.toml", "-o", "one.h5", "--quiet"}).code, 0);
+  expect_same_bits(place_, {"one.h5", "all.h5"});
+
+  place_.write("cantilever.toml",
+               place_.read("cantilever.toml") + "\n[[mass]]\nat = 'end'\nmass = '1 kg'\n");
+  place_.write("all.h5", "some text");
+  const CommandResult changed = place_.run(merge);
+  EXPECT_EQ(changed.code, 2);
+  EXPECT_TRUE(changed.err.starts_with("plastica: shards: were computed of other inputs"))
+      << changed.err;
+  EXPECT_EQ(place_.read("all.h5"), "some text");
 }
 
 TEST_F(Shards, ThatWereKilledGoOnByResume) {
@@ -212,7 +262,7 @@ TEST_F(ChangedShards, ByAnOptionOfTheFitFileAreRefused) {
 
 TEST_F(ChangedShards, ByAFitFileThatIsGoneAreRefused) {
   std::filesystem::remove(place_.path("fit.toml"));
-  expect_refusal("fit.toml: ");
+  expect_refusal("shards = fit.toml: is what they read, and is not here: run merge where they ran");
 }
 
 TEST_F(ChangedShards, ByAnOutputThatIsThereAreRefused) {
@@ -258,24 +308,24 @@ INSTANTIATE_TEST_SUITE_P(
         BadInput{"no_part",
                  kCurve,
                  {"calibrate", "a.csv", "--shard", "3"},
-                 "--shard = 3: must be a part and their number, such as 2/7"},
+                 "--shard = 3: must be the number of a shard and how many there are, such as 2/7"},
         BadInput{"part_beyond",
                  kCurve,
                  {"calibrate", "a.csv", "--shard", "3/2", "--dry-run"},
-                 "--shard = 3/2: the part must be 1 … 2"},
+                 "--shard = 3/2: the number of a shard must be 1 … 2"},
         BadInput{"empty",
                  kCurve,
                  {"calibrate", "a.csv", "--shard", ""},
-                 "--shard: must be a part and their number, such as 2/7"},
+                 "--shard: must be the number of a shard and how many there are, such as 2/7"},
         BadInput{"auto_alone",
                  kCurve,
                  {"calibrate", "a.csv", "--shard", "auto"},
-                 "--shard = auto: needs mpirun or srun, which say in the environment which part "
-                 "this process is"},
+                 "--shard = auto: needs several processes of mpirun or srun, which tell each its "
+                 "number; a task of an array says its own: --shard $SLURM_ARRAY_TASK_ID/N"},
         BadInput{"json",
                  kCurve,
                  {"calibrate", "a.csv", "--shard", "1/2", "--json", "a.json"},
-                 "--json: is of a whole run: plastica export makes it of the merged result"},
+                 "--json: is of all of a run: plastica export makes it of the merged result"},
         BadInput{"curve_to_merge",
                  kCurve,
                  {"merge", "a.csv", "-o", "a.h5"},

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "plastica/base/check.hpp"
+#include "plastica/io/merge_shards.hpp"
 
 namespace plastica::io {
 namespace {
@@ -25,8 +26,7 @@ struct Marks {
   int resumptions = 0;
   std::string instruction_set{};  ///< empty in journals of older versions
   std::optional<ShardMark> shard{};
-  bool shard_ended = false;
-  std::string merged_run{};
+  std::optional<std::size_t> damaged_at_end{};  ///< of a shard that has ended
 };
 
 /// Takes the marks out of a journal's records.
@@ -40,9 +40,7 @@ Marks take_marks(std::vector<JournalRecord>& records, const std::string& path) {
     } else if (record.id == kShardMark) {
       marks.shard = shard_mark_from_bytes(record.payload, path);
     } else if (record.id == kShardEnd) {
-      marks.shard_ended = true;
-    } else if (record.id == kMergedMark) {
-      marks.merged_run = text_of(record);
+      marks.damaged_at_end = damaged_at_shard_end(record.payload, path);
     } else {
       return false;
     }
@@ -74,6 +72,9 @@ bool shall_go_on(const JournalContent& found, const Marks& marks, const JournalP
     case JournalState::Usable: break;
   }
   if (policy.resume) return true;
+  if (found.records.empty() && found.damaged > 0 && !policy.force) {
+    refuse("is a damaged journal: use --resume to go on or --force to start afresh");
+  }
   if (!found.records.empty() && !policy.force) {
     const std::string what = marks.shard ? words_of(marks.shard->shard) + " already"
                                          : std::string("the journal of an interrupted run");
@@ -92,6 +93,10 @@ CaseJournal::CaseJournal(const JournalPolicy& policy, std::uint64_t kind, std::s
       noun_(noun),
       instruction_set_(policy.instruction_set),
       shard_(policy.shard) {
+  if (policy.merged != nullptr) {
+    take_merged(*policy.merged, kind);
+    return;
+  }
   JournalContent content = read_journal(policy.path, kind);
   const Marks marks = take_marks(content.records, policy.path);
   if (!shall_go_on(content, marks, policy, noun)) {
@@ -103,8 +108,8 @@ CaseJournal::CaseJournal(const JournalPolicy& policy, std::uint64_t kind, std::s
   }
   dropped_bytes_ = content.dropped_bytes;
   found_shard_ = marks.shard;
-  shard_ended_ = marks.shard_ended;
-  merged_run_ = marks.merged_run;
+  damaged_ = content.damaged;
+  shard_ended_ = marks.damaged_at_end == damaged_;
   journal_.emplace(Journal::resume(policy.path, kind, content));
   if (content.records.empty() && !marks.shard) return;
   if (marks.instruction_set != policy.instruction_set) {
@@ -120,23 +125,40 @@ CaseJournal::CaseJournal(const JournalPolicy& policy, std::uint64_t kind, std::s
 }
 
 std::vector<bool> CaseJournal::begin(const std::string& run, std::span<const std::string> ids) {
-  check_merged(run, ids);
+  if (merged_) check_merged(run, ids);
   if (shard_ || found_shard_) return begin_shard(run, ids);
   return std::vector<bool>(ids.size(), true);
 }
 
-/// What was merged is whole: nothing is to be computed anew, which the user would not expect.
+void CaseJournal::take_merged(const MergedShards& merged, std::uint64_t kind) {
+  const auto refuse = [](const std::string& rule) { throw InputError({}, "shards", "", rule); };
+  if (read_journal(path_, kind).state == JournalState::InUse) {
+    throw StorageError(path_, "is in use by another run");
+  }
+  if (merged.kind != kind) {
+    refuse("were computed by another version of plastica: merge them by that one");
+  }
+  if (merged.mark.instruction_set != instruction_set_) {
+    refuse("were computed with the instruction set " + merged.mark.instruction_set +
+           ", and here it is " + instruction_set_ +
+           ": merge them on a machine like theirs, or give all the same --isa");
+  }
+  merged_ = merged.mark;
+  for (const JournalRecord& record : merged.records) {
+    if (record.id == kResumption || record.id == kInstructionSet) continue;
+    found_.insert_or_assign(record.id, record.payload);
+  }
+}
+
+/// Nothing is to be computed where shards are merged.
 void CaseJournal::check_merged(const std::string& run, std::span<const std::string> ids) const {
-  if (merged_run_.empty()) return;
-  const auto lacking = std::count_if(ids.begin(), ids.end(),
-                                     [&](const std::string& id) { return !found_.contains(id); });
-  if (merged_run_ == run && lacking == 0) return;
-  throw InputError({}, "shards", "",
-                   other_instruction_set_.empty()
-                       ? "were computed of other inputs, options or version than are here: run "
-                         "merge where they ran, or in a copy of it"
-                       : "were computed with the instruction set " + other_instruction_set_ +
-                             ", which is not this machine's: give all shards the same --isa");
+  const bool has_all =
+      std::ranges::all_of(ids, [&](const std::string& id) { return found_.contains(id); });
+  if (merged_->run == run && has_all) return;
+  throw InputError(
+      {}, "shards", "",
+      "were computed of other inputs, options or version than are here: run merge where "
+      "they ran, or in a copy of that folder");
 }
 
 std::vector<bool> CaseJournal::begin_shard(const std::string& run,
@@ -159,7 +181,7 @@ std::vector<bool> CaseJournal::begin_shard(const std::string& run,
 }
 
 void CaseJournal::end_shard() {
-  if (!shard_ended_) journal_->append(kShardEnd, {});
+  if (!shard_ended_) journal_->append(kShardEnd, bytes_of_shard_end(damaged_));
   journal_->sync();
 }
 
@@ -184,13 +206,17 @@ std::size_t CaseJournal::found_under(std::string_view beginning) const {
 }
 
 void CaseJournal::keep(std::string_view id, std::span<const std::byte> payload) {
+  if (merged_) throw std::logic_error("CaseJournal::keep: a case of merged shards was computed");
   journal_->append(id, payload);
   empty_ = false;
 }
 
-void CaseJournal::sync() { journal_->sync(); }
+void CaseJournal::sync() {
+  if (journal_) journal_->sync();
+}
 
 void CaseJournal::finish() {
+  if (!journal_) return;
   journal_->remove();
   journal_.reset();
 }

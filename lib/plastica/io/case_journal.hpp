@@ -18,7 +18,9 @@ namespace plastica::io {
 /// Where the journal of an output stands: beside it, "OUT.h5.journal".
 std::string journal_path(const std::string& output);
 
-/// Which part of a run is computed, and by which command.
+struct MergedShards;
+
+/// Which shard of a run is computed, and by which command.
 struct ShardOfRun {
   Shard shard;
   std::vector<std::string> words{};  ///< see `ShardMark::words`
@@ -31,7 +33,10 @@ struct JournalPolicy {
   bool force = false;   ///< start afresh, over it
   /// Name of the one that the run computes with, to be told from that of an earlier run.
   std::string instruction_set{};
-  std::optional<ShardOfRun> shard{};  ///< empty: the whole run
+  std::optional<ShardOfRun> shard{};  ///< empty: all of the run
+  /// All cases of the run, which are taken in place of a journal: nothing is computed, and what
+  /// stands at `path` is left alone. Null: there are none.
+  const MergedShards* merged = nullptr;
 };
 
 /// The finished cases of a batch that survives its interruption: those that an earlier run has left
@@ -58,6 +63,8 @@ class CaseJournal {
   std::size_t found_under(std::string_view beginning) const;
   /// Bytes at the journal's end that were dropped: a record torn by a crash. 0: none.
   std::uint64_t dropped_bytes() const { return dropped_bytes_; }
+  /// Stretches of damaged bytes between the cases that were found. What they had is lost.
+  std::size_t damaged() const { return damaged_; }
   /// The instruction set of the run that began the journal, if it was another one; else empty. The
   /// cases whose bits depend on it are then not those of this run.
   const std::string& other_instruction_set() const { return other_instruction_set_; }
@@ -69,9 +76,12 @@ class CaseJournal {
   /// @param run  a digest of all that decides the results
   /// @param ids  of all cases (n)
   /// @return which of them are to be computed: all, or the shard's own (n)
-  /// @throws InputError if the journal is of another shard or, as a shard or merged of shards, of
-  ///         another run; or if it was merged and lacks a case
+  /// @throws InputError if the file is of another shard, or of a shard of another run; if the
+  /// merged
+  ///         shards are
   std::vector<bool> begin(const std::string& run, std::span<const std::string> ids);
+  /// How many shards all cases were merged of; 0: they were not.
+  std::size_t merged_shards() const { return merged_ ? merged_->shard.count : 0; }
   /// Says in a shard's file that all of its cases are there. @throws StorageError
   void end_shard();
   /// Whether it said so when it was found.
@@ -85,6 +95,7 @@ class CaseJournal {
   void finish();
 
  private:
+  void take_merged(const MergedShards& merged, std::uint64_t kind);
   void check_merged(const std::string& run, std::span<const std::string> ids) const;
   std::vector<bool> begin_shard(const std::string& run, std::span<const std::string> ids);
 
@@ -94,10 +105,11 @@ class CaseJournal {
   std::optional<ShardOfRun> shard_;
   std::unordered_map<std::string, std::vector<std::byte>> found_;
   std::optional<ShardMark> found_shard_;  ///< what the file that was found is a shard of
-  std::string merged_run_;                ///< whose shards it was merged of; empty: of none
+  std::optional<ShardMark> merged_;       ///< of the run whose shards have all cases
   bool shard_ended_ = false;
   std::optional<Journal> journal_;
   std::uint64_t dropped_bytes_ = 0;
+  std::size_t damaged_ = 0;
   std::string other_instruction_set_;
   int resumptions_ = 0;
   std::atomic<bool> empty_ = true;

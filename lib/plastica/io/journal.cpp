@@ -15,36 +15,22 @@
 
 #include "plastica/base/check.hpp"
 #include "plastica/io/bytes.hpp"
-#include "plastica/io/digest.hpp"
 #include "plastica/io/durable_file.hpp"
+#include "plastica/io/journal_layout.hpp"
 #include "plastica/io/output_file.hpp"
 
 namespace plastica::io {
 namespace {
 
-constexpr std::uint64_t kVersion = 1;
-constexpr std::size_t kHeaderBytes = 24;
-constexpr std::size_t kRecordHeadBytes = 24;
+using journal_layout::checksum_of;
+using journal_layout::Descriptor;
+using journal_layout::kVersion;
+
 constexpr const char* kInUse = "is in use by another run";
 
 [[noreturn]] void fail(const std::string& path, const std::string& action) {
   throw StorageError(path, action + ": " + std::strerror(errno));
 }
-
-/// Owns a file descriptor.
-class Descriptor {
- public:
-  explicit Descriptor(int number) : number_(number) {}
-  ~Descriptor() {
-    if (number_ >= 0) ::close(number_);
-  }
-  Descriptor(const Descriptor&) = delete;
-  Descriptor& operator=(const Descriptor&) = delete;
-  int get() const { return number_; }
-
- private:
-  int number_;
-};
 
 /// False if the disk does not take it all; `errno` says why.
 bool write_all(int descriptor, std::span<const std::byte> bytes) {
@@ -64,100 +50,7 @@ std::vector<std::byte> header_of(std::uint64_t run_digest) {
   return writer.take();
 }
 
-std::uint64_t checksum_of(std::string_view id, std::span<const std::byte> payload) {
-  return Digest()
-      .integer(id.size())
-      .integer(payload.size())
-      .bytes(std::as_bytes(std::span(id)))
-      .bytes(payload)
-      .value();
-}
-
-/// All bytes of a file.
-/// @return Absent if there is none; InUse if another run has it, and then nothing is read
-JournalState read_all(const std::string& path, std::vector<std::byte>& bytes) {
-  if (const std::string special = special_file(path); !special.empty()) {
-    throw InputError(
-        {path, 0}, "", "",
-        "is " + special + " in the place of the journal: move it, or name another output");
-  }
-  const Descriptor file(::open(path.c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC));
-  if (file.get() < 0) {
-    if (errno == ENOENT) return JournalState::Absent;
-    fail(path, "cannot be read");
-  }
-  // Given back when the file is closed, before it is opened for writing.
-  if (::flock(file.get(), LOCK_SH | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
-    return JournalState::InUse;
-  }
-  constexpr std::size_t kBlock = std::size_t{1} << 18U;
-  std::size_t size = 0;
-  while (true) {
-    bytes.resize(size + kBlock);
-    const ssize_t count = ::read(file.get(), bytes.data() + size, kBlock);
-    if (count < 0 && errno == EINTR) continue;
-    if (count < 0) fail(path, "cannot be read");
-    size += static_cast<std::size_t>(count);
-    if (count == 0) break;
-  }
-  bytes.resize(size);
-  return JournalState::Usable;
-}
-
 }  // namespace
-
-JournalContent read_journal(const std::string& path, std::optional<std::uint64_t> run_digest) {
-  JournalContent content;
-  std::vector<std::byte> bytes;
-  content.state = read_all(path, bytes);
-  if (content.state != JournalState::Usable) return content;
-
-  const std::size_t magic_bytes = std::min(bytes.size(), kJournalMagic.size());
-  if (std::memcmp(bytes.data(), kJournalMagic.data(), magic_bytes) != 0) {
-    content.state = JournalState::NotAJournal;
-    return content;
-  }
-  if (bytes.size() < kHeaderBytes) {
-    content.state = JournalState::Absent;
-    content.dropped_bytes = bytes.size();
-    return content;
-  }
-  const std::span<const std::byte> all = bytes;
-  ByteReader header(all.subspan(kJournalMagic.size(), kHeaderBytes - kJournalMagic.size()), path);
-  const auto version = header.get<std::uint64_t>();
-  content.run_digest = header.get<std::uint64_t>();
-  content.complete_bytes = kHeaderBytes;
-  if (version != kVersion) {
-    content.state = JournalState::OtherVersion;
-    return content;
-  }
-  if (run_digest && content.run_digest != *run_digest) {
-    content.state = JournalState::OtherRun;
-    return content;
-  }
-  content.state = JournalState::Usable;
-
-  std::span<const std::byte> rest = all.subspan(kHeaderBytes);
-  while (rest.size() >= kRecordHeadBytes) {
-    ByteReader head(rest.first(kRecordHeadBytes), path);
-    const auto id_bytes = head.get<std::uint64_t>();
-    const auto payload_bytes = head.get<std::uint64_t>();
-    const auto checksum = head.get<std::uint64_t>();
-    const std::uint64_t room = rest.size() - kRecordHeadBytes;
-    if (id_bytes > room || payload_bytes > room - id_bytes) break;
-    const auto id_part = rest.subspan(kRecordHeadBytes, static_cast<std::size_t>(id_bytes));
-    const std::string_view id(reinterpret_cast<const char*>(id_part.data()), id_part.size());
-    const auto payload =
-        rest.subspan(kRecordHeadBytes + id_part.size(), static_cast<std::size_t>(payload_bytes));
-    if (checksum_of(id, payload) != checksum) break;
-    content.records.push_back({std::string(id), {payload.begin(), payload.end()}});
-    const std::size_t size = kRecordHeadBytes + id_part.size() + payload.size();
-    content.complete_bytes += size;
-    rest = rest.subspan(size);
-  }
-  content.dropped_bytes = rest.size();
-  return content;
-}
 
 /// The open file, and the thread that forces it to the disk now and then.
 class Journal::Writer {

@@ -4,7 +4,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
-#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -38,16 +37,18 @@ struct JournalContent {
   JournalState state = JournalState::Absent;
   std::uint64_t run_digest = 0;        ///< of the run that wrote it
   std::vector<JournalRecord> records;  ///< all complete ones, in the order of writing; if `Usable`
-  std::uint64_t complete_bytes = 0;    ///< header and complete records
-  std::uint64_t dropped_bytes = 0;     ///< behind them: a record torn by a crash
+  std::uint64_t complete_bytes = 0;    ///< up to the end of the last complete record
+  std::uint64_t dropped_bytes = 0;     ///< behind it: a record torn by a crash
+  std::size_t damaged = 0;             ///< stretches of bytes between complete records
 };
 
-/// Reads a journal up to its first record that is torn or damaged.
-/// @param run_digest  identifies what is computed: settings and inputs; empty: whatever run it is
-/// of
+/// Reads the records of a journal that are whole; what is damaged between them is left out.
+/// @param run_digest  identifies what is computed: settings and inputs
 /// @throws InputError if a link, folder, pipe or device stands there; StorageError if the file is
 ///         there but cannot be read
-JournalContent read_journal(const std::string& path, std::optional<std::uint64_t> run_digest);
+JournalContent read_journal(const std::string& path, std::uint64_t run_digest);
+/// The same of whatever run, and through links: of a file that will not be written.
+JournalContent read_any_journal(const std::string& path);
 
 /// An append-only file of finished cases beside an output, which survives `kill -9` at any byte.
 ///

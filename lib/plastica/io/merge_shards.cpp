@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <fstream>
+#include <iterator>
 #include <optional>
 #include <string_view>
 #include <vector>
@@ -24,9 +25,17 @@ struct ReadShard {
   throw InputError({path, 0}, "", "", rule);
 }
 
-/// @throws InputError for what is no shard, or not complete
+std::optional<ShardMark> mark_of(const JournalContent& content, const std::string& path) {
+  std::optional<ShardMark> mark;
+  for (const JournalRecord& record : content.records) {
+    if (record.id == kShardMark) mark = shard_mark_from_bytes(record.payload, path);
+  }
+  return mark;
+}
+
+/// @throws InputError for what is no shard, damaged or not complete
 ReadShard read_shard(const std::string& path) {
-  JournalContent content = read_journal(path, {});
+  JournalContent content = read_any_journal(path);
   switch (content.state) {
     case JournalState::Usable: break;
     case JournalState::InUse: refuse(path, "is in use by another run: its shard has not ended");
@@ -37,23 +46,25 @@ ReadShard read_shard(const std::string& path) {
     case JournalState::OtherRun:
     case JournalState::NotAJournal: refuse(path, "is no shard of a run");
   }
-  std::optional<ShardMark> mark;
-  bool ended = false;
-  for (const JournalRecord& record : content.records) {
-    if (record.id == kShardMark) mark = shard_mark_from_bytes(record.payload, path);
-    if (record.id == kShardEnd) ended = true;
+  std::optional<ShardMark> mark = mark_of(content, path);
+  if (!mark) {
+    refuse(path, content.damaged + content.dropped_bytes > 0
+                     ? "is damaged: it does not say of which run it is a shard"
+                     : "is the journal of an interrupted run, not a shard");
   }
-  if (!mark) refuse(path, "is the journal of an interrupted run, not a shard");
+  std::optional<std::size_t> damaged_at_end;
+  for (const JournalRecord& record : content.records) {
+    if (record.id == kShardEnd) damaged_at_end = damaged_at_shard_end(record.payload, path);
+  }
+  if (content.damaged > damaged_at_end.value_or(0)) {
+    refuse(path, "is damaged: --resume of " + words_of(mark->shard) + " runs again what it lost");
+  }
+  if (!damaged_at_end || content.dropped_bytes > 0) {
+    refuse(path, "is " + words_of(mark->shard) + ", and not complete: --resume of it goes on");
+  }
   std::erase_if(content.records, [](const JournalRecord& record) {
     return record.id == kShardMark || record.id == kShardEnd;
   });
-  if (content.dropped_bytes > 0) {
-    refuse(path, "is damaged: " + std::to_string(content.dropped_bytes) +
-                     " bytes at its end are no records; --resume of its shard runs what they had");
-  }
-  if (!ended) {
-    refuse(path, "is " + words_of(mark->shard) + ", and not complete: --resume of it goes on");
-  }
   return {path, content.run_digest, std::move(*mark), std::move(content.records)};
 }
 
@@ -70,75 +81,74 @@ std::string list_of(const std::vector<std::size_t>& numbers) {
   return list;
 }
 
-void check_together(std::span<const ReadShard> shards) {
-  const ReadShard& first = shards.front();
-  std::vector<const ReadShard*> at(first.mark.shard.count, nullptr);
-  for (const ReadShard& one : shards) {
-    if (one.mark.instruction_set != first.mark.instruction_set) {
-      refuse(one.path, "was computed with the instruction set " + one.mark.instruction_set +
-                           ", while " + first.path + " was with " + first.mark.instruction_set +
-                           ": give all shards the same --isa");
-    }
-    if (one.mark.run != first.mark.run || one.kind != first.kind) {
-      refuse(one.path, "is a shard of another run than " + first.path +
-                           ": of other inputs, options or version");
-    }
-    if (one.mark.shard.count != first.mark.shard.count) {
-      refuse(one.path, "is " + words_of(one.mark.shard) + ", while " + first.path + " is " +
-                           words_of(first.mark.shard));
-    }
-    const ReadShard*& place = at[one.mark.shard.index - 1];
-    if (place != nullptr) {
-      refuse(one.path, "is " + words_of(one.mark.shard) + ", as " + place->path + " is");
-    }
-    place = &one;
-  }
-  std::vector<std::size_t> missing;
-  for (std::size_t i = 0; i < at.size(); ++i) {
-    if (at[i] == nullptr) missing.push_back(i + 1);
-  }
-  if (missing.empty()) return;
-  throw InputError({}, "shards", "",
-                   (missing.size() == 1 ? "lack shard " : "lack shards ") + list_of(missing) +
-                       " of " + std::to_string(at.size()));
+[[noreturn]] void refuse_both(const ReadShard& a, const ReadShard& b, const std::string& rule) {
+  throw InputError({}, "shards", "", a.path + " and " + b.path + " " + rule);
 }
 
-/// A journal in the place of the merged one goes only if the shards have all that it has.
-void check_place(const std::string& path, bool force) {
-  const JournalContent found = read_journal(path, {});
-  if (found.state == JournalState::Absent) return;
-  if (found.state == JournalState::InUse) throw StorageError(path, "is in use by another run");
-  const bool merged =
-      std::ranges::any_of(found.records, [](const auto& one) { return one.id == kMergedMark; });
-  if (merged || (force && found.state != JournalState::NotAJournal)) return;
-  refuse(path, found.state == JournalState::NotAJournal
-                   ? "is in the place of the journal but is none: move it, or name another output"
-                   : "is the journal of an interrupted run: use --force to give it up");
+void check_alike(const ReadShard& a, const ReadShard& b) {
+  if (a.mark.instruction_set != b.mark.instruction_set) {
+    refuse_both(a, b,
+                "were computed with unlike instruction sets, " + a.mark.instruction_set + " and " +
+                    b.mark.instruction_set + ": give all shards the same --isa");
+  }
+  if (a.kind != b.kind) refuse_both(a, b, "are of unlike runs, or versions of plastica");
+  if (a.mark.shard.count != b.mark.shard.count) {
+    refuse_both(a, b, "are " + words_of(a.mark.shard) + " and " + words_of(b.mark.shard));
+  }
+  if (a.mark.run != b.mark.run) {
+    refuse_both(a, b, "are of unlike runs: of other inputs, options (--isa, too) or versions");
+  }
+}
+
+/// @param shards  in the order of their numbers
+void check_together(std::span<const ReadShard> shards) {
+  std::vector<std::size_t> missing;
+  std::size_t expected = 1;
+  for (const ReadShard& one : shards) {
+    check_alike(shards.front(), one);
+    const std::size_t index = one.mark.shard.index;
+    if (index < expected) {
+      refuse_both(*(&one - 1), one, "are both " + words_of(one.mark.shard));
+    }
+    for (; expected < index; ++expected) missing.push_back(expected);
+    ++expected;
+  }
+  const std::size_t count = shards.front().mark.shard.count;
+  for (; expected <= count; ++expected) missing.push_back(expected);
+  if (missing.empty()) return;
+  throw InputError({}, "shards", "",
+                   (missing.size() == 1 ? "shard " : "shards ") + list_of(missing) + " of " +
+                       std::to_string(count) + (missing.size() == 1 ? " is" : " are") + " missing");
 }
 
 }  // namespace
 
-bool begins_as_journal(const std::string& path) {
+bool is_shard(const std::string& path) {
   std::array<char, kJournalMagic.size()> begin{};
   std::ifstream file(path, std::ios::binary);
-  return file.read(begin.data(), begin.size()) &&
-         std::string_view(begin.data(), begin.size()) == kJournalMagic;
+  if (!file.read(begin.data(), begin.size()) ||
+      std::string_view(begin.data(), begin.size()) != kJournalMagic) {
+    return false;
+  }
+  try {
+    return mark_of(read_any_journal(path), path).has_value();
+  } catch (const std::exception&) {  // whoever reads it says so
+    return false;
+  }
 }
 
-ShardMark merge_shards(std::span<const std::string> paths, const std::string& path, bool force) {
+MergedShards merge_shards(std::span<const std::string> paths) {
   std::vector<ReadShard> shards;
   shards.reserve(paths.size());
   for (const std::string& one : paths) shards.push_back(read_shard(one));
+  if (shards.empty()) throw InputError({}, "shards", "", "must be named");
+  std::ranges::stable_sort(shards, {}, [](const ReadShard& one) { return one.mark.shard.index; });
   check_together(shards);
-  check_place(path, force);
-  Journal journal = Journal::create(path, shards.front().kind);
-  const std::string& run = shards.front().mark.run;
-  journal.append(kMergedMark, std::as_bytes(std::span(run)));
-  for (const ReadShard& one : shards) {
-    for (const JournalRecord& record : one.records) journal.append(record.id, record.payload);
+  MergedShards merged{std::move(shards.front().mark), shards.front().kind, {}};
+  for (ReadShard& one : shards) {
+    std::ranges::move(one.records, std::back_inserter(merged.records));
   }
-  journal.sync();
-  return std::move(shards.front().mark);
+  return merged;
 }
 
 }  // namespace plastica::io

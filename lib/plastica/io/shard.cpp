@@ -29,14 +29,16 @@ Shard parse_shard(std::string_view option, const std::string& text) {
   const auto count =
       slash == std::string::npos ? std::nullopt : whole_number(all.substr(slash + 1));
   if (!index || !count) {
-    throw InputError({}, option, text, "must be a part and their number, such as 2/7");
+    throw InputError({}, option, text,
+                     "must be the number of a shard and how many there are, such as 2/7");
   }
   if (*count < 1 || *count > kMaxShards) {
     throw InputError({}, option, text,
-                     "the number of parts must be 1 … " + std::to_string(kMaxShards));
+                     "there must be 1 … " + std::to_string(kMaxShards) + " shards");
   }
   if (*index < 1 || *index > *count) {
-    throw InputError({}, option, text, "the part must be 1 … " + std::to_string(*count));
+    throw InputError({}, option, text,
+                     "the number of a shard must be 1 … " + std::to_string(*count));
   }
   return {*index, *count};
 }
@@ -88,6 +90,17 @@ ShardMark shard_mark_from_bytes(std::span<const std::byte> bytes, const std::str
     throw StorageError(path, "says that it is " + words_of(mark.shard));
   }
   return mark;
+}
+
+std::vector<std::byte> bytes_of_shard_end(std::size_t damaged) {
+  return ByteWriter().put(std::uint64_t{damaged}).take();
+}
+
+std::size_t damaged_at_shard_end(std::span<const std::byte> bytes, const std::string& path) {
+  ByteReader reader(bytes, path);
+  const auto damaged = static_cast<std::size_t>(reader.get<std::uint64_t>());
+  reader.expect_end();
+  return damaged;
 }
 
 }  // namespace plastica::io

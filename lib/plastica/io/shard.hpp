@@ -18,7 +18,7 @@ struct Shard {
   bool operator==(const Shard&) const = default;
 };
 
-/// Most parts of a run.
+/// Most shards of a run.
 inline constexpr std::size_t kMaxShards = 100'000;
 
 /// Reads "2/7". @param option  is named in errors @throws InputError
@@ -45,7 +45,7 @@ struct ShardMark {
   std::size_t own = 0;            ///< of these the shard's
   std::string noun{};             ///< what the cases are called, in the plural
   std::string instruction_set{};  ///< that it was computed with
-  /// The command that computed it, without the program and what differs between shards.
+  /// The command that computed it, options before inputs, without what is told to one shard alone.
   std::vector<std::string> words{};
 };
 
@@ -57,9 +57,12 @@ ShardMark shard_mark_from_bytes(std::span<const std::byte> bytes, const std::str
 
 /// What the file is a shard of.
 inline constexpr std::string_view kShardMark = "shard";
-/// That all of its cases are there.
+/// That all of its cases are there. Its payload says how many damaged stretches of bytes the file
+/// had then, whose cases stand there again; more of them have taken cases since.
 inline constexpr std::string_view kShardEnd = "end of shard";
-/// The run whose shards the journal was merged of: all that it computes.
-inline constexpr std::string_view kMergedMark = "merged shards";
+
+std::vector<std::byte> bytes_of_shard_end(std::size_t damaged);
+/// @throws StorageError
+std::size_t damaged_at_shard_end(std::span<const std::byte> bytes, const std::string& path);
 
 }  // namespace plastica::io

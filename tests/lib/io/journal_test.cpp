@@ -96,6 +96,32 @@ TEST(Journal, DropsARecordWithAnyByteChanged) {
   }
 }
 
+// What a changed bit spoils is one record, not those behind it.
+TEST(Journal, LeavesOutADamagedRecordAmongOthers) {
+  const ScratchFolder folder;
+  write_cases(folder.file("one"), 1);
+  write_cases(folder.file("two"), 2);
+  write_cases(folder.file("j"), 4);
+  const std::string whole = content_of(folder.file("j"));
+  const std::size_t begin = content_of(folder.file("one")).size();
+  const std::size_t end = content_of(folder.file("two")).size();
+  for (std::size_t at = begin; at < end; ++at) {
+    std::string damaged = whole;
+    damaged[at] = static_cast<char>(damaged[at] ^ 0x20);
+    const std::string path = folder.write("bad", damaged);
+    const JournalContent content = read_journal(path, kRun);
+    ASSERT_EQ(content.records.size(), 3U) << at;
+    EXPECT_EQ(content.records[0].id, id_of(0));
+    EXPECT_EQ(content.records[1].id, id_of(2));
+    EXPECT_EQ(content.records[2].id, id_of(3));
+    EXPECT_EQ(content.damaged, 1U) << at;
+    EXPECT_EQ(content.dropped_bytes, 0U) << at;
+    EXPECT_EQ(content.complete_bytes, whole.size()) << at;
+    Journal::resume(path, kRun, content).append(id_of(1), payload_of(1));
+    EXPECT_EQ(read_journal(path, kRun).records.size(), 4U);
+  }
+}
+
 TEST(Journal, TakesATailOfZerosForTorn) {
   const ScratchFolder folder;
   write_cases(folder.file("j"), 2);

@@ -39,75 +39,117 @@ class MergeShards : public ::testing::Test {
     return policy(shard).path;
   }
 
-  std::string merged() const { return folder_.file("merged"); }
   std::string said_of(const std::vector<std::string>& shards) const {
-    const std::string said =
-        message_from<InputError>([&] { merge_shards(shards, merged(), false); });
-    EXPECT_FALSE(std::filesystem::exists(merged())) << said;
-    return said;
+    return message_from<InputError>([&] { merge_shards(shards); });
+  }
+  /// What a run takes in place of its journal.
+  JournalPolicy merging(const MergedShards& merged, const std::string& isa = "avx2") const {
+    JournalPolicy taken{folder_.file("out.journal"), false, false, isa, {}};
+    taken.merged = &merged;
+    return taken;
   }
 
   ScratchFolder folder_;
 };
 
 TEST_F(MergeShards, HaveAllCasesOfTheRun) {
-  const std::vector<std::string> shards{make({3, 3}), make({1, 3}), make({2, 3})};
-  const ShardMark mark = merge_shards(shards, merged(), false);
-  EXPECT_EQ(mark.run, "run");
-  EXPECT_EQ(mark.cases, kCases.size());
-  EXPECT_EQ(mark.noun, "fits");
-  EXPECT_EQ(mark.words, (std::vector<std::string>{"calibrate", "fit.toml"}));
-  CaseJournal journal({merged(), true, false, "avx2", {}}, kKind, "fits");
-  EXPECT_EQ(journal.found(), kCases.size());
-  EXPECT_EQ(journal.begin("run", kCases), std::vector<bool>(kCases.size(), true));
-  for (const std::string& id : kCases) {
-    ASSERT_NE(journal.find(id), nullptr) << id;
-    EXPECT_EQ(*journal.find(id), result_of(id));
+  const MergedShards merged = merge_shards(std::vector{make({3, 3}), make({1, 3}), make({2, 3})});
+  EXPECT_EQ(merged.mark.run, "run");
+  EXPECT_EQ(merged.mark.shard, (Shard{1, 3}));
+  EXPECT_EQ(merged.mark.cases, kCases.size());
+  EXPECT_EQ(merged.mark.noun, "fits");
+  EXPECT_EQ(merged.mark.words, (std::vector<std::string>{"calibrate", "fit.toml"}));
+  const std::vector<std::string> names = folder_.names();
+  {
+    CaseJournal journal(merging(merged), kKind, "fits");
+    EXPECT_EQ(journal.merged_shards(), 3U);
+    EXPECT_EQ(journal.found(), kCases.size());
+    EXPECT_EQ(journal.begin("run", kCases), std::vector<bool>(kCases.size(), true));
+    for (const std::string& id : kCases) {
+      ASSERT_NE(journal.find(id), nullptr) << id;
+      EXPECT_EQ(*journal.find(id), result_of(id));
+    }
+    EXPECT_THROW(journal.keep("a", result_of("a")), std::logic_error);
+    journal.finish();
   }
+  EXPECT_EQ(folder_.names(), names);
 }
 
 // Whatever changes what is computed changes the run: a result of two halves would be of neither.
 TEST_F(MergeShards, AreNoneOfARunThatHasChangedSince) {
-  merge_shards(std::vector{make({1, 1})}, merged(), false);
-  CaseJournal journal({merged(), true, false, "avx2", {}}, kKind, "fits");
+  const MergedShards merged = merge_shards(std::vector{make({1, 1})});
+  CaseJournal journal(merging(merged), kKind, "fits");
   const auto said = [&](const std::string& run, const std::vector<std::string>& ids) {
     return message_from<InputError>([&] { journal.begin(run, ids); });
   };
   EXPECT_TRUE(said("other", kCases).starts_with("shards: were computed of other inputs"));
   EXPECT_TRUE(said("run", {"a", "f"}).starts_with("shards: were computed of other inputs"));
+  EXPECT_EQ(message_from<InputError>([&] { CaseJournal(merging(merged), kKind + 1, "fits"); }),
+            "shards: were computed by another version of plastica: merge them by that one");
+  EXPECT_EQ(
+      message_from<InputError>([&] { CaseJournal(merging(merged, "avx512"), kKind, "fits"); }),
+      "shards: were computed with the instruction set avx2, and here it is avx512: merge them "
+      "on a machine like theirs, or give all the same --isa");
+}
+
+// The journal of an interrupted run, or one that is under way, is not the merger's.
+TEST_F(MergeShards, LeaveAJournalAlone) {
+  const MergedShards merged = merge_shards(std::vector{make({1, 1})});
+  const std::string path = folder_.file("out.journal");
+  CaseJournal other({path, false, false, "", {}}, kKind, "fits");
+  other.keep("a", result_of("a"));
+  EXPECT_EQ(message_from<StorageError>([&] { CaseJournal(merging(merged), kKind, "fits"); }),
+            path + ": is in use by another run");
+  const std::string before = content_of(path);
+  {
+    CaseJournal elsewhere({folder_.file("copy"), false, false, "", {}}, kKind, "fits");
+    elsewhere.keep("a", result_of("a"));
+  }
+  std::filesystem::copy(folder_.file("copy"), folder_.file("idle.journal"));
+  JournalPolicy idle = merging(merged);
+  idle.path = folder_.file("idle.journal");
+  {
+    CaseJournal journal(idle, kKind, "fits");
+    journal.begin("run", kCases);
+    journal.finish();
+  }
+  EXPECT_EQ(content_of(idle.path), content_of(folder_.file("copy")));
+  EXPECT_EQ(content_of(path), before);
 }
 
 TEST_F(MergeShards, RefuseToBeIncompleteOrTwice) {
   const std::string one = make({1, 3});
   const std::string three = make({3, 3});
-  EXPECT_EQ(said_of({one, three}), "shards: lack shard 2 of 3");
-  EXPECT_EQ(said_of({three}), "shards: lack shards 1 and 2 of 3");
+  EXPECT_EQ(said_of({one, three}), "shards: shard 2 of 3 is missing");
+  EXPECT_EQ(said_of({three}), "shards: shards 1 and 2 of 3 are missing");
   const std::string copy = folder_.write("copy", content_of(one));
-  EXPECT_EQ(said_of({one, copy}), copy + ": is shard 1 of 3, as " + one + " is");
+  EXPECT_EQ(said_of({one, copy}), "shards: " + one + " and " + copy + " are both shard 1 of 3");
   EXPECT_EQ(said_of({make({40, 64})}),
-            "shards: lack shards 1, 2, 3, 4, 5, 6, 7, 8 and 55 more of 64");
+            "shards: shards 1, 2, 3, 4, 5, 6, 7, 8 and 55 more of 64 are missing");
 }
 
 TEST_F(MergeShards, RefuseThoseOfOtherRuns) {
   const std::string one = make({1, 2});
-  const std::string other = make({2, 2}, "other run");
-  EXPECT_EQ(said_of({one, other}), other + ": is a shard of another run than " + one +
-                                       ": of other inputs, options or version");
-  std::filesystem::remove(other);
+  const auto beside = [&](const std::string& other) {
+    const std::string both = "shards: " + one + " and " + other + " ";
+    const std::string said = said_of({other, one});
+    EXPECT_TRUE(said.starts_with(both)) << said;
+    std::filesystem::remove(other);
+    return said.substr(std::min(both.size(), said.size()));
+  };
+  EXPECT_EQ(beside(make({2, 2}, "other run")),
+            "are of unlike runs: of other inputs, options (--isa, too) or versions");
+  EXPECT_EQ(beside(make({2, 4})), "are shard 1 of 2 and shard 2 of 4");
+  EXPECT_EQ(beside(make({2, 2}, "run", kKind + 1)), "are of unlike runs, or versions of plastica");
   const std::string avx512 = folder_.file("wide");
   {
     CaseJournal journal({avx512, false, false, "avx512", ShardOfRun{{2, 2}, {}}}, kKind, "fits");
     journal.begin("other run", kCases);
     journal.end_shard();
   }
-  EXPECT_EQ(said_of({one, avx512}), avx512 +
-                                        ": was computed with the instruction set avx512, while " +
-                                        one + " was with avx2: give all shards the same --isa");
-  const std::string quarter = make({2, 4});
-  EXPECT_EQ(said_of({one, quarter}),
-            quarter + ": is shard 2 of 4, while " + one + " is shard 1 of 2");
-  const std::string kind = make({2, 2}, "run", kKind + 1);
-  EXPECT_TRUE(said_of({one, kind}).starts_with(kind + ": is a shard of another run"));
+  EXPECT_EQ(beside(avx512),
+            "were computed with unlike instruction sets, avx2 and avx512: give all shards the same "
+            "--isa");
 }
 
 TEST_F(MergeShards, RefuseOneThatHasNotEnded) {
@@ -123,22 +165,48 @@ TEST_F(MergeShards, RefuseOneThatHasNotEnded) {
 }
 
 // At whatever byte a shard is cut off, or changed, it is refused: none of its cases is lost unsaid.
-TEST_F(MergeShards, RefuseOneThatIsDamagedAnywhere) {
-  const std::string whole = content_of(make({1, 1}));
+// What a changed byte spoils is one record, which --resume runs again.
+TEST_F(MergeShards, RefuseOneThatIsDamagedAnywhereUntilItIsResumed) {
+  const std::string path = make({1, 1});
+  const std::string whole = content_of(path);
+  const MergedShards sound = merge_shards(std::vector{path});
+  std::size_t lost = 0;
   for (std::size_t at = 0; at < whole.size(); ++at) {
     const std::string cut = folder_.write("cut", whole.substr(0, at));
     EXPECT_NE(said_of({cut}), "no error") << at;
     std::string bytes = whole;
     bytes[at] = static_cast<char>(bytes[at] ^ 1);
-    const std::string changed = folder_.write("changed", bytes);
-    // Bytes 16 … 23 say what its records are, which the run that takes them checks.
-    if (at >= 16 && at < 24) continue;
-    EXPECT_NE(said_of({changed}), "no error") << at;
+    folder_.write("out.shard-1-of-1", bytes);
+    // Bytes 16 … 23 say what the records are: a run of another kind does not take them.
+    if (at >= 16 && at < 24) {
+      EXPECT_NE(merge_shards(std::vector{path}).kind, sound.kind);
+      continue;
+    }
+    EXPECT_NE(said_of({path}), "no error") << at;
+    if (at < 24) continue;
+    {
+      CaseJournal journal(policy({1, 1}, true), kKind, "fits");
+      EXPECT_GE(journal.found() + 1, kCases.size()) << at;
+      const std::vector<bool> own = journal.begin("run", kCases);
+      for (const std::string& id : kCases) {
+        if (journal.find(id) != nullptr) continue;
+        journal.keep(id, result_of(id));
+        ++lost;
+      }
+      journal.end_shard();
+    }
+    EXPECT_EQ(merge_shards(std::vector{path}).mark.run, "run") << at;
   }
+  EXPECT_GT(lost, 100U);
 }
 
 TEST_F(MergeShards, RefuseFilesThatAreNone) {
   EXPECT_EQ(said_of({folder_.file("none")}), folder_.file("none") + ": is not there");
+  std::filesystem::create_directory(folder_.file("folder"));
+  EXPECT_EQ(said_of({folder_.file("folder")}),
+            folder_.file("folder") + ": is a folder: must be a file");
+  std::filesystem::create_symlink(make({1, 1}), folder_.file("link"));
+  EXPECT_EQ(said_of({folder_.file("link")}), "no error");
   const std::string text = folder_.write("text", "Strain,Stress\n");
   EXPECT_EQ(said_of({text}), text + ": is no shard of a run");
   const std::string journal = folder_.file("journal");
@@ -147,20 +215,6 @@ TEST_F(MergeShards, RefuseFilesThatAreNone) {
     one.keep("a", result_of("a"));
   }
   EXPECT_EQ(said_of({journal}), journal + ": is the journal of an interrupted run, not a shard");
-}
-
-TEST_F(MergeShards, KeepAJournalThatHasOtherThings) {
-  const std::vector<std::string> shards{make({1, 1})};
-  {
-    CaseJournal one({merged(), false, false, "", {}}, kKind, "fits");
-    one.keep("a", result_of("a"));
-  }
-  const std::string before = content_of(merged());
-  EXPECT_EQ(message_from<InputError>([&] { merge_shards(shards, merged(), false); }),
-            merged() + ": is the journal of an interrupted run: use --force to give it up");
-  EXPECT_EQ(content_of(merged()), before);
-  merge_shards(shards, merged(), true);
-  merge_shards(shards, merged(), false);  // over one that was merged
 }
 
 TEST_F(MergeShards, GoOnWhereTheyWereInterrupted) {
@@ -188,16 +242,14 @@ TEST_F(MergeShards, GoOnWhereTheyWereInterrupted) {
     journal.end_shard();
   }
   EXPECT_TRUE(CaseJournal(policy({1, 1}, true), kKind, "fits").shard_ended());
-  EXPECT_EQ(merge_shards(std::vector{policy({1, 1}).path}, merged(), false).cases, 5U);
+  EXPECT_EQ(merge_shards(std::vector{policy({1, 1}).path}).mark.cases, 5U);
 }
 
 // More shards than cases: an array of jobs must not fail for it.
 TEST_F(MergeShards, MayHaveNoCase) {
   std::vector<std::string> shards;
   for (std::size_t index = 1; index <= 8; ++index) shards.push_back(make({index, 8}));
-  merge_shards(shards, merged(), false);
-  CaseJournal journal({merged(), true, false, "avx2", {}}, kKind, "fits");
-  EXPECT_EQ(journal.found(), kCases.size());
+  EXPECT_EQ(merge_shards(shards).mark.cases, kCases.size());
 }
 
 }  // namespace

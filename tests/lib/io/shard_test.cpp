@@ -17,26 +17,27 @@ std::vector<std::string> some_ids(std::size_t count) {
   return ids;
 }
 
-TEST(Shard, IsReadFromAPartAndTheirNumber) {
+TEST(Shard, IsReadFromItsNumberAndTheirs) {
   EXPECT_EQ(parse_shard("--shard", "2/7"), (Shard{2, 7}));
   EXPECT_EQ(parse_shard("--shard", "1/1"), (Shard{1, 1}));
   EXPECT_EQ(shard_path("fit.h5", {2, 7}), "fit.h5.shard-2-of-7");
   EXPECT_EQ(words_of(Shard{2, 7}), "shard 2 of 7");
 }
 
-TEST(Shard, RefusesWhatIsNoPart) {
+TEST(Shard, RefusesWhatIsNoNumberOfOne) {
   const auto said = [](const std::string& text) {
     return message_from<InputError>([&] { parse_shard("--shard", text); });
   };
   for (const char* text : {"", "2", "2/", "/7", "a/7", "2/b", "2/7/9", "-1/7", "2 / 7", "2.0/7",
                            "99999999999999999999999/7"}) {
-    EXPECT_EQ(said(text), std::string("--shard") + (*text != '\0' ? " = " : "") + text +
-                              ": must be a part and their number, such as 2/7");
+    EXPECT_EQ(said(text),
+              std::string("--shard") + (*text != '\0' ? " = " : "") + text +
+                  ": must be the number of a shard and how many there are, such as 2/7");
   }
-  EXPECT_EQ(said("0/7"), "--shard = 0/7: the part must be 1 … 7");
-  EXPECT_EQ(said("8/7"), "--shard = 8/7: the part must be 1 … 7");
-  EXPECT_EQ(said("1/0"), "--shard = 1/0: the number of parts must be 1 … 100000");
-  EXPECT_EQ(said("1/100001"), "--shard = 1/100001: the number of parts must be 1 … 100000");
+  EXPECT_EQ(said("0/7"), "--shard = 0/7: the number of a shard must be 1 … 7");
+  EXPECT_EQ(said("8/7"), "--shard = 8/7: the number of a shard must be 1 … 7");
+  EXPECT_EQ(said("1/0"), "--shard = 1/0: there must be 1 … 100000 shards");
+  EXPECT_EQ(said("1/100001"), "--shard = 1/100001: there must be 1 … 100000 shards");
 }
 
 TEST(Shard, ShardsHaveEachCaseOnceAndAsManyAsOneAnother) {

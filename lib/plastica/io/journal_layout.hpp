@@ -1,0 +1,43 @@
+#pragma once
+
+#include <unistd.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string_view>
+
+#include "plastica/io/digest.hpp"
+
+/// How a journal stands in its file, see journal.hpp; not installed.
+namespace plastica::io::journal_layout {
+
+inline constexpr std::uint64_t kVersion = 1;
+inline constexpr std::size_t kHeaderBytes = 24;
+inline constexpr std::size_t kRecordHeadBytes = 24;
+
+inline std::uint64_t checksum_of(std::string_view id, std::span<const std::byte> payload) {
+  return Digest()
+      .integer(id.size())
+      .integer(payload.size())
+      .bytes(std::as_bytes(std::span(id)))
+      .bytes(payload)
+      .value();
+}
+
+/// Owns a file descriptor.
+class Descriptor {
+ public:
+  explicit Descriptor(int number) : number_(number) {}
+  ~Descriptor() {
+    if (number_ >= 0) ::close(number_);
+  }
+  Descriptor(const Descriptor&) = delete;
+  Descriptor& operator=(const Descriptor&) = delete;
+  int get() const { return number_; }
+
+ private:
+  int number_;
+};
+
+}  // namespace plastica::io::journal_layout
