@@ -101,6 +101,8 @@ std::vector<FitResult> fit_cases(std::span<const Target> targets, std::span<cons
       if (cases[i].law) results[i].law = *cases[i].law;
     }
     if (!options.keep_trace) results[i].trace.leave_out();
+    results[i].fitted.strain.shrink_to_fit();  // it has grown by its break
+    results[i].fitted.stress.shrink_to_fit();
     if (!batch.finished) return;
     const std::lock_guard lock(mutex);
     batch.finished(i, results[i]);

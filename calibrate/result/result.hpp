@@ -33,8 +33,8 @@ struct Trace {
 
   void leave_out() {
     left_out += costs.size();
-    values = {};
-    costs = {};
+    values = std::vector<double>();  // with their memory, which {} would keep
+    costs = std::vector<double>();
   }
 };
 
