@@ -17,6 +17,7 @@
 
 #include "plastica/base/check.hpp"
 #include "plastica/io/digest.hpp"
+#include "plastica/io/file_descriptor.hpp"
 #include "plastica/io/storage_error.hpp"
 
 namespace plastica::io {
@@ -65,22 +66,6 @@ bool read_content(int descriptor, Content& content) {
   }
 }
 
-/// A file that is closed at the end of the scope.
-class OpenFile {
- public:
-  explicit OpenFile(const std::string& path)
-      : descriptor_(::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC)) {}
-  ~OpenFile() {
-    if (descriptor_ >= 0) ::close(descriptor_);
-  }
-  OpenFile(const OpenFile&) = delete;
-  OpenFile& operator=(const OpenFile&) = delete;
-  int descriptor() const { return descriptor_; }
-
- private:
-  int descriptor_;
-};
-
 /// The number behind "bytes " in a block; 0 if there is none.
 std::uint64_t bytes_said(std::string_view block) {
   std::uint64_t bytes = 0;
@@ -116,10 +101,10 @@ void write_content_digest(int descriptor, const std::string& path) {
 bool begins_as_result(const std::string& path) {
   std::error_code ignored;
   if (!std::filesystem::is_regular_file(path, ignored)) return false;
-  const OpenFile file(path);
+  const FileDescriptor file(::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC));
   std::array<std::byte, kTitle.size()> buffer{};
-  if (file.descriptor() < 0) return false;
-  const ssize_t got = read_at(file.descriptor(), buffer, 0);
+  if (file.get() < 0) return false;
+  const ssize_t got = read_at(file.get(), buffer, 0);
   if (got <= 0) return false;
   const std::string_view begin(reinterpret_cast<const char*>(buffer.data()),
                                static_cast<std::size_t>(got));
@@ -131,28 +116,27 @@ bool check_content_digest(const std::string& path) {
   const auto refuse_unread = [&] {
     refuse(std::string("cannot be read: ") + std::strerror(errno));
   };
-  const OpenFile file(path);
+  const FileDescriptor file(::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC));
   struct stat status {};
-  if (file.descriptor() < 0 || ::fstat(file.descriptor(), &status) != 0) refuse_unread();
+  if (file.get() < 0 || ::fstat(file.get(), &status) != 0) refuse_unread();
   if (S_ISDIR(status.st_mode)) refuse("cannot be read: it is a folder");
   if (!S_ISREG(status.st_mode)) refuse("is no regular file");
 
   std::array<std::byte, kContentOffset> buffer{};
-  const ssize_t got = read_at(file.descriptor(), buffer, 0);
+  const ssize_t got = read_at(file.get(), buffer, 0);
   if (got < 0) refuse_unread();
   const std::string_view block(reinterpret_cast<const char*>(buffer.data()),
                                static_cast<std::size_t>(got));
   if (block.starts_with(kHdf5Signature)) return false;
   if (!block.starts_with(kTitle)) {
     std::array<std::byte, kHdf5Signature.size()> behind{};
-    const bool hdf5 =
-        read_at(file.descriptor(), behind, kContentOffset) == ssize_t(behind.size()) &&
-        std::memcmp(behind.data(), kHdf5Signature.data(), behind.size()) == 0;
+    const bool hdf5 = read_at(file.get(), behind, kContentOffset) == ssize_t(behind.size()) &&
+                      std::memcmp(behind.data(), kHdf5Signature.data(), behind.size()) == 0;
     refuse(hdf5 ? "is damaged: what stands in front of its HDF5 part is not what Plastica writes"
                 : "is not an HDF5 file");
   }
   Content content;
-  if (!read_content(file.descriptor(), content)) refuse_unread();
+  if (!read_content(file.get(), content)) refuse_unread();
   const std::uint64_t said = bytes_said(block);
   if (content.bytes < said) {
     refuse("is cut off: of " + std::to_string(kContentOffset + said) + " bytes " +

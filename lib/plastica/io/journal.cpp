@@ -16,6 +16,7 @@
 #include "plastica/base/check.hpp"
 #include "plastica/io/bytes.hpp"
 #include "plastica/io/durable_file.hpp"
+#include "plastica/io/file_descriptor.hpp"
 #include "plastica/io/journal_layout.hpp"
 #include "plastica/io/output_file.hpp"
 
@@ -23,7 +24,6 @@ namespace plastica::io {
 namespace {
 
 using journal_layout::checksum_of;
-using journal_layout::Descriptor;
 using journal_layout::kVersion;
 
 constexpr const char* kInUse = "is in use by another run";
@@ -177,7 +177,7 @@ class Journal::Writer {
   }
 
   std::string path_;
-  Descriptor file_;
+  FileDescriptor file_;
   std::chrono::milliseconds sync_interval_;
   mutable std::mutex mutex_;
   std::condition_variable closing_;

@@ -10,6 +10,7 @@
 
 #include "plastica/base/check.hpp"
 #include "plastica/io/bytes.hpp"
+#include "plastica/io/file_descriptor.hpp"
 #include "plastica/io/journal.hpp"
 #include "plastica/io/journal_layout.hpp"
 #include "plastica/io/output_file.hpp"
@@ -17,7 +18,6 @@
 namespace plastica::io {
 namespace {
 
-using journal_layout::Descriptor;
 using journal_layout::kHeaderBytes;
 using journal_layout::kRecordHeadBytes;
 
@@ -41,7 +41,7 @@ void check_place(const std::string& path, Links links) {
 JournalState read_all(const std::string& path, Links links, std::vector<std::byte>& bytes) {
   check_place(path, links);
   const int no_links = links == Links::Refused ? O_NOFOLLOW : 0;
-  const Descriptor file(::open(path.c_str(), O_RDONLY | no_links | O_NONBLOCK | O_CLOEXEC));
+  const FileDescriptor file(::open(path.c_str(), O_RDONLY | no_links | O_NONBLOCK | O_CLOEXEC));
   if (file.get() < 0) {
     if (errno == ENOENT) return JournalState::Absent;
     throw StorageError(path, std::string("cannot be read: ") + std::strerror(errno));
