@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <memory>
 #include <string>
+#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -61,6 +62,10 @@ calibrate::FitFile read_inputs(const CalibrateArguments& arguments) {
 
 void expect_inputs(const CalibrateArguments& arguments) {
   for (const std::string& path : arguments.inputs) {
+    std::error_code ignored;
+    if (is_fit_file(path) && std::filesystem::is_fifo(path, ignored)) {
+      throw InputError({path, 0}, "", "", "is a pipe: a fit file is read more than once");
+    }
     expect_input(path, {InputKind::Fit, InputKind::Curves});
   }
 }

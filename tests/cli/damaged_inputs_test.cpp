@@ -125,6 +125,15 @@ TEST(DamagedInputs, APipeIsReadToItsEnd) {
   EXPECT_TRUE(result.out.starts_with("pipe: 2 rows, 2 columns")) << result.out;
 }
 
+// It can be read but once; nobody need write to it to be told so.
+TEST(DamagedInputs, APipeIsNoFitFile) {
+  const Workplace place;
+  ASSERT_EQ(mkfifo(place.path("fit.toml").c_str(), 0600), 0);
+  const CommandResult result = place.run({"calibrate", "fit.toml"});
+  EXPECT_EQ(result.code, 2);
+  EXPECT_EQ(result.err, "plastica: fit.toml: is a pipe: a fit file is read more than once\n");
+}
+
 TEST(DamagedInputs, APipeWithoutEndIsNoSceneFile) {
   const Workplace place;
   const CommandResult result =
