@@ -220,7 +220,7 @@ void add_calibrate(CLI::App& app, const Invocation& invocation, Action& action) 
   sub->callback([&action, arguments, sub] {
     arguments->bare_option = first_given(*sub, kBareGroup);
     action = [arguments, sub] {
-      arguments->shard = shard_of(*sub, arguments->json);
+      arguments->shard = shard_of(*sub);
       expect_inputs(*arguments);
       return has_scenes(*arguments) ? calibrate_scenes(*arguments) : calibrate_files(*arguments);
     };

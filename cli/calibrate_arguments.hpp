@@ -60,7 +60,7 @@ void tell_of_journal(const Batch& batch, bool quiet) {
     tell("plastica: dropped {} bytes of an unfinished record from the journal\n",
          batch.dropped_bytes());
   }
-  tell_of_damage(batch.damaged());
+  if (batch.damaged() > 0 && batch.resumed() < batch.own()) tell_of_damage();
   if (!quiet && batch.merged_shards() > 0) {
     tell("{} fits of {} shards\n", batch.resumed(), batch.merged_shards());
     return;

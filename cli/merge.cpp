@@ -32,7 +32,17 @@ struct MergeArguments {
 /// What the command that made the shards is told, to take them for its result.
 std::vector<std::string> words_of(const io::ShardMark& mark, const MergeArguments& arguments) {
   constexpr std::array<std::string_view, 2> kCommands{"calibrate", "sweep"};
-  if (mark.words.empty() || std::ranges::find(kCommands, mark.words.front()) == kCommands.end()) {
+  // What no shard says: its file was made by something else.
+  static constexpr std::array<std::string_view, 12> kNotSaid{
+      "--shard", "--output", "-o",       "--json",         "--dry-run", "--help",
+      "-h",      "--force",  "--resume", "--rerun-failed", "--threads", "--quiet"};
+  const auto says = [](const std::string& word) {
+    return std::ranges::any_of(
+        kNotSaid, [&](std::string_view other) { return word.substr(0, word.find('=')) == other; });
+  };
+  const auto inputs = std::ranges::find(mark.words, "--");
+  if (mark.words.empty() || std::ranges::find(kCommands, mark.words.front()) == kCommands.end() ||
+      std::any_of(mark.words.begin(), inputs, says)) {
     throw InputError({arguments.shards.front(), 0}, "", "",
                      "does not say which command computed it");
   }

@@ -68,7 +68,7 @@ std::vector<std::string> words_again(const CLI::App& sub) {
     for (const std::string& value : option->results()) {
       if (option->get_positional()) {
         inputs.push_back(value);
-      } else {
+      } else if (!value.empty()) {
         words.push_back(name + "=" + value);  // of a flag "true" or "false"
       }
     }
@@ -79,10 +79,10 @@ std::vector<std::string> words_again(const CLI::App& sub) {
 
 }  // namespace
 
-std::optional<io::ShardOfRun> shard_of(const CLI::App& sub, const std::string& json) {
+std::optional<io::ShardOfRun> shard_of(const CLI::App& sub) {
   const CLI::Option* option = sub.get_option("--shard");
   if (option->count() == 0) return {};
-  refuse_option(!json.empty(), "--json",
+  refuse_option(sub.get_option("--json")->count() > 0, "--json",
                 "is of all of a run: plastica export makes it of the merged result");
   std::string part = option->as<std::string>();
   if (part == "auto") part = shard_of_process();

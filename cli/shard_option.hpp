@@ -17,9 +17,8 @@ void add_shard_option(CLI::App& sub);
 
 /// The shard that a run was told to compute; empty: it computes all.
 /// @param sub   the command as it was told
-/// @param json  of `--json`, which a shard cannot write
 /// @throws InputError
-std::optional<io::ShardOfRun> shard_of(const CLI::App& sub, const std::string& json);
+std::optional<io::ShardOfRun> shard_of(const CLI::App& sub);
 
 /// Where a run keeps what is finished: in its journal, or in its shard's file. Where shards are
 /// merged it computes nothing.

@@ -121,7 +121,7 @@ void tell_of_journal(const sweeps::SweepRun& run, bool quiet) {
     tell("plastica: dropped {} bytes of an unfinished record from the journal\n",
          run.journal()->dropped_bytes());
   }
-  tell_of_damage(run.journal()->damaged());
+  if (run.journal()->damaged() > 0 && run.resumed() < run.own()) tell_of_damage();
   if (const std::size_t shards = run.journal()->merged_shards(); shards > 0) {
     if (!quiet) tell("{} of {} shards\n", report::counted(run.resumed(), "case"), shards);
     return;
@@ -239,7 +239,7 @@ void add_sweep(CLI::App& app, const Invocation& invocation, Action& action) {
   arguments->merged = invocation.merged;
   sub->callback([&action, arguments, sub] {
     action = [arguments, sub] {
-      arguments->shard = shard_of(*sub, arguments->json);
+      arguments->shard = shard_of(*sub);
       return sweep_file(*arguments);
     };
   });

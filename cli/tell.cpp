@@ -40,10 +40,8 @@ void tell_notes(std::span<const std::string> notes) {
   for (const std::string& note : notes) tell("plastica: {}\n", note);
 }
 
-void tell_of_damage(std::size_t stretches) {
-  if (stretches == 0) return;
-  tell("plastica: the journal is damaged at {} {}: what stood there runs again\n", stretches,
-       stretches == 1 ? "place" : "places");
+void tell_of_damage() {
+  tell("plastica: what is finished was kept in a file that is damaged: what is lost runs again\n");
 }
 
 void say(const std::string& lines) { fmt::print("{}", shown(lines)); }

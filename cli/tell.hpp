@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <cstddef>
 #include <span>
 #include <string>
 #include <utility>
@@ -22,8 +21,8 @@ void tell(fmt::format_string<Arguments...> format, Arguments&&... arguments) {
 /// Tells the old names that files have, each with the new one.
 void tell_notes(std::span<const std::string> notes);
 
-/// Says that a journal has damaged stretches of bytes; nothing where it has none.
-void tell_of_damage(std::size_t stretches);
+/// Says that what a journal has lost by damage runs again.
+void tell_of_damage();
 
 /// Writes lines to the standard output, as `report::printable` shows them: for text that has names
 /// of the user in it.

@@ -32,10 +32,7 @@ void JournaledFits<Result>::resume(const std::function<bool(Result&)>& usable) {
 template <typename Result>
 void JournaledFits<Result>::deal(const std::string& run, std::size_t together) {
   run_id_ = run;
-  std::vector<std::string> dealt;
-  for (std::size_t i = 0; i < ids_.size(); i += together) dealt.push_back(ids_[i]);
-  const std::vector<bool> own = journal_.begin(run, dealt);
-  for (std::size_t i = 0; i < ids_.size(); ++i) own_.push_back(own[i / together]);
+  own_ = journal_.begin(run, ids_, together);
   progress_.total = static_cast<std::size_t>(std::count(own_.begin(), own_.end(), true));
 }
 

@@ -72,10 +72,10 @@ void SweepRun::deal() {
       distinct.push_back(ids_[i]);
       run.text(ids_[i]);
     }
-    const std::vector<bool> dealt = journal_->begin(io::hexadecimal(run.value()), distinct);
+    const std::vector<bool> own = journal_->begin(io::hexadecimal(run.value()), distinct);
     std::size_t k = 0;
     for (std::size_t i = 0; i < ids_.size(); ++i) {
-      own_[i] = owner_[i] == i ? dealt[k++] : own_[owner_[i]];
+      own_[i] = owner_[i] == i ? own[k++] : own_[owner_[i]];
     }
   }
   const auto count = std::count(own_.begin(), own_.end(), true);

@@ -253,11 +253,10 @@ class SectionJoints final : public SectionJointsBase<L, kElastic> {
       strain[kAxial] = shift[SectionAxes<L>::kAxialShift] * scale.per_length[kAxial];
     }
     typename L::Spin by_axial;
+    const bool axial_given = kSeesAxial && axial_is_given(j, forces);
     const law::SectionResponse<S> now = [&] {
       if constexpr (kSeesAxial) {
-        if (axial_is_given(j, forces)) {
-          return respond_to_axial<First>(j, strain, forces.axial[j], by_axial);
-        }
+        if (axial_given) return respond_to_axial<First>(j, strain, forces.axial[j], by_axial);
       }
       return respond_to<law::Components<First, kR, kElastic>>(j, strain);
     }();
@@ -266,7 +265,7 @@ class SectionJoints final : public SectionJointsBase<L, kElastic> {
     const S energy_length = joint.length[First];
     elastic_[j] = energy_length * now.elastic_energy;
     work_[j] = energy_length * now.plastic_work;
-    if (!excess_.empty()) add_uneven<First>(j, strain, now);
+    if (!excess_.empty()) add_uneven<First>(j, strain, now, axial_given);
 
     typename L::Spin moment;
     Mat<S, kR, kR> slope;
@@ -325,9 +324,10 @@ class SectionJoints final : public SectionJointsBase<L, kElastic> {
   /// d F^2/2K more and dissipates d F dp more, p = strain - F/K its permanent part. In a step that
   /// flows by dp with the slope H = dF/dp = K T/(K - T) the mean of F is F - H dp/2, exactly for
   /// ideal plasticity and linear hardening.
+  /// @param axial_given  the axial force does no work here, and its strain is not in `strain`
   template <std::size_t First>
   void add_uneven(std::size_t j, const law::SectionStrain<S>& strain,
-                  const law::SectionResponse<S>& now) {
+                  const law::SectionResponse<S>& now, bool axial_given) {
     const S half = constant<S>(0.5);
     const auto add = [&](std::size_t k) {
       const S& stiffness = joints_[j].stiffness[k];
@@ -344,7 +344,9 @@ class SectionJoints final : public SectionJointsBase<L, kElastic> {
       }
     };
     for (std::size_t k = 1; k < kR; ++k) add(First + k);
-    if constexpr (kElastic) add(kAxial);
+    if constexpr (kElastic) {
+      if (!axial_given) add(kAxial);
+    }
   }
 
   template <std::size_t First>

@@ -26,7 +26,7 @@ struct Marks {
   int resumptions = 0;
   std::string instruction_set{};  ///< empty in journals of older versions
   std::optional<ShardMark> shard{};
-  std::optional<std::size_t> damaged_at_end{};  ///< of a shard that has ended
+  bool shard_ended = false;
 };
 
 /// Takes the marks out of a journal's records.
@@ -40,7 +40,7 @@ Marks take_marks(std::vector<JournalRecord>& records, const std::string& path) {
     } else if (record.id == kShardMark) {
       marks.shard = shard_mark_from_bytes(record.payload, path);
     } else if (record.id == kShardEnd) {
-      marks.damaged_at_end = damaged_at_shard_end(record.payload, path);
+      marks.shard_ended = true;
     } else {
       return false;
     }
@@ -84,6 +84,13 @@ bool shall_go_on(const JournalContent& found, const Marks& marks, const JournalP
   return false;
 }
 
+/// The first of each group of cases that stay together.
+std::vector<std::string> first_of_each(std::span<const std::string> ids, std::size_t together) {
+  std::vector<std::string> first;
+  for (std::size_t i = 0; i < ids.size(); i += together) first.push_back(ids[i]);
+  return first;
+}
+
 }  // namespace
 
 std::string journal_path(const std::string& output) { return output + ".journal"; }
@@ -109,7 +116,7 @@ CaseJournal::CaseJournal(const JournalPolicy& policy, std::uint64_t kind, std::s
   dropped_bytes_ = content.dropped_bytes;
   found_shard_ = marks.shard;
   damaged_ = content.damaged;
-  shard_ended_ = marks.damaged_at_end == damaged_;
+  shard_ended_ = marks.shard_ended;
   journal_.emplace(Journal::resume(policy.path, kind, content));
   if (content.records.empty() && !marks.shard) return;
   if (marks.instruction_set != policy.instruction_set) {
@@ -124,15 +131,16 @@ CaseJournal::CaseJournal(const JournalPolicy& policy, std::uint64_t kind, std::s
   }
 }
 
-std::vector<bool> CaseJournal::begin(const std::string& run, std::span<const std::string> ids) {
-  if (merged_) check_merged(run, ids);
-  if (shard_ || found_shard_) return begin_shard(run, ids);
+std::vector<bool> CaseJournal::begin(const std::string& run, std::span<const std::string> ids,
+                                     std::size_t together) {
+  if (merged_) check_merged(run, ids, together);
+  if (shard_ || found_shard_) return begin_shard(run, ids, together);
   return std::vector<bool>(ids.size(), true);
 }
 
 void CaseJournal::take_merged(const MergedShards& merged, std::uint64_t kind) {
   const auto refuse = [](const std::string& rule) { throw InputError({}, "shards", "", rule); };
-  if (read_journal(path_, kind).state == JournalState::InUse) {
+  if (is_in_use(path_)) {
     throw StorageError(path_, "is in use by another run");
   }
   if (merged.kind != kind) {
@@ -151,23 +159,37 @@ void CaseJournal::take_merged(const MergedShards& merged, std::uint64_t kind) {
 }
 
 /// Nothing is to be computed where shards are merged.
-void CaseJournal::check_merged(const std::string& run, std::span<const std::string> ids) const {
-  const bool has_all =
-      std::ranges::all_of(ids, [&](const std::string& id) { return found_.contains(id); });
-  if (merged_->run == run && has_all) return;
-  throw InputError(
-      {}, "shards", "",
-      "were computed of other inputs, options or version than are here: run merge where "
-      "they ran, or in a copy of that folder");
+void CaseJournal::check_merged(const std::string& run, std::span<const std::string> ids,
+                               std::size_t together) const {
+  const auto refuse = [](const std::string& rule) { throw InputError({}, "shards", "", rule); };
+  if (merged_->run != run) {
+    refuse(
+        "were computed of other inputs, options or version than are here: run merge where they "
+        "ran, or in a copy of that folder");
+  }
+  const auto lost =
+      std::ranges::find_if(ids, [&](const std::string& id) { return !found_.contains(id); });
+  if (lost == ids.end()) return;
+  const auto at = static_cast<std::size_t>(lost - ids.begin()) / together;
+  const std::size_t index = dealt(first_of_each(ids, together), merged_->shard.count)[at];
+  refuse(words_of(Shard{index, merged_->shard.count}) +
+         " has lost what it had, by damage: --resume of it runs that again");
 }
 
-std::vector<bool> CaseJournal::begin_shard(const std::string& run,
-                                           std::span<const std::string> ids) {
+std::vector<bool> CaseJournal::begin_shard(const std::string& run, std::span<const std::string> ids,
+                                           std::size_t together) {
   const auto refuse = [&](const std::string& what) {
     throw InputError({path_, 0}, "", "", "is " + what + ": use --force to start afresh");
   };
   if (!shard_) refuse(words_of(found_shard_->shard) + " of a run");
-  std::vector<bool> own = own_cases(ids, shard_->shard);
+  const std::vector<std::size_t> shards = dealt(first_of_each(ids, together), shard_->shard.count);
+  std::vector<bool> own(ids.size());
+  bool has_all = true;
+  for (std::size_t i = 0; i < ids.size(); ++i) {
+    own[i] = shards[i / together] == shard_->shard.index;
+    has_all = has_all && (!own[i] || found_.contains(ids[i]));
+  }
+  shard_ended_ = shard_ended_ && has_all;
   if (found_shard_) {
     if (found_shard_->shard != shard_->shard) refuse(words_of(found_shard_->shard));
     if (found_shard_->run != run) refuse("a shard of a run of other inputs, options or version");
@@ -181,7 +203,8 @@ std::vector<bool> CaseJournal::begin_shard(const std::string& run,
 }
 
 void CaseJournal::end_shard() {
-  if (!shard_ended_) journal_->append(kShardEnd, bytes_of_shard_end(damaged_));
+  if (!journal_) throw std::logic_error("CaseJournal::end_shard: there is no shard");
+  if (!shard_ended_) journal_->append(kShardEnd, {});
   journal_->sync();
 }
 

@@ -75,16 +75,18 @@ class CaseJournal {
   /// Of a shard the file then says so, too.
   /// @param run  a digest of all that decides the results
   /// @param ids  of all cases (n)
+  /// @param together  as many cases as go to one shard, one behind the other
   /// @return which of them are to be computed: all, or the shard's own (n)
   /// @throws InputError if the file is of another shard, or of a shard of another run; if the
   /// merged
   ///         shards are
-  std::vector<bool> begin(const std::string& run, std::span<const std::string> ids);
+  std::vector<bool> begin(const std::string& run, std::span<const std::string> ids,
+                          std::size_t together = 1);
   /// How many shards all cases were merged of; 0: they were not.
   std::size_t merged_shards() const { return merged_ ? merged_->shard.count : 0; }
   /// Says in a shard's file that all of its cases are there. @throws StorageError
   void end_shard();
-  /// Whether it said so when it was found.
+  /// Whether it said so when it was found, and has them all. To be asked after `begin`.
   bool shard_ended() const { return shard_ended_; }
 
   /// Adds a finished case; may be called by several threads. @throws StorageError
@@ -96,8 +98,10 @@ class CaseJournal {
 
  private:
   void take_merged(const MergedShards& merged, std::uint64_t kind);
-  void check_merged(const std::string& run, std::span<const std::string> ids) const;
-  std::vector<bool> begin_shard(const std::string& run, std::span<const std::string> ids);
+  void check_merged(const std::string& run, std::span<const std::string> ids,
+                    std::size_t together) const;
+  std::vector<bool> begin_shard(const std::string& run, std::span<const std::string> ids,
+                                std::size_t together);
 
   std::string path_;
   std::string noun_;

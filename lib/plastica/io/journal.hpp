@@ -50,6 +50,9 @@ JournalContent read_journal(const std::string& path, std::uint64_t run_digest);
 /// The same of whatever run, and through links: of a file that will not be written.
 JournalContent read_any_journal(const std::string& path);
 
+/// Whether another run is writing a journal. What cannot be looked at is in nobody's use.
+bool is_in_use(const std::string& path);
+
 /// An append-only file of finished cases beside an output, which survives `kill -9` at any byte.
 ///
 /// Layout, little-endian: "PLASTJNL", version (8 bytes), run digest (8); then per record the

@@ -52,14 +52,9 @@ ReadShard read_shard(const std::string& path) {
                      ? "is damaged: it does not say of which run it is a shard"
                      : "is the journal of an interrupted run, not a shard");
   }
-  std::optional<std::size_t> damaged_at_end;
-  for (const JournalRecord& record : content.records) {
-    if (record.id == kShardEnd) damaged_at_end = damaged_at_shard_end(record.payload, path);
-  }
-  if (content.damaged > damaged_at_end.value_or(0)) {
-    refuse(path, "is damaged: --resume of " + words_of(mark->shard) + " runs again what it lost");
-  }
-  if (!damaged_at_end || content.dropped_bytes > 0) {
+  const bool ended = std::ranges::any_of(
+      content.records, [](const JournalRecord& record) { return record.id == kShardEnd; });
+  if (!ended || content.dropped_bytes > 0) {
     refuse(path, "is " + words_of(mark->shard) + ", and not complete: --resume of it goes on");
   }
   std::erase_if(content.records, [](const JournalRecord& record) {

@@ -71,29 +71,38 @@ struct Found {
   std::size_t size = 0;  ///< with its head
 };
 
+std::uint64_t number_at(std::span<const std::byte> bytes, std::size_t at) {
+  std::uint64_t number = 0;
+  std::memcpy(&number, bytes.data() + at, sizeof number);
+  return number;
+}
+
 /// The record that bytes begin with; nothing if they begin with none, or one that is not whole.
-std::optional<Found> record_at(std::span<const std::byte> bytes, const std::string& path) {
+/// @param checked  grows by the bytes that were read to tell
+std::optional<Found> record_at(std::span<const std::byte> bytes, std::size_t& checked) {
   if (bytes.size() < kRecordHeadBytes) return {};
-  ByteReader head(bytes.first(kRecordHeadBytes), path);
-  const auto id_bytes = head.get<std::uint64_t>();
-  const auto payload_bytes = head.get<std::uint64_t>();
-  const auto checksum = head.get<std::uint64_t>();
+  const std::uint64_t id_bytes = number_at(bytes, 0);
+  const std::uint64_t payload_bytes = number_at(bytes, 8);
   const std::uint64_t room = bytes.size() - kRecordHeadBytes;
   if (id_bytes > room || payload_bytes > room - id_bytes) return {};
   const auto id_part = bytes.subspan(kRecordHeadBytes, static_cast<std::size_t>(id_bytes));
   const auto payload =
       bytes.subspan(kRecordHeadBytes + id_part.size(), static_cast<std::size_t>(payload_bytes));
   const std::string_view id(reinterpret_cast<const char*>(id_part.data()), id_part.size());
-  if (journal_layout::checksum_of(id, payload) != checksum) return {};
-  return Found{id, payload, kRecordHeadBytes + id_part.size() + payload.size()};
+  const std::size_t size = kRecordHeadBytes + id_part.size() + payload.size();
+  checked += size;
+  if (journal_layout::checksum_of(id, payload) != number_at(bytes, 16)) return {};
+  return Found{id, payload, size};
 }
 
-/// Takes every record that is whole. Behind a damaged one the next is looked for at each byte.
-void read_records(std::span<const std::byte> bytes, const std::string& path,
-                  JournalContent& content) {
+/// Takes every record that is whole. Behind a damaged one the next is looked for at each byte, as
+/// long as that does not read the file some twenty times: small numbers look like lengths.
+void read_records(std::span<const std::byte> bytes, JournalContent& content) {
+  const std::size_t most = 20 * bytes.size() + (std::size_t{1} << 24U);
+  std::size_t checked = 0;
   std::size_t end = 0;  // of the last record
-  for (std::size_t at = 0; at < bytes.size();) {
-    const std::optional<Found> found = record_at(bytes.subspan(at), path);
+  for (std::size_t at = 0; at < bytes.size() && checked <= most;) {
+    const std::optional<Found> found = record_at(bytes.subspan(at), checked);
     if (!found) {
       ++at;
       continue;
@@ -138,7 +147,7 @@ JournalContent read(const std::string& path, std::optional<std::uint64_t> run_di
     content.state = JournalState::OtherRun;
     return content;
   }
-  read_records(all.subspan(kHeaderBytes), path, content);
+  read_records(all.subspan(kHeaderBytes), content);
   return content;
 }
 
@@ -146,6 +155,11 @@ JournalContent read(const std::string& path, std::optional<std::uint64_t> run_di
 
 JournalContent read_journal(const std::string& path, std::uint64_t run_digest) {
   return read(path, run_digest, Links::Refused);
+}
+
+bool is_in_use(const std::string& path) {
+  const FileDescriptor file(::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC));
+  return file.get() >= 0 && ::flock(file.get(), LOCK_SH | LOCK_NB) != 0 && errno == EWOULDBLOCK;
 }
 
 JournalContent read_any_journal(const std::string& path) { return read(path, {}, Links::Followed); }

@@ -51,7 +51,7 @@ std::string shard_path(const std::string& output, const Shard& shard) {
   return output + ".shard-" + std::to_string(shard.index) + "-of-" + std::to_string(shard.count);
 }
 
-std::vector<bool> own_cases(std::span<const std::string> ids, const Shard& shard) {
+std::vector<std::size_t> dealt(std::span<const std::string> ids, std::size_t count) {
   std::vector<std::uint64_t> digest(ids.size());
   std::transform(ids.begin(), ids.end(), digest.begin(),
                  [](const std::string& id) { return Digest().text(id).value(); });
@@ -60,9 +60,9 @@ std::vector<bool> own_cases(std::span<const std::string> ids, const Shard& shard
   std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
     return digest[a] != digest[b] ? digest[a] < digest[b] : ids[a] < ids[b];
   });
-  std::vector<bool> own(ids.size(), false);
-  for (std::size_t k = shard.index - 1; k < order.size(); k += shard.count) own[order[k]] = true;
-  return own;
+  std::vector<std::size_t> shard(ids.size());
+  for (std::size_t k = 0; k < order.size(); ++k) shard[order[k]] = k % count + 1;
+  return shard;
 }
 
 std::vector<std::byte> bytes_of(const ShardMark& mark) {
@@ -90,17 +90,6 @@ ShardMark shard_mark_from_bytes(std::span<const std::byte> bytes, const std::str
     throw StorageError(path, "says that it is " + words_of(mark.shard));
   }
   return mark;
-}
-
-std::vector<std::byte> bytes_of_shard_end(std::size_t damaged) {
-  return ByteWriter().put(std::uint64_t{damaged}).take();
-}
-
-std::size_t damaged_at_shard_end(std::span<const std::byte> bytes, const std::string& path) {
-  ByteReader reader(bytes, path);
-  const auto damaged = static_cast<std::size_t>(reader.get<std::uint64_t>());
-  reader.expect_end();
-  return damaged;
 }
 
 }  // namespace plastica::io

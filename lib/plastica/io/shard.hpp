@@ -30,12 +30,12 @@ std::string words_of(const Shard& shard);
 /// Where the shard of an output stands: beside it, "OUT.h5.shard-2-of-7".
 std::string shard_path(const std::string& output, const Shard& shard);
 
-/// Which cases are a shard's own. The shards have all cases once, and as many as one another but
-/// for one. Neighbours, which often take alike long, go to different shards: the cases are dealt in
-/// the order of a digest of their ids.
+/// Which shard has which case. The shards have all cases once, and as many as one another but for
+/// one. Neighbours, which often take alike long, go to different shards: the cases are dealt in the
+/// order of a digest of their ids.
 /// @param ids  of all cases, each once (n)
-/// @return (n)
-std::vector<bool> own_cases(std::span<const std::string> ids, const Shard& shard);
+/// @return numbers of shards, 1 … count (n)
+std::vector<std::size_t> dealt(std::span<const std::string> ids, std::size_t count);
 
 /// What a shard's file says of the run of which it is a part.
 struct ShardMark {
@@ -57,12 +57,7 @@ ShardMark shard_mark_from_bytes(std::span<const std::byte> bytes, const std::str
 
 /// What the file is a shard of.
 inline constexpr std::string_view kShardMark = "shard";
-/// That all of its cases are there. Its payload says how many damaged stretches of bytes the file
-/// had then, whose cases stand there again; more of them have taken cases since.
+/// That all of its cases were there. A case that is lost since is missed by its id.
 inline constexpr std::string_view kShardEnd = "end of shard";
-
-std::vector<std::byte> bytes_of_shard_end(std::size_t damaged);
-/// @throws StorageError
-std::size_t damaged_at_shard_end(std::span<const std::byte> bytes, const std::string& path);
 
 }  // namespace plastica::io

@@ -17,6 +17,12 @@ std::vector<std::string> some_ids(std::size_t count) {
   return ids;
 }
 
+std::vector<bool> own_cases(const std::vector<std::string>& ids, const Shard& shard) {
+  std::vector<bool> own;
+  for (const std::size_t index : dealt(ids, shard.count)) own.push_back(index == shard.index);
+  return own;
+}
+
 TEST(Shard, IsReadFromItsNumberAndTheirs) {
   EXPECT_EQ(parse_shard("--shard", "2/7"), (Shard{2, 7}));
   EXPECT_EQ(parse_shard("--shard", "1/1"), (Shard{1, 1}));
