@@ -112,5 +112,39 @@ TEST(HardeningSurface, OfABeamThatTurnsFarDoesNotDependOnTheSteps) {
   }
 }
 
+// A pull far below yield: no work is plastic, and what is stored is N^2 L/2 E A, however stiff a
+// spring holds the rotation on the way.
+TEST(SpringWithinABeam, TakesNoPartInTheWorkOfAPull) {
+  for (const double stiffness : {1e3, 1e6, 1e8}) {
+    Scene scene = testing::cantilever_scene(20);
+    scene.section = {.width = 0.03, .height = 0.025};
+    scene.material = Material{};
+    scene.material.yield_stress = 355e6;
+    scene.supports.push_back({.at = {0.2, {}},
+                              .kind = SupportKind::Elastic,
+                              .rotational_stiffness = {stiffness, 0.0, 0.0}});
+    scene.loads.push_back({.force = {0.0, 0.0, 1e3}});
+    const double stored =
+        1e6 * scene.beam.length / (2.0 * scene.material.youngs_modulus * 0.03 * 0.025);
+    for (const Level level : {Level::Planar, Level::Spatial}) {
+      SolverOptions options{.level = level, .steps = 4};
+      options.translation = JointTranslation::Elastic;
+      for (const YieldModel model :
+           {YieldModel::PerAxis, YieldModel::Interaction, YieldModel::Fibre}) {
+        scene.yield_model = model;
+        const Response response = simulate(scene, options);
+        ASSERT_EQ(response.status, Status::Completed) << name_of(response.status);
+        const Energies& last = response.chain.energy.back();
+        EXPECT_NEAR(last.plastic, 0.0, 1e-12 * stored)
+            << stiffness << ", model " << static_cast<int>(model);
+        EXPECT_NEAR(last.elastic, stored, 1e-6 * stored)
+            << stiffness << ", model " << static_cast<int>(model);
+        EXPECT_NEAR(last.external, stored, 1e-6 * stored)
+            << stiffness << ", model " << static_cast<int>(model);
+      }
+    }
+  }
+}
+
 }  // namespace
 }  // namespace plastica
