@@ -1,5 +1,7 @@
 #include "cli/shard_option.hpp"
 
+#include <fmt/format.h>
+
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <array>
@@ -69,7 +71,7 @@ std::vector<std::string> words_again(const CLI::App& sub) {
       if (option->get_positional()) {
         inputs.push_back(value);
       } else if (!value.empty()) {
-        words.push_back(name + "=" + value);  // of a flag "true" or "false"
+        words.push_back(fmt::format("{}={}", name, value));  // of a flag "true" or "false"
       }
     }
   }
