@@ -12,7 +12,6 @@
 
 #include "cli/run_files.hpp"
 #include "cli/tell.hpp"
-#include "plastica/report/format.hpp"
 
 namespace plastica::cli {
 
