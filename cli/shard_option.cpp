@@ -85,9 +85,9 @@ std::optional<io::ShardOfRun> shard_of(const CLI::App& sub) {
   if (option->count() == 0) return {};
   refuse_option(sub.get_option("--json")->count() > 0, "--json",
                 "is of all of a run: plastica export makes it of the merged result");
-  std::string part = option->as<std::string>();
-  if (part == "auto") part = shard_of_process();
-  return io::ShardOfRun{io::parse_shard("--shard", part), words_again(sub)};
+  std::string text = option->as<std::string>();
+  if (text == "auto") text = shard_of_process();
+  return io::ShardOfRun{io::parse_shard("--shard", text), words_again(sub)};
 }
 
 io::JournalPolicy policy_of(const std::string& output, std::optional<io::ShardOfRun> shard,

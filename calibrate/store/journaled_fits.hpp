@@ -92,9 +92,8 @@ class JournaledFits {
   /// @throws InputError as `io::CaseJournal::begin`
   void deal(const std::string& run, std::size_t together = 1);
   /// Takes the results of its own fits that the journal has.
-  /// @param usable  told each; false: it is stale, whatever its id. It may change the result;
-  /// empty:
-  ///                all are usable
+  /// @param usable  told each, which it may change; false: it is stale, whatever its id. Empty: all
+  ///                are usable
   void resume(const std::function<bool(Result&)>& usable = {});
   /// Whether a fit is to be done here.
   bool is_own(std::size_t index) const { return own_[index]; }

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <random>
+#include <sstream>
+#include <utility>
 
 #include "tests/cli/curves.hpp"
 #include "tests/cli/results.hpp"
@@ -76,6 +78,38 @@ TEST(SameBits, AreNotFoundWhereAFitWasToldOtherwise) {
   for (const char* path : {"/options/seed", "/evaluations/values", "/inputs/text"}) {
     EXPECT_NE(compared.out.find(path), std::string::npos) << compared.out << compared.err;
   }
+}
+
+/// How many evaluations a result has in its report, and how many rows of them in its file.
+std::pair<int, int> evaluations_of(const Workplace& place, const std::string& result) {
+  const CommandResult shown = place.run_program(
+      PLASTICA_PYTHON,
+      {"-c",
+       "import h5py, sys; f = h5py.File(sys.argv[1]); rows = f['evaluations/cost'].shape[0]; "
+       "print(rows + int(f['fits/evaluations_left_out'][()].sum()), rows)",
+       result});
+  EXPECT_EQ(shown.code, 0) << shown.err;
+  std::pair<int, int> counts;
+  std::istringstream(shown.out) >> counts.first >> counts.second;
+  return counts;
+}
+
+// Of a hundred fits each evaluation is stored, of one more only how many there were.
+TEST(LargeRuns, StoreHowManyEvaluationsThereWere) {
+  const Workplace place;
+  for (int i = 0; i <= 100; ++i) {
+    place.write(fmt::format("curve-{:03}.csv", i), broken_curve(300.0 + i, 1));
+  }
+  place.write("large.toml", fit_file("'curve-*.csv'"));
+  place.write("small.toml", fit_file("'curve-0*.csv'"));
+  ASSERT_EQ(place.run({"calibrate", "large.toml", "-o", "large.h5", "--quiet"}).code, 0);
+  ASSERT_EQ(place.run({"calibrate", "small.toml", "-o", "small.h5", "--quiet"}).code, 0);
+  const auto [of_small, rows_of_small] = evaluations_of(place, "small.h5");
+  const auto [of_large, rows_of_large] = evaluations_of(place, "large.h5");
+  EXPECT_GT(of_small, 100);
+  EXPECT_EQ(rows_of_small, of_small);
+  EXPECT_GT(of_large, of_small);
+  EXPECT_EQ(rows_of_large, 0);
 }
 
 }  // namespace

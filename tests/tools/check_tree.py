@@ -36,6 +36,8 @@ LEFT_TO_DO = re.compile(r"\b(TO" r"DO|FIX" r"ME|XX" r"X)\b")
 CONFLICT = re.compile(r"^(<{7}|>{7}) ", re.M)
 MACHINE_PATH = re.compile(r"(?<![\w.}*-])/(home|root|Users|w[o]rk)/")
 SOURCE = {".cpp", ".hpp"}
+# What commands write where they are run: beside the clone's folders it was left behind.
+LEFT_BEHIND = {".csv", ".h5", ".log", ".png", ".svg", ".toml", ".xml"}
 COUNTED = SOURCE | {".py", ".cmake"}
 
 
@@ -115,6 +117,8 @@ def breaches(root):
             text = (root / path).read_text(encoding="utf-8")
         except UnicodeDecodeError:
             continue  # data in another encoding, as laboratories write it
+        if path.parent == pathlib.Path(".") and path.suffix in LEFT_BEHIND:
+            found.append(f"{path}: a command has left it here")
         found += check_length(path, text)
         found += check_words(path, text)
         if path.suffix == ".md":

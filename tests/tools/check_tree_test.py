@@ -54,6 +54,10 @@ class CheckTree(unittest.TestCase):
         self.assertEqual([], self.breaches(README_dot_md="a\n" * 250, docs__a_dot_md="a\n" * 251))
         self.assert_one(self.breaches(README_dot_md="a\n" * 251), "251 lines")
 
+    def test_what_a_command_leaves_in_the_root_is_a_breach(self):
+        self.assertEqual([], self.breaches(data__scene_dot_toml="a = 1\n"))
+        self.assert_one(self.breaches(scene_dot_toml="a = 1\n"), "scene.toml: a command has left")
+
     def test_a_header_without_pragma_once_is_a_breach(self):
         self.assert_one(self.breaches(cli__a_dot_hpp="int a();\n"), "no #pragma once")
 

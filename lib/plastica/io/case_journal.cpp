@@ -96,10 +96,7 @@ std::vector<std::string> first_of_each(std::span<const std::string> ids, std::si
 std::string journal_path(const std::string& output) { return output + ".journal"; }
 
 CaseJournal::CaseJournal(const JournalPolicy& policy, std::uint64_t kind, std::string_view noun)
-    : path_(policy.path),
-      noun_(noun),
-      instruction_set_(policy.instruction_set),
-      shard_(policy.shard) {
+    : path_(policy.path), instruction_set_(policy.instruction_set), shard_(policy.shard) {
   if (policy.merged != nullptr) {
     take_merged(*policy.merged, kind);
     return;
@@ -140,9 +137,7 @@ std::vector<bool> CaseJournal::begin(const std::string& run, std::span<const std
 
 void CaseJournal::take_merged(const MergedShards& merged, std::uint64_t kind) {
   const auto refuse = [](const std::string& rule) { throw InputError({}, "shards", "", rule); };
-  if (is_in_use(path_)) {
-    throw StorageError(path_, "is in use by another run");
-  }
+  if (is_in_use(path_)) throw StorageError(path_, "is in use by another run");
   if (merged.kind != kind) {
     refuse("were computed by another version of plastica: merge them by that one");
   }
@@ -195,9 +190,7 @@ std::vector<bool> CaseJournal::begin_shard(const std::string& run, std::span<con
     if (found_shard_->run != run) refuse("a shard of a run of other inputs, options or version");
     return own;
   }
-  const auto count = static_cast<std::size_t>(std::count(own.begin(), own.end(), true));
-  journal_->append(kShardMark, bytes_of({shard_->shard, run, ids.size(), count, noun_,
-                                         instruction_set_, shard_->words}));
+  journal_->append(kShardMark, bytes_of({shard_->shard, run, instruction_set_, shard_->words}));
   empty_ = false;
   return own;
 }

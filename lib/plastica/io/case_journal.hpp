@@ -77,9 +77,8 @@ class CaseJournal {
   /// @param ids  of all cases (n)
   /// @param together  as many cases as go to one shard, one behind the other
   /// @return which of them are to be computed: all, or the shard's own (n)
-  /// @throws InputError if the file is of another shard, or of a shard of another run; if the
-  /// merged
-  ///         shards are
+  /// @throws InputError if the file is another shard, or the shards that are there are of another
+  ///         run, or lack a case
   std::vector<bool> begin(const std::string& run, std::span<const std::string> ids,
                           std::size_t together = 1);
   /// How many shards all cases were merged of; 0: they were not.
@@ -104,7 +103,6 @@ class CaseJournal {
                                 std::size_t together);
 
   std::string path_;
-  std::string noun_;
   std::string instruction_set_;
   std::optional<ShardOfRun> shard_;
   std::unordered_map<std::string, std::vector<std::byte>> found_;

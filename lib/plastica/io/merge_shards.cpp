@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "plastica/base/check.hpp"
+#include "plastica/base/listed.hpp"
 #include "plastica/io/journal.hpp"
 
 namespace plastica::io {
@@ -63,19 +64,6 @@ ReadShard read_shard(const std::string& path) {
   return {path, content.run_digest, std::move(*mark), std::move(content.records)};
 }
 
-/// "2, 5 and 7", or of many "2, 5, 7 and 12 more".
-std::string list_of(const std::vector<std::size_t>& numbers) {
-  constexpr std::size_t kShown = 8;
-  const std::size_t shown = numbers.size() <= kShown + 1 ? numbers.size() : kShown;
-  std::string list;
-  for (std::size_t i = 0; i < shown; ++i) {
-    const bool last = i + 1 == numbers.size();
-    list += (i == 0 ? "" : last ? " and " : ", ") + std::to_string(numbers[i]);
-  }
-  if (shown < numbers.size()) list += " and " + std::to_string(numbers.size() - shown) + " more";
-  return list;
-}
-
 [[noreturn]] void refuse_both(const ReadShard& a, const ReadShard& b, const std::string& rule) {
   throw InputError({}, "shards", "", a.path + " and " + b.path + " " + rule);
 }
@@ -97,23 +85,24 @@ void check_alike(const ReadShard& a, const ReadShard& b) {
 
 /// @param shards  in the order of their numbers
 void check_together(std::span<const ReadShard> shards) {
-  std::vector<std::size_t> missing;
-  std::size_t expected = 1;
+  constexpr std::size_t kShown = 8;
+  const ReadShard& first = shards.front();
+  std::vector<const ReadShard*> at(first.mark.shard.count, nullptr);
   for (const ReadShard& one : shards) {
-    check_alike(shards.front(), one);
-    const std::size_t index = one.mark.shard.index;
-    if (index < expected) {
-      refuse_both(*(&one - 1), one, "are both " + words_of(one.mark.shard));
-    }
-    for (; expected < index; ++expected) missing.push_back(expected);
-    ++expected;
+    check_alike(first, one);
+    const ReadShard*& place = at[one.mark.shard.index - 1];
+    if (place != nullptr) refuse_both(*place, one, "are both " + words_of(one.mark.shard));
+    place = &one;
   }
-  const std::size_t count = shards.front().mark.shard.count;
-  for (; expected <= count; ++expected) missing.push_back(expected);
+  std::vector<std::string> missing;
+  for (std::size_t i = 0; i < at.size(); ++i) {
+    if (at[i] == nullptr) missing.push_back(std::to_string(i + 1));
+  }
   if (missing.empty()) return;
+  const bool one = missing.size() == 1;
   throw InputError({}, "shards", "",
-                   (missing.size() == 1 ? "shard " : "shards ") + list_of(missing) + " of " +
-                       std::to_string(count) + (missing.size() == 1 ? " is" : " are") + " missing");
+                   (one ? "shard " : "shards ") + listed(missing, kShown) + " of " +
+                       std::to_string(at.size()) + (one ? " is" : " are") + " missing");
 }
 
 }  // namespace

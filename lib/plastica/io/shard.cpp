@@ -68,8 +68,7 @@ std::vector<std::size_t> dealt(std::span<const std::string> ids, std::size_t cou
 std::vector<std::byte> bytes_of(const ShardMark& mark) {
   ByteWriter writer;
   writer.put(std::uint64_t{mark.shard.index}).put(std::uint64_t{mark.shard.count});
-  writer.put(mark.run).put(std::uint64_t{mark.cases}).put(std::uint64_t{mark.own});
-  writer.put(mark.noun).put(mark.instruction_set).put(mark.words);
+  writer.put(mark.run).put(mark.instruction_set).put(mark.words);
   return writer.take();
 }
 
@@ -79,9 +78,6 @@ ShardMark shard_mark_from_bytes(std::span<const std::byte> bytes, const std::str
   mark.shard.index = static_cast<std::size_t>(reader.get<std::uint64_t>());
   mark.shard.count = static_cast<std::size_t>(reader.get<std::uint64_t>());
   mark.run = reader.get<std::string>();
-  mark.cases = static_cast<std::size_t>(reader.get<std::uint64_t>());
-  mark.own = static_cast<std::size_t>(reader.get<std::uint64_t>());
-  mark.noun = reader.get<std::string>();
   mark.instruction_set = reader.get<std::string>();
   mark.words = reader.get<std::vector<std::string>>();
   reader.expect_end();

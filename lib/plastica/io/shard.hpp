@@ -41,9 +41,6 @@ std::vector<std::size_t> dealt(std::span<const std::string> ids, std::size_t cou
 struct ShardMark {
   Shard shard;
   std::string run{};              ///< of all shards alike: a digest of all that the run computes
-  std::size_t cases = 0;          ///< of the run
-  std::size_t own = 0;            ///< of these the shard's
-  std::string noun{};             ///< what the cases are called, in the plural
   std::string instruction_set{};  ///< that it was computed with
   /// The command that computed it, options before inputs, without what is told to one shard alone.
   std::vector<std::string> words{};

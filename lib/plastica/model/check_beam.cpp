@@ -4,8 +4,10 @@
 #include <numeric>
 #include <span>
 #include <string_view>
+#include <vector>
 
 #include "plastica/base/check.hpp"
+#include "plastica/base/listed.hpp"
 #include "plastica/model/beam_axis.hpp"
 #include "plastica/model/check_parts.hpp"
 #include "plastica/model/check_value.hpp"
@@ -139,15 +141,12 @@ void check_regions(const Scene& scene, Ends ends) {
 /// The names of places, the first few of many.
 std::string names_of(std::span<const NodePlace> places) {
   constexpr std::size_t kMost = 4;
-  std::string names;
-  for (std::size_t i = 0; i < std::min(kMost, places.size()); ++i) {
-    const NodePlace& place = places[i];
-    const bool last = i + 1 == places.size();
-    if (i > 0) names += last ? " and " : ", ";
-    names += item_name(place.list, place.index, place.key) + " = " + number_text(place.fraction);
+  std::vector<std::string> names;
+  for (const NodePlace& place : places) {
+    names.push_back(item_name(place.list, place.index, place.key) + " = " +
+                    number_text(place.fraction));
   }
-  if (places.size() > kMost) names += " and " + std::to_string(places.size() - kMost) + " more";
-  return names;
+  return listed(names, kMost);
 }
 
 /// Segments end where regions, supports, loads and corners are.

@@ -9,6 +9,7 @@
 #include "plastica/io/case_journal.hpp"
 #include "tests/lib/io/message_from.hpp"
 #include "tests/lib/io/scratch_folder.hpp"
+#include "tests/support/sanitized.hpp"
 
 namespace plastica::io {
 namespace {
@@ -56,8 +57,6 @@ TEST_F(MergeShards, HaveAllCasesOfTheRun) {
   const MergedShards merged = merge_shards(std::vector{make({3, 3}), make({1, 3}), make({2, 3})});
   EXPECT_EQ(merged.mark.run, "run");
   EXPECT_EQ(merged.mark.shard, (Shard{1, 3}));
-  EXPECT_EQ(merged.mark.cases, kCases.size());
-  EXPECT_EQ(merged.mark.noun, "fits");
   EXPECT_EQ(merged.mark.words, (std::vector<std::string>{"calibrate", "fit.toml"}));
   const std::vector<std::string> names = folder_.names();
   {
@@ -227,16 +226,17 @@ TEST_F(MergeShards, RefuseOneThatHasLostARecordSinceItEnded) {
   EXPECT_EQ(journal.find("c"), nullptr);
 }
 
-// Numbers that look like lengths, as far as the file is long: to look for a record behind each
-// would read the file as often as it has bytes.
+// Numbers that look like lengths, as far as the file is long: to read what stands behind each would
+// take hours, and the test's time limit ends it.
 TEST_F(MergeShards, AreReadInTimeWhateverTheyAreFilledWith) {
   const std::string whole = content_of(make({1, 1}));
   std::string filled = whole.substr(0, whole.find("ccc"));
-  for (std::uint64_t i = 0; i < 100'000; ++i) {
+  const std::uint64_t numbers = testing::kSanitized ? 200'000 : 2'000'000;
+  for (std::uint64_t i = 0; i < numbers; ++i) {
     filled.append(reinterpret_cast<const char*>(&i), sizeof i);
   }
   folder_.write("out.shard-1-of-1", filled);
-  EXPECT_NE(said_of({policy({1, 1}).path}), "no error");  // within the test's time limit
+  EXPECT_NE(said_of({policy({1, 1}).path}), "no error");
 }
 
 TEST_F(MergeShards, RefuseFilesThatAreNone) {
@@ -281,14 +281,17 @@ TEST_F(MergeShards, GoOnWhereTheyWereInterrupted) {
     journal.end_shard();
   }
   EXPECT_TRUE(CaseJournal(policy({1, 1}, true), kKind, "fits").shard_ended());
-  EXPECT_EQ(merge_shards(std::vector{policy({1, 1}).path}).mark.cases, 5U);
+  EXPECT_EQ(merge_shards(std::vector{policy({1, 1}).path}).mark.run, "run");
 }
 
 // More shards than cases: an array of jobs must not fail for it.
 TEST_F(MergeShards, MayHaveNoCase) {
   std::vector<std::string> shards;
   for (std::size_t index = 1; index <= 8; ++index) shards.push_back(make({index, 8}));
-  EXPECT_EQ(merge_shards(shards).mark.cases, kCases.size());
+  const MergedShards merged = merge_shards(shards);
+  CaseJournal journal(merging(merged), kKind, "fits");
+  EXPECT_EQ(journal.found(), kCases.size());
+  journal.begin("run", kCases);
 }
 
 }  // namespace

@@ -87,20 +87,16 @@ TEST(Shard, DoesNotFollowTheAxesOfASweep) {
 }
 
 TEST(ShardMark, ComesBackFromItsBytes) {
-  const ShardMark mark{
-      {2, 7}, "00ff", 43, 6, "fits", "avx2", {"calibrate", "a b.toml", "--laws=ideal"}};
+  const ShardMark mark{{2, 7}, "00ff", "avx2", {"calibrate", "a b.toml", "--laws=ideal"}};
   const ShardMark back = shard_mark_from_bytes(bytes_of(mark), "x");
   EXPECT_EQ(back.shard, mark.shard);
   EXPECT_EQ(back.run, mark.run);
-  EXPECT_EQ(back.cases, mark.cases);
-  EXPECT_EQ(back.own, mark.own);
-  EXPECT_EQ(back.noun, mark.noun);
   EXPECT_EQ(back.instruction_set, mark.instruction_set);
   EXPECT_EQ(back.words, mark.words);
 }
 
 TEST(ShardMark, RefusesBytesThatAreNone) {
-  std::vector<std::byte> bytes = bytes_of(ShardMark{{2, 7}, "00ff", 43, 6, "fits", "avx2", {}});
+  std::vector<std::byte> bytes = bytes_of(ShardMark{{2, 7}, "00ff", "avx2", {}});
   bytes[0] = std::byte{8};
   EXPECT_EQ(message_from<StorageError>([&] { shard_mark_from_bytes(bytes, "x"); }),
             "x: says that it is shard 8 of 7");

@@ -49,7 +49,9 @@ TEST(HardeningSurface, BendsAsAFibreDoesWhateverTheStepsAndHoweverItIsPulled) {
     for (const double pull : {0.0, 1.0, -1.0}) {
       for (const int steps : {5, 20, 320}) {
         const Scene scene = bar(section, YieldModel::Interaction, moment, pull);
-        EXPECT_NEAR(angle(scene, steps), alone, 1e-4 * alone) << pull << " N, " << steps;
+        // Of a hundred thousandth of the axial cap: what it takes from bending at yield.
+        const double share = pull == 0.0 ? 1e-9 : 2e-5;
+        EXPECT_NEAR(angle(scene, steps), alone, share * alone) << pull << " N, " << steps;
       }
     }
   }
@@ -78,10 +80,10 @@ TEST(HardeningSurface, FlowsByTheWorkOfItsForceWhereBendingAndTorsionGrowTogethe
   const double area = area_x * kBending * kBending + area_z * kTorsion * kTorsion;
   for (const int steps : {4, 20, 400}) {
     EXPECT_NEAR(flow_of(YieldModel::Interaction, kBending, kTorsion, 0, steps),
-                area * p * kBending / cap_x, 1e-3 * area * p * kBending / cap_x)
+                area * p * kBending / cap_x, 1e-5 * area * p * kBending / cap_x)
         << steps;
     EXPECT_NEAR(flow_of(YieldModel::Interaction, kBending, kTorsion, 1, steps),
-                area * p * kTorsion / cap_z, 1e-3 * area * p * kTorsion / cap_z)
+                area * p * kTorsion / cap_z, 1e-5 * area * p * kTorsion / cap_z)
         << steps;
   }
 }
