@@ -3,9 +3,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <utility>
+
+#include "tests/support/sanitized.hpp"
 
 namespace plastica::io {
 namespace {
@@ -253,15 +254,14 @@ TEST(Csv, KeepsItsCellsWhenMoved) {
   EXPECT_EQ(moved.cell(1, 1), "4");
 }
 
-TEST(Csv, ReadsMegabytesInAFractionOfASecond) {
+// To read the text once more for each of its rows would take the test beyond its time limit.
+TEST(Csv, ReadsMegabytes) {
+  constexpr std::size_t kRows = testing::kSanitized ? 100'000 : 1'000'000;
   std::string text = "Time;Force\n(s);(kN)\n";
-  while (text.size() < 4'000'000) text += "1234,5;0,123456789\n";
-  const auto start = std::chrono::steady_clock::now();
+  for (std::size_t row = 0; row < kRows; ++row) text += "1234,5;0,123456789\n";
   const CsvTable table = parse(text);
-  const std::vector<double> force = table.numbers(1);
-  const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
-  EXPECT_EQ(force.back(), 0.123456789);
-  EXPECT_LT(taken.count(), 2.0);  // 0.05 s optimized; slack for builds with sanitizers
+  EXPECT_EQ(table.rows(), kRows);
+  EXPECT_EQ(table.numbers(1).back(), 0.123456789);
 }
 
 /// A table of specimens in which a value is missing, above all in its first rows.
