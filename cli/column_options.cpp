@@ -16,6 +16,7 @@ void add_column_options(CLI::App& sub, calibrate::BareFiles& bare, const char* g
   add("--load", bare.force, "COLUMN[:UNIT]", "Take forces from a column, with --area");
   add("--area", bare.area, "AREA", "\"120 mm^2\", or a column of --table");
   add("--sheet", bare.sheet, "NAME", "Read this sheet of a workbook (.xlsx)");
+  add("--path", bare.path, "PATTERN", "Read these tables of an HDF5 file: \"batch 1/*\"; else all");
   add("--decimal", bare.decimal, "MARK", "\".\" or \",\", where the numbers do not show it");
   sub.add_flag("--override-unit", bare.override_unit,
                "Let a UNIT go before another one that the file says")

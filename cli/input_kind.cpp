@@ -10,7 +10,7 @@
 #include <fmt/format.h>
 
 #include "plastica/base/check.hpp"
-#include "plastica/io/content_digest.hpp"
+#include "plastica/io/hdf5_tables.hpp"
 #include "plastica/io/merge_shards.hpp"
 #include "plastica/io/toml.hpp"
 
@@ -63,7 +63,12 @@ std::optional<InputKind> kind_of_toml(const io::TomlTable& root) {
 std::optional<InputKind> kind_of_input(const std::string& path) {
   std::error_code ignored;
   if (!std::filesystem::is_regular_file(path, ignored)) return {};  // a pipe can be read but once
-  if (io::begins_as_result(path)) return InputKind::Result;
+  switch (io::hdf5_origin(path)) {
+    case io::Hdf5Origin::Results: return InputKind::Result;
+    case io::Hdf5Origin::Others: return InputKind::Curves;
+    case io::Hdf5Origin::Unknown: return {};  // whoever reads it says why
+    case io::Hdf5Origin::None: break;
+  }
   if (io::is_shard(path)) return InputKind::Shard;
   if (std::filesystem::path(path).extension() != ".toml") return {};
   try {

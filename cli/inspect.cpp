@@ -59,7 +59,14 @@ void print_columns(const io::CsvTable& table, const calibrate::FileGuess& guess)
 
 /// What an import by the guessed columns would repair and correct.
 void print_specimens(const calibrate::TargetSource& source) {
-  for (const calibrate::Target& target : calibrate::import_targets(source)) {
+  constexpr std::size_t kMostSpecimens = 20;
+  const std::vector<calibrate::Target> targets = calibrate::import_targets(source);
+  for (std::size_t i = 0; i < targets.size(); ++i) {
+    if (i == kMostSpecimens) {
+      say("\n… {} specimens in all\n", targets.size());
+      break;
+    }
+    const calibrate::Target& target = targets[i];
     say("\n{}: {} of {} samples, {}\n", target.name, target.corrected.size(), target.raw.size(),
         target.status == calibrate::TargetStatus::Ready ? "ready to fit" : target.reason);
     for (const auto& repair : target.repairs) say("  repair      {}\n", repair.text);
@@ -71,12 +78,16 @@ void print_specimens(const calibrate::TargetSource& source) {
   }
 }
 
+std::string layout_of(const io::CsvTable& table) {
+  if (!table.sheet().empty()) return fmt::format("of the sheet {}", table.sheet());
+  if (!table.path().empty()) return fmt::format("of its table {}", table.path());
+  return fmt::format("separated by {}", name_of_separator(table.separator()));
+}
+
 void inspect_file(const std::string& path, const calibrate::TargetSource& given) {
   expect_input(path, {InputKind::Curves});
-  const io::CsvTable table = io::CsvTable::read(path, given.csv);
-  const std::string layout =
-      table.sheet().empty() ? fmt::format("separated by {}", name_of_separator(table.separator()))
-                            : fmt::format("of the sheet {}", table.sheet());
+  const io::CsvTable table = io::first_table(path, given.csv);
+  const std::string layout = layout_of(table);
   say("{}: {} rows, {} columns, {}, decimal {}\n", path, table.rows(), table.columns(), layout,
       table.decimal() == ',' ? "comma" : "point");
   for (const std::string& line : table.preamble()) say("  metadata: {}\n", line);

@@ -26,7 +26,8 @@ std::vector<const calibrate::TableSource*> tables_of(const calibrate::FitFile& f
     if (!block.source.table) continue;
     const calibrate::TableSource& own = *block.source.table;
     const auto is_same = [&](const calibrate::TableSource* other) {
-      return other->file == own.file && other->csv.sheet == own.csv.sheet;
+      return other->file == own.file && other->csv.sheet == own.csv.sheet &&
+             other->csv.path == own.csv.path;
     };
     if (std::ranges::none_of(tables, is_same)) tables.push_back(&own);
   }

@@ -8,13 +8,11 @@
 #include <string_view>
 #include <utility>
 
-#include "calibrate/config/check_unit.hpp"
 #include "calibrate/config/fixed_parameters.hpp"
+#include "calibrate/config/guess_bare_file.hpp"
 #include "calibrate/config/write_target.hpp"
-#include "calibrate/guess/guess_file.hpp"
-#include "calibrate/target/kept_tables.hpp"
 #include "plastica/base/parallel_for.hpp"
-#include "plastica/io/csv.hpp"
+#include "plastica/io/content_digest.hpp"
 #include "plastica/io/read_input.hpp"
 #include "plastica/io/units.hpp"
 
@@ -49,12 +47,12 @@ std::optional<ColumnSource> column_of(const Text& given, Dimension dimension,
   return source;
 }
 
-/// "50 mm", or a column of the table, as COLUMN or COLUMN:UNIT.
+/// "50 mm", or a column of the table or an attribute of an HDF5 file, as COLUMN or COLUMN:UNIT.
 std::optional<SpecimenValue> specimen_value_of(const Text& given, Dimension dimension,
-                                               std::string_view option, bool has_table) {
+                                               std::string_view option, bool has_values) {
   if (!given) return std::nullopt;
   SpecimenValue value;
-  if (has_table && given->find_first_of("0123456789.") != 0) {
+  if (has_values && given->find_first_of("0123456789.") != 0) {
     const auto column = column_of(given, dimension, option);
     value.from = column->column;
     value.unit = column->unit;
@@ -83,107 +81,6 @@ void refuse_both(const Text& first, std::string_view first_option, const Text& s
   throw InputError({}, second_option, *second, "cannot go with " + std::string(first_option));
 }
 
-std::string names_of(const io::CsvTable& table) {
-  std::string names;
-  for (const std::string& name : table.names()) names += (names.empty() ? "" : ", ") + name;
-  return names;
-}
-
-/// What a user must not overlook of guesses, and of which files.
-struct GuessNote {
-  std::string words;
-  std::string file;  ///< the first
-  std::size_t files = 1;
-};
-
-/// Adds a note; one that is known already counts its files.
-void add_note(const GuessNote& note, std::vector<GuessNote>& notes) {
-  const auto known = std::ranges::find(notes, note.words, &GuessNote::words);
-  if (known == notes.end()) {
-    notes.push_back(note);
-  } else {
-    known->files += note.files;
-  }
-}
-
-void add_notes(const std::string& file, const FileGuess& guess, std::vector<GuessNote>& notes) {
-  std::vector<std::string> all = guess.notes;
-  for (const auto& [key, words] : guess.blocks.front().comments) {
-    const bool is_unknown =
-        std::ranges::find(guess.blocks.front().missing, key) != guess.blocks.front().missing.end();
-    if (!is_unknown) all.push_back(fmt::format("{}: {}", key, words));
-  }
-  for (const std::string& words : all) add_note({words, file}, notes);
-}
-
-/// Completes what the options say by what the columns of a file are called.
-void complete(const io::CsvTable& table, TargetSource& source, bool measure_given,
-              std::vector<GuessNote>& notes) {
-  const bool gauge_length_given = source.gauge_length.has_value();
-  const bool area_given = source.area.has_value();
-  const FileGuess all = guess_file(table, source);
-  if (all.blocks.size() > 1) {
-    throw InputError({table.file(), 0}, "", "",
-                     fmt::format("holds {} specimens side by side: put the blocks that `plastica "
-                                 "inspect` prints into a fit file",
-                                 all.blocks.size()));
-  }
-  add_notes(table.file(), all, notes);
-  const TargetSource& guess = all.blocks.front().source;
-  if (source.split.empty()) source.split = guess.split;
-  const auto missing = [&](std::string_view option, std::string_view what) {
-    return InputError({table.file(), 0}, option, "",
-                      fmt::format("no column is known for the {}; it has {}: give {}", what,
-                                  names_of(table), option));
-  };
-  if (!source.strain && !source.elongation) {
-    source.strain = guess.strain;
-    source.elongation = guess.elongation;
-    if (!measure_given) source.measure = guess.measure;
-  }
-  if (!source.stress && !source.force) {
-    source.stress = guess.stress;
-    source.force = guess.force;
-    if (!measure_given) source.measure = guess.measure;
-  }
-  // What the header lines of the file say of the specimen.
-  if (!source.gauge_length) source.gauge_length = guess.gauge_length;
-  if (!source.area) source.area = guess.area;
-  if (!source.strain && !source.elongation) throw missing("--strain", "strain");
-  if (!source.stress && !source.force) throw missing("--stress", "stress");
-  if (source.strain) check_unit(table, *source.strain, Dimension::Strain, "--strain");
-  if (source.stress) check_unit(table, *source.stress, Dimension::Stress, "--stress");
-  const auto need = [&](const auto& column, const auto& value, Dimension dimension,
-                        std::string_view option, std::string_view other, std::string_view of) {
-    if (!column) return;
-    check_unit(table, *column, dimension, option);
-    if (value) return;
-    throw InputError(
-        {table.file(), 0}, other, "",
-        fmt::format("is missing: by it the column \"{}\", {}, becomes a {}", column->column,
-                    dimension == Dimension::Force ? "a load" : "a length", of));
-  };
-  need(source.elongation, source.gauge_length, Dimension::Length, "--elongation", "--gauge-length",
-       "strain");
-  need(source.force, source.area, Dimension::Force, "--load", "--area", "stress");
-  const auto is_of_no_use = [&](bool given, std::string_view option, std::string_view what,
-                                const auto& column, std::string_view instead) {
-    if (!given) return;
-    add_note({fmt::format("{} is of no use: the {} is read from \"{}\"; {} names the column that "
-                          "it divides",
-                          option, what, column->column, instead),
-              table.file()},
-             notes);
-  };
-  if (!source.elongation) {
-    is_of_no_use(gauge_length_given, "--gauge-length", "strain", source.strain, "--elongation");
-  }
-  if (!source.force) is_of_no_use(area_given, "--area", "stress", source.stress, "--load");
-  // Of use to other files only.
-  if (!source.elongation) source.gauge_length.reset();
-  if (!source.force) source.area.reset();
-}
-
 }  // namespace
 
 TargetSource source_of(const BareFiles& bare) {
@@ -207,10 +104,13 @@ TargetSource source_of(const BareFiles& bare) {
     source.csv.decimal = ".,"[mark];
   }
   source.csv.sheet = bare.sheet;
+  source.csv.path = bare.path;
   const bool has_table = bare.table.has_value();
+  // An HDF5 file has attributes.
+  const bool has_values = has_table || std::ranges::any_of(bare.files, io::begins_as_result);
   source.gauge_length =
-      specimen_value_of(bare.gauge_length, Dimension::Length, "--gauge-length", has_table);
-  source.area = specimen_value_of(bare.area, Dimension::Area, "--area", has_table);
+      specimen_value_of(bare.gauge_length, Dimension::Length, "--gauge-length", has_values);
+  source.area = specimen_value_of(bare.area, Dimension::Area, "--area", has_values);
   if (has_table) {
     const auto [file, key] = split_last(*bare.table, ':');
     if (file.empty() || !key || key->empty()) {
@@ -220,48 +120,13 @@ TargetSource source_of(const BareFiles& bare) {
     source.table->file = file;
     source.table->key = *key;
   }
-  if (!bare.group.empty() && !has_table) {
-    throw InputError({}, "--group", bare.group.front(), "needs --table, which has this column");
+  if (!bare.group.empty() && !has_values) {
+    throw InputError({}, "--group", bare.group.front(),
+                     "needs --table, which has this column, or HDF5 files with attributes");
   }
   source.group = bare.group;
   return source;
 }
-
-namespace {
-
-/// What a file is taken for, or why not.
-struct GuessedFile {
-  TargetSource source;
-  std::vector<GuessNote> notes;
-  std::optional<InputError> unreadable;  ///< its import rejects it
-  std::optional<InputError> wrong;       ///< no fit can begin
-};
-
-GuessedFile guess_bare_file(const std::string& file, const TargetSource& given, bool measure_given,
-                            KeptTables& kept) {
-  GuessedFile guessed{given, {}, {}, {}};
-  std::optional<io::CsvTable> table;
-  try {
-    // The fit file that is stored with the results must be UTF-8.
-    if (!io::is_utf8(file)) {
-      throw InputError({file, 0}, "", "", "has a name that is not UTF-8 text; rename it");
-    }
-    try {
-      table.emplace(io::CsvTable::read(file, given.csv));
-    } catch (const InputError& error) {
-      if (!io::is_file(file)) throw;
-      guessed.unreadable = error;
-      return guessed;
-    }
-    complete(*table, guessed.source, measure_given, guessed.notes);
-    kept.keep(given.csv, std::move(*table));
-  } catch (const InputError& error) {
-    guessed.wrong = error;
-  }
-  return guessed;
-}
-
-}  // namespace
 
 FitFile fit_of_bare_files(const BareFiles& bare, int threads) {
   if (bare.files.empty()) throw InputError({}, "FILE", "", "give at least one file");

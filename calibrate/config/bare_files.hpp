@@ -22,6 +22,7 @@ struct BareFiles {
   std::optional<std::string> area;          ///< --area "120 mm^2", or a column of the table
   std::optional<std::string> decimal;       ///< --decimal "." or ","
   std::optional<std::string> sheet;         ///< --sheet NAME, of workbooks
+  std::optional<std::string> path;          ///< --path PATTERN, of HDF5 files
   bool override_unit = false;               ///< --override-unit
   std::optional<std::string> test;          ///< --test tension|bending|torsion
   std::optional<std::string> measure;       ///< --measure engineering|true

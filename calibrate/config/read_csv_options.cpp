@@ -21,6 +21,7 @@ void read_csv_options(const io::TomlTable& table, io::CsvOptions& csv) {
     throw separator->error("is the decimal mark, too");
   }
   if (const auto value = table.find("sheet")) csv.sheet = value->string();
+  if (const auto value = table.find("path")) csv.path = value->string();
   if (const auto value = table.find("header")) {
     csv.header = static_cast<std::size_t>(value->integer(0, 1'000'000));
   }

@@ -88,6 +88,7 @@ void add(std::string& text, const io::CsvOptions& csv) {
     text += fmt::format("separator = {}\n", toml_string(separator));
   }
   if (csv.sheet) text += fmt::format("sheet = {}\n", toml_string(*csv.sheet));
+  if (csv.path) text += fmt::format("path = {}\n", toml_string(*csv.path));
   if (csv.decimal) text += fmt::format("decimal = \"{}\"\n", *csv.decimal);
   if (csv.header) text += fmt::format("header = {}\n", *csv.header);
 }

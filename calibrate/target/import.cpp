@@ -18,6 +18,8 @@
 #include "calibrate/target/samples.hpp"
 #include "calibrate/target/specimen_table.hpp"
 #include "plastica/base/parallel_for.hpp"
+#include "plastica/io/content_digest.hpp"
+#include "plastica/io/hdf5_tables.hpp"
 #include "plastica/io/read_input.hpp"
 #include "plastica/io/units.hpp"
 
@@ -27,9 +29,8 @@ namespace {
 using io::CsvTable;
 
 /// The specimens of a file, in the order in which they come up first.
-std::vector<Part> parts_of(const TargetSource& source, const CsvTable& table,
-                           const std::string& stem) {
-  if (source.split.empty()) return {{stem, "", {}}};
+std::vector<Part> parts_of(const TargetSource& source, const CsvTable& table, const Part& whole) {
+  if (source.split.empty()) return {whole};
   std::vector<std::size_t> columns;
   for (const std::string& name : source.split) {
     columns.push_back(table.find(name, source.where, "split"));
@@ -47,7 +48,7 @@ std::vector<Part> parts_of(const TargetSource& source, const CsvTable& table,
       value += (value.empty() ? "" : ":") + std::string(cell);
     }
     const auto [at, is_new] = known.emplace(value, parts.size());
-    if (is_new) parts.push_back({stem, value, {}});
+    if (is_new) parts.push_back({whole.stem, value, {}, whole.within, whole.last});
     parts[at->second].rows.push_back(row);
   }
   return parts;
@@ -113,10 +114,10 @@ struct Block {
   const std::optional<SpecimenTable> specimens;
 };
 
-/// The specimens of a file.
+/// The specimens of a table.
 struct Imported {
   std::vector<Target> targets;
-  std::optional<InputError> lacking;  ///< where the file has not the columns of the block
+  std::optional<InputError> lacking;  ///< where it has not the columns of the block
   std::optional<InputError> no_row;   ///< where a specimen is not in the block's table
   bool has_row = false;               ///< whether one is
   bool was_unreadable = false;
@@ -138,12 +139,13 @@ Target rejected(Target target, const InputError& error) {
 }
 
 /// One specimen of a file, from its raw curve on.
-Target import_curve(const Block& block, const CsvTable& table, const io::FoundColumn& strain,
-                    const io::FoundColumn& stress, const Part& part, Target target) {
-  const SpecimenTable* specimens = block.specimens ? &*block.specimens : nullptr;
+/// @param specimens  null: the block asks for no values of specimens
+Target import_curve(const Block& block, const SpecimenTable* specimens, const CsvTable& table,
+                    const io::FoundColumn& strain, const io::FoundColumn& stress, const Part& part,
+                    Target target) {
   report_torn_row(table, target.repairs);
   try {
-    if (specimens != nullptr && !block.source.split.empty()) {
+    if (block.specimens && !block.source.split.empty()) {
       specimens->add_groups(specimens->row_of(part), target);
     }
     read_curve(block.plan, table, strain, stress, specimens, part, target);
@@ -160,26 +162,81 @@ Target import_curve(const Block& block, const CsvTable& table, const io::FoundCo
   return target;
 }
 
-Imported import_file(const Block& block, const std::string& file) {
+/// A table of curves: a file, or a table of an HDF5 file.
+struct TableOfFile {
+  std::string file;
+  std::shared_ptr<const io::Hdf5Tables>
+      tables{};        ///< null: the file is the table, or cannot be read
+  std::string path{};  ///< of the table
+  std::string last{};  ///< see `Part`
+};
+
+/// Values of a specimen that no table beside the curves says: of an HDF5 file.
+/// @throws InputError if it says none
+SpecimenTable properties_of(const TargetSource& source, const TableOfFile& from) {
+  std::optional<CsvTable> properties;
+  if (from.tables) properties = CsvTable::read_properties(*from.tables, from.path);
+  if (properties) return {source, std::move(*properties)};
+  throw InputError(
+      {from.file, 0}, "", "",
+      (from.tables ? from.path + " has no attributes" : std::string("is no HDF5 file")) +
+          ": needs `table`, the file of what is said of each specimen");
+}
+
+/// @throws InputError for a path that matches no table of an HDF5 file
+std::vector<TableOfFile> tables_of(const TargetSource& source) {
+  std::vector<TableOfFile> all;
+  std::map<std::string, std::size_t> count;
+  for (const std::string& file : source.files) {
+    std::shared_ptr<const io::Hdf5Tables> tables;
+    if (io::begins_as_result(file) && !source.csv.sheet) {
+      try {
+        tables = std::make_shared<const io::Hdf5Tables>(file);
+      } catch (const InputError&) {  // its reading says why
+      }
+    }
+    if (!tables) {
+      all.push_back({file});
+      continue;
+    }
+    for (const std::string& path : tables->matching(source.csv.path)) {
+      all.push_back({file, tables, path, path.substr(path.rfind('/') + 1)});
+      ++count[all.back().last];
+    }
+  }
+  for (TableOfFile& table : all) {
+    if (count[table.last] > 1) table.last.clear();
+  }
+  return all;
+}
+
+Imported import_table(const Block& block, const TableOfFile& from) {
   const TargetSource& source = block.source;
   Imported imported;
   Target first;
-  first.file = file;
+  first.file = from.file;
   first.test = source.test;
   first.measure = source.measure;
-  // Sheets of a workbook are specimens of their own.
-  std::string stem = std::filesystem::path(file).stem().string();
-  if (source.csv.sheet) stem += ":" + *source.csv.sheet;
-  first.name = stem;
+  Part whole{std::filesystem::path(from.file).stem().string(), "", {}, "", ""};
+  // Sheets of a workbook and tables of a file are specimens of their own.
+  if (source.csv.sheet) whole.within = *source.csv.sheet;
+  if (from.tables && from.path != "/") whole.within = from.path;
+  whole.last = from.last;
+  if (!whole.within.empty()) whole.stem += ":" + whole.within;
+  first.name = whole.stem;
   const bool is_one = source.split.empty();
-  if (block.specimens && is_one) find_row(block, {stem, "", {}}, imported);
+  if (block.specimens && is_one) find_row(block, whole, imported);
   std::optional<CsvTable> table;
   try {
     if (block.specimens && is_one) {
-      block.specimens->add_groups(block.specimens->row_of({stem, "", {}}), first);
+      block.specimens->add_groups(block.specimens->row_of(whole), first);
     }
-    if (source.kept) table = source.kept->take(file, source.csv);
-    if (!table) table.emplace(CsvTable::read(file, source.csv));
+    if (from.tables) {
+      table.emplace(CsvTable::read(*from.tables, from.path));
+    } else if (source.kept) {
+      table = source.kept->take(from.file, source.csv);
+    }
+    if (!table) table.emplace(CsvTable::read(from.file, source.csv));
   } catch (const InputError& error) {
     imported.was_unreadable = true;
     imported.targets.push_back(rejected(std::move(first), error));
@@ -187,14 +244,22 @@ Imported import_file(const Block& block, const std::string& file) {
   }
   ImportColumns columns;
   std::vector<Part> parts;
+  std::optional<SpecimenTable> properties;
   try {
     columns = columns_of(block.plan, *table);
-    parts = parts_of(source, *table, stem);
+    parts = parts_of(source, *table, whole);
+    if (!block.specimens && source.asks_for_values()) {
+      properties.emplace(properties_of(source, from));
+      properties->add_groups(0, first);
+    }
   } catch (const InputError& error) {
     imported.lacking = error;
     imported.targets.push_back(rejected(std::move(first), error));
     return imported;
   }
+  const SpecimenTable* specimens = block.specimens ? &*block.specimens
+                                   : properties    ? &*properties
+                                                   : nullptr;
   const bool pattern = block.plan.stress->column.find('*') != std::string::npos;
   for (const Part& part : parts) {
     if (block.specimens && !is_one) find_row(block, part, imported);
@@ -203,13 +268,20 @@ Imported import_file(const Block& block, const std::string& file) {
       if (!part.value.empty()) target.name += ":" + part.value;
       if (pattern) target.name += ":" + table->names()[column.index];
       imported.targets.push_back(
-          import_curve(block, *table, columns.strain, column, part, std::move(target)));
+          import_curve(block, specimens, *table, columns.strain, column, part, std::move(target)));
     }
   }
   return imported;
 }
 
 }  // namespace
+
+bool TargetSource::asks_for_values() const {
+  const auto is_asked = [](const std::optional<SpecimenValue>& value) {
+    return value && !value->value;
+  };
+  return !group.empty() || is_asked(gauge_length) || is_asked(area) || is_asked(strain_rate);
+}
 
 std::vector<Target> import_targets(const TargetSource& source, const TargetOptions& options,
                                    int threads) {
@@ -229,25 +301,22 @@ std::vector<Target> import_targets(const TargetSource& source, const TargetOptio
   const Block block{
       source, plan, used,
       source.table ? std::optional<SpecimenTable>(std::in_place, source) : std::nullopt};
-  std::vector<Imported> files(source.files.size());
-  parallel_for(files.size(), {threads, nullptr},
-               [&](std::size_t i, int) { files[i] = import_file(block, source.files[i]); });
-  const auto lacks = [](const Imported& file) { return file.lacking.has_value(); };
-  const auto first = std::ranges::find_if(files, lacks);
-  const auto has_columns = [](const Imported& file) {
-    return !file.lacking && !file.was_unreadable;
-  };
+  const std::vector<TableOfFile> tables = tables_of(source);
+  std::vector<Imported> all(tables.size());
+  parallel_for(all.size(), {threads, nullptr},
+               [&](std::size_t i, int) { all[i] = import_table(block, tables[i]); });
+  const auto lacks = [](const Imported& one) { return one.lacking.has_value(); };
+  const auto first = std::ranges::find_if(all, lacks);
+  const auto has_columns = [](const Imported& one) { return !one.lacking && !one.was_unreadable; };
   // Then the block is wrong, not the files.
-  if (first != files.end() && std::ranges::none_of(files, has_columns)) throw *first->lacking;
+  if (first != all.end() && std::ranges::none_of(all, has_columns)) throw *first->lacking;
   const auto no_row =
-      std::ranges::find_if(files, [](const Imported& file) { return file.no_row.has_value(); });
-  if (no_row != files.end() && std::ranges::none_of(files, &Imported::has_row)) {
+      std::ranges::find_if(all, [](const Imported& one) { return one.no_row.has_value(); });
+  if (no_row != all.end() && std::ranges::none_of(all, &Imported::has_row)) {
     throw *no_row->no_row;
   }
   std::vector<Target> targets;
-  for (Imported& file : files) {
-    std::ranges::move(file.targets, std::back_inserter(targets));
-  }
+  for (Imported& one : all) std::ranges::move(one.targets, std::back_inserter(targets));
   make_names_unique(targets);
   return targets;
 }

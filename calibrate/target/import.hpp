@@ -25,10 +25,11 @@ struct ColumnSource {
   bool override_unit = false;  ///< `unit` goes before another one of the file
 };
 
-/// A value of each specimen: one for all, or a column of the table.
+/// A value of each specimen: one for all, or a column of the table, or what an HDF5 file says of
+/// it.
 struct SpecimenValue {
   std::optional<double> value;  ///< [SI] for all specimens; else:
-  std::string from;             ///< column of the table
+  std::string from;             ///< column of the table, or the name of an attribute
   std::optional<std::string> unit;
   SourceLocation where;
   bool override_unit = false;  ///< `unit` goes before another one of the table
@@ -60,12 +61,15 @@ struct TargetSource {
   std::optional<SpecimenValue> strain_rate;  ///< of materials with a rate law [1/s]
 
   std::optional<TableSource> table;
-  std::vector<std::string> group;  ///< columns of the table, copied as text to Target::group
+  std::vector<std::string> group;  ///< as `SpecimenValue::from`, copied as text to Target::group
   /// Columns of the file whose values, together, are the same along one specimen and another for
   /// each; empty: a file is one specimen.
   std::vector<std::string> split;
   io::CsvOptions csv;
   std::shared_ptr<KeptTables> kept{};  ///< of its files, those that were read already
+
+  /// Whether it asks for what a table, or an HDF5 file, says of each specimen.
+  bool asks_for_values() const;
 };
 
 /// Reads every specimen of a block and makes it a target; test, measure and loading of the block

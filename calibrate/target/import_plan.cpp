@@ -2,16 +2,23 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <string>
 
-#include "calibrate/target/column_pattern.hpp"
 #include "calibrate/target/named_column.hpp"
+#include "plastica/base/star_pattern.hpp"
+#include "plastica/io/content_digest.hpp"
 #include "plastica/io/units.hpp"
 
 namespace plastica::calibrate {
 namespace {
 
 using io::CsvTable;
+
+/// Whether something says values of each specimen: a table, or a file of HDF5.
+bool has_values_of_specimens(const TargetSource& source) {
+  return source.table || std::ranges::any_of(source.files, io::begins_as_result);
+}
 
 void check_value(const TargetSource& source, const SpecimenValue& value, const char* field) {
   if (value.value) {
@@ -21,7 +28,9 @@ void check_value(const TargetSource& source, const SpecimenValue& value, const c
   if (value.from.empty()) {
     throw InputError(value.where, field, "", "must be a quantity or a column of the table");
   }
-  if (!source.table) throw InputError(value.where, field, value.from, "needs a table to come from");
+  if (!has_values_of_specimens(source)) {
+    throw InputError(value.where, field, value.from, "needs a table to come from");
+  }
 }
 
 std::vector<io::FoundColumn> stress_columns(const CsvTable& table, const io::NamedColumn& asked,
@@ -31,7 +40,7 @@ std::vector<io::FoundColumn> stress_columns(const CsvTable& table, const io::Nam
   }
   std::vector<io::FoundColumn> columns;
   for (std::size_t i = 0; i < table.columns(); ++i) {
-    if (!matches_column(asked.name, table.names()[i])) continue;
+    if (!matches_stars(asked.name, table.names()[i])) continue;
     columns.push_back(io::column_at(table, i, asked, dimension));
   }
   if (columns.empty()) {
@@ -98,7 +107,7 @@ ImportPlan plan_of(const TargetSource& source) {
     throw InputError(plan.strain->where, plan.strain_field, plan.strain->column,
                      "must name one column; only stress or force may be a pattern");
   }
-  if (!source.group.empty() && !source.table) {
+  if (!source.group.empty() && !has_values_of_specimens(source)) {
     throw InputError(where, "group", source.group.front(), "needs a table to come from");
   }
   return plan;

@@ -1,6 +1,7 @@
 #include "calibrate/target/specimen_table.hpp"
 
 #include <cmath>
+#include <utility>
 
 #include "calibrate/target/named_column.hpp"
 #include "calibrate/target/samples.hpp"
@@ -11,22 +12,33 @@ SpecimenTable::SpecimenTable(const TargetSource& source)
     : source_(source),
       table_(io::CsvTable::read(source.table->file, source.table->csv)),
       key_(table_.find(source.table->key, source.table->where, "key")) {
-  for (const std::string& name : source.group) {
-    groups_.push_back(table_.find(name, source.where, "group"));
-  }
-  for (const auto& value : {source.gauge_length, source.area, source.strain_rate}) {
-    if (value && !value->value) table_.find(value->from, value->where, "from");
-  }
+  find_columns();
   for (std::size_t row = 0; row < table_.rows(); ++row) {
-    const auto [entry, is_new] = rows_.emplace(std::string(table_.cell(row, key_)), row);
+    const auto [entry, is_new] = rows_.emplace(std::string(table_.cell(row, *key_)), row);
     if (!is_new) entry->second = kTwice;
   }
 }
 
+SpecimenTable::SpecimenTable(const TargetSource& source, io::CsvTable properties)
+    : source_(source), table_(std::move(properties)) {
+  find_columns();
+}
+
+void SpecimenTable::find_columns() {
+  for (const std::string& name : source_.group) {
+    groups_.push_back(table_.find(name, source_.where, "group"));
+  }
+  for (const auto& value : {source_.gauge_length, source_.area, source_.strain_rate}) {
+    if (value && !value->value) table_.find(value->from, value->where, "from");
+  }
+}
+
 std::size_t SpecimenTable::row_of(const Part& part) const {
+  if (!key_) return 0;
   auto found = part.value.empty() ? rows_.end() : rows_.find(part.value);
   if (found == rows_.end()) found = rows_.find(part.stem);
-  if (found == rows_.end() && source_.csv.sheet) found = rows_.find(*source_.csv.sheet);
+  if (found == rows_.end() && !part.within.empty()) found = rows_.find(part.within);
+  if (found == rows_.end() && !part.last.empty()) found = rows_.find(part.last);
   if (found != rows_.end() && found->second != kTwice) return found->second;
   throw InputError({table_.file(), 0}, source_.table->key,
                    part.value.empty() ? part.stem : part.value,

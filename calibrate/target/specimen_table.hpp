@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -17,6 +18,8 @@ struct Part {
   std::string stem;   ///< of the file
   std::string value;  ///< of the columns that split it; empty: all rows
   std::vector<std::size_t> rows;
+  std::string within;  ///< its sheet, or its table of an HDF5 file; empty: the file is the table
+  std::string last;    ///< name of that table in its group; empty if another one has it, too
 
   std::vector<double> of(std::vector<double> values) const {
     if (value.empty()) return values;
@@ -27,14 +30,18 @@ struct Part {
   }
 };
 
-/// The table beside the curves, with the columns that the block asks for.
+/// The table beside the curves, with the columns that the block asks for; or what an HDF5 file says
+/// of one of its tables, as a table of one row.
 class SpecimenTable {
  public:
   /// @param source  with a table; must outlive this
   /// @throws InputError if the table cannot be read or lacks a column
   explicit SpecimenTable(const TargetSource& source);
+  /// @param properties  of one specimen
+  SpecimenTable(const TargetSource& source, io::CsvTable properties);
 
-  /// The row of a file's stem, or of the value that splits it.
+  /// The row of the value that splits a file, of the file's stem, of the sheet or table within the
+  /// file, or of that table's last name.
   /// @throws InputError if there is not exactly one row
   std::size_t row_of(const Part& part) const;
   /// A value of that row [SI]. @throws InputError if it is no positive number
@@ -44,9 +51,11 @@ class SpecimenTable {
 
  private:
   static constexpr std::size_t kTwice = static_cast<std::size_t>(-1);
+  void find_columns();
+
   const TargetSource& source_;
   io::CsvTable table_;
-  std::size_t key_;
+  std::optional<std::size_t> key_;  ///< empty: all is of one specimen
   std::vector<std::size_t> groups_;
   std::map<std::string, std::size_t> rows_;
 };

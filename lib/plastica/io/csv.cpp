@@ -3,9 +3,12 @@
 #include <algorithm>
 #include <charconv>
 
+#include "plastica/base/listed.hpp"
+#include "plastica/io/content_digest.hpp"
 #include "plastica/io/csv_layout.hpp"
 #include "plastica/io/csv_number.hpp"
 #include "plastica/io/csv_text.hpp"
+#include "plastica/io/hdf5_tables.hpp"
 #include "plastica/io/read_input.hpp"
 #include "plastica/io/workbook.hpp"
 
@@ -34,15 +37,40 @@ std::string_view unescaped(std::string_view cell, std::vector<char>& text) {
   return {text.data() + begin, to - begin};
 }
 
+enum class Source { Text, Workbook, Hdf5 };
+Source source_of(const std::string& path) {
+  if (is_workbook(path)) return Source::Workbook;
+  return begins_as_result(path) ? Source::Hdf5 : Source::Text;
+}
+
+CsvTable parsed(const Hdf5Tables::Text& text, const std::string& file) {
+  return CsvTable::parse(text.text, file,
+                         {.separator = '\t', .decimal = '.', .header = text.has_header ? 1 : 0});
+}
+
+std::string only_table(const Hdf5Tables& tables, const std::optional<std::string>& pattern) {
+  const std::vector<std::string> names = tables.matching(pattern);
+  if (names.size() == 1) return names.front();
+  throw InputError({tables.file(), 0}, "path", pattern.value_or(""),
+                   "must be one of its tables: " + listed(names, 8));
+}
+
 }  // namespace
 
 CsvTable CsvTable::read(const std::string& path, const CsvOptions& options) {
-  if (!is_workbook(path)) {
-    if (options.sheet) {
-      throw InputError({path, 0}, "sheet", *options.sheet,
-                       "is of workbooks (.xlsx), which this is not");
-    }
-    return parse(read_input(path, kMaxTableBytes), path, options);
+  const Source source = source_of(path);
+  const auto refuse = [&](const char* key, const std::optional<std::string>& value,
+                          std::string_view rule) {
+    if (value) throw InputError({path, 0}, key, *value, rule);
+  };
+  if (source != Source::Workbook) {
+    refuse("sheet", options.sheet, "is of workbooks (.xlsx), which this is not");
+  }
+  if (source != Source::Hdf5) refuse("path", options.path, "is of HDF5 files, which this is not");
+  if (source == Source::Text) return parse(read_input(path, kMaxTableBytes), path, options);
+  if (source == Source::Hdf5) {
+    const Hdf5Tables tables(path);
+    return read(tables, only_table(tables, options.path));
   }
   const SheetText sheet = read_sheet(path, options.sheet, options.decimal);
   CsvOptions as_written = options;
@@ -53,9 +81,39 @@ CsvTable CsvTable::read(const std::string& path, const CsvOptions& options) {
   return table;
 }
 
+CsvTable CsvTable::read(const Hdf5Tables& tables, const std::string& path) {
+  const Hdf5Tables::Text text = tables.text(path);
+  CsvTable table = parsed(text, tables.file());
+  if (text.has_header) {
+    for (int& line : table.line_of_row_) --line;
+  }
+  table.path_ = path;
+  return table;
+}
+
+std::optional<CsvTable> CsvTable::read_properties(const Hdf5Tables& tables,
+                                                  const std::string& path) {
+  const Hdf5Tables::Text text = tables.properties(path);
+  if (text.text.empty()) return std::nullopt;
+  return parsed(text, tables.file());
+}
+
+CsvTable first_table(const std::string& path, const CsvOptions& options) {
+  if (source_of(path) != Source::Hdf5) return CsvTable::read(path, options);
+  const Hdf5Tables tables(path);
+  return CsvTable::read(tables, tables.matching(options.path).front());
+}
+
 std::string table_text(const std::string& path, const CsvOptions& options) {
-  return is_workbook(path) ? read_sheet(path, options.sheet, options.decimal).text
-                           : read_input(path, kMaxTableBytes);
+  switch (source_of(path)) {
+    case Source::Workbook: return read_sheet(path, options.sheet, options.decimal).text;
+    case Source::Hdf5: {
+      const Hdf5Tables tables(path);
+      return tables.text(only_table(tables, options.path)).text;
+    }
+    case Source::Text: break;
+  }
+  return read_input(path, kMaxTableBytes);
 }
 
 CsvTable CsvTable::parse(std::string_view text, std::string name, const CsvOptions& options) {

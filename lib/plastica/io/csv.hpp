@@ -10,6 +10,8 @@
 
 namespace plastica::io {
 
+class Hdf5Tables;
+
 /// How to read a delimited text file; what is unset is found out from the text.
 struct CsvOptions {
   std::optional<char> separator = {};      ///< ',', ';', tab, or ' ' for any number of blanks
@@ -17,6 +19,9 @@ struct CsvOptions {
   std::optional<std::size_t> header = {};  ///< line of the column names, from 1; 0: there is none
   std::optional<std::string> sheet =
       {};  ///< of a workbook: its name; else the only one with a table
+  /// Of an HDF5 file: the path of its table, in which a `*` stands for any characters; else the
+  /// only one there is.
+  std::optional<std::string> path = {};
 
   friend bool operator==(const CsvOptions&, const CsvOptions&) = default;
 };
@@ -24,7 +29,8 @@ struct CsvOptions {
 /// A delimited text file as laboratories write it: metadata lines, a header, a unit row, data. A
 /// line of the data that begins with #, % or // is a comment, unless the first column is one of
 /// words. UTF-16 is read as well, and numbers whose thousands stand apart: 1,234.5. Of an Excel
-/// workbook (.xlsx) a sheet is read, its rows as lines.
+/// workbook (.xlsx) a sheet is read, its rows as lines, and of an HDF5 file a table (see
+/// `Hdf5Tables`), its rows as lines, from 1.
 ///
 /// The text is kept, cells are views into it; copies are not allowed, moves are.
 class CsvTable {
@@ -34,6 +40,11 @@ class CsvTable {
   ///         `torn_last_row`)
   static CsvTable read(const std::string& path, const CsvOptions& options = {});
   static CsvTable parse(std::string_view text, std::string name, const CsvOptions& options = {});
+  /// One table of an HDF5 file. @throws InputError as above
+  static CsvTable read(const Hdf5Tables& tables, const std::string& path);
+  /// What such a file says of a table beside its columns, as a table of one row; empty if nothing.
+  /// @throws InputError as above
+  static std::optional<CsvTable> read_properties(const Hdf5Tables& tables, const std::string& path);
 
   CsvTable(CsvTable&&) noexcept = default;
   CsvTable& operator=(CsvTable&&) noexcept = default;
@@ -42,6 +53,7 @@ class CsvTable {
 
   const std::string& file() const { return file_; }
   const std::string& sheet() const { return sheet_; }  ///< of a workbook; else empty
+  const std::string& path() const { return path_; }    ///< of a table of an HDF5 file; else empty
   char separator() const { return separator_; }
   char decimal() const { return decimal_; }
   bool torn_last_row() const { return torn_last_row_; }
@@ -92,6 +104,7 @@ class CsvTable {
 
   std::string file_;
   std::string sheet_;
+  std::string path_;
   std::vector<char> text_;  // not a string: a moved short string would move its characters
   char separator_ = ',';
   char decimal_ = '.';
@@ -105,7 +118,12 @@ class CsvTable {
   std::vector<std::string_view> cells_;  // (rows x columns), row by row
 };
 
-/// The text that a table is read from: the file's, or that of a workbook's sheet.
+/// What `CsvTable::read` reads, and of an HDF5 file that has several tables the first.
+/// @throws InputError as `CsvTable::read`
+CsvTable first_table(const std::string& path, const CsvOptions& options = {});
+
+/// The text that a table is read from: the file's, that of a workbook's sheet, or an HDF5 file's
+/// table as text.
 /// @throws InputError as `CsvTable::read`
 std::string table_text(const std::string& path, const CsvOptions& options = {});
 

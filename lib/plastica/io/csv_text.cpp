@@ -220,4 +220,15 @@ UnitCell unit_cell(std::string_view text) {
   return {is_unit(cell), std::string(cell)};
 }
 
+std::string tabbed_cell(std::string_view text) {
+  std::string flat(text);
+  for (char& c : flat) {
+    if (c == '\t' || c == '\n' || c == '\r') c = ' ';
+  }
+  if (flat.find('"') == std::string::npos) return flat;
+  std::string quoted = "\"";
+  for (const char c : flat) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
+  return quoted + '"';
+}
+
 }  // namespace plastica::io::csv_text

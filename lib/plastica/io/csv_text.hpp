@@ -51,4 +51,7 @@ struct UnitCell {
 };
 UnitCell unit_cell(std::string_view cell);
 
+/// A text as a cell between tabs: no tab, no line end, quoted as CSV does it.
+std::string tabbed_cell(std::string_view text);
+
 }  // namespace plastica::io::csv_text

@@ -223,6 +223,8 @@ class Hdf5File {
 
   Hdf5Group& root() { return root_; }
   const Hdf5Group& root() const { return root_; }
+  /// HDF5's own identifier, for sources of this folder.
+  std::int64_t identifier() const { return file_.get(); }
 
   /// Writes everything and the digest to the disk and moves the file into place; then it is closed.
   /// @throws StorageError as `OutputFile::commit`; an older file is untouched

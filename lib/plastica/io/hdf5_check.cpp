@@ -36,7 +36,9 @@ bool has_other_filters(const Hdf5Handle& creation) {
     std::size_t values = 0;
     const H5Z_filter_t filter = H5Pget_filter2(creation.get(), static_cast<unsigned>(i), &flags,
                                                &values, nullptr, 0, nullptr, nullptr);
-    if (filter != H5Z_FILTER_DEFLATE && filter != H5Z_FILTER_SHUFFLE) return true;
+    const bool is_known = filter == H5Z_FILTER_DEFLATE || filter == H5Z_FILTER_SHUFFLE ||
+                          filter == H5Z_FILTER_FLETCHER32;
+    if (!is_known) return true;
   }
   return false;
 }
@@ -62,9 +64,10 @@ Link link_at(const Hdf5Handle& location, const std::string& path) {
 std::string refusal_of_dataset(const Hdf5Handle& dataset) {
   const Hdf5Handle creation(H5Dget_create_plist(dataset.get()));
   if (H5Pget_layout(creation.get()) == H5D_VIRTUAL || H5Pget_external_count(creation.get()) > 0) {
-    return "has its values in another file: a result has all of its own";
+    return "has its values in another file, which is not followed";
   }
-  if (has_other_filters(creation)) return "is stored with a filter that results do not have";
+  if (has_other_filters(creation))
+    return "is stored with another filter than deflate, shuffle and fletcher32";
   const Hdf5Handle space(H5Dget_space(dataset.get()));
   if (std::string why = refusal_of_space(space); !why.empty()) return why;
   const Hdf5Handle type(H5Dget_type(dataset.get()));

@@ -6,43 +6,10 @@
 #include "plastica/io/hdf5.hpp"
 #include "plastica/io/hdf5_check.hpp"
 #include "plastica/io/hdf5_handle.hpp"
+#include "plastica/io/hdf5_strings.hpp"
 
 namespace plastica::io {
 namespace {
-
-std::size_t count_of(const Hdf5Handle& space) {
-  const hssize_t count = H5Sget_simple_extent_npoints(space.get());
-  return count > 0 ? static_cast<std::size_t>(count) : 0;
-}
-
-/// Strings of a dataset or an attribute, of fixed or variable length.
-/// @param read  reads all elements of a memory type into a buffer; false on failure
-template <typename Read>
-bool read_strings(const Hdf5Handle& type, const Hdf5Handle& space, const Read& read,
-                  std::vector<std::string>& texts) {
-  const std::size_t count = count_of(space);
-  texts.assign(count, {});
-  if (count == 0) return true;
-  const Hdf5Handle memory(H5Tcopy(type.get()));
-  if (H5Tis_variable_str(type.get()) > 0) {
-    std::vector<char*> pointers(count, nullptr);
-    if (!read(memory.get(), pointers.data())) return false;
-    for (std::size_t i = 0; i < count; ++i) {
-      if (pointers[i] != nullptr) texts[i] = pointers[i];
-    }
-    H5Dvlen_reclaim(memory.get(), space.get(), H5P_DEFAULT, pointers.data());
-    return true;
-  }
-  const std::size_t size = H5Tget_size(type.get());
-  std::vector<char> bytes(count * size);
-  if (!read(memory.get(), bytes.data())) return false;
-  for (std::size_t i = 0; i < count; ++i) {
-    const auto begin = bytes.begin() + static_cast<std::ptrdiff_t>(i * size);
-    const auto end = begin + static_cast<std::ptrdiff_t>(size);
-    texts[i].assign(begin, std::find(begin, end, '\0'));
-  }
-  return true;
-}
 
 Hdf5Kind kind_of_type(const Hdf5Handle& type) {
   switch (H5Tget_class(type.get())) {
@@ -183,7 +150,7 @@ std::vector<T> Hdf5Group::read_array(std::string_view path,
   }
   require_shape(path, shape);
   const Hdf5Handle space(H5Dget_space(dataset.get()));
-  std::vector<T> values(count_of(space));
+  std::vector<T> values(h5::count_of(space));
   if (values.empty()) return values;
   const hid_t memory = h5::memory_type<T>();
   const Hdf5Handle transfer(h5::new_transfer(values.size(), memory));
@@ -225,10 +192,10 @@ std::vector<std::string> Hdf5Group::read_text_array(std::string_view path,
   const Hdf5Handle space(H5Dget_space(dataset.get()));
   std::vector<std::string> texts;
   const auto read = [&](hid_t memory, void* out) {
-    const Hdf5Handle transfer(h5::new_transfer(count_of(space), memory));
+    const Hdf5Handle transfer(h5::new_transfer(h5::count_of(space), memory));
     return H5Dread(dataset.get(), memory, H5S_ALL, H5S_ALL, transfer.get(), out) >= 0;
   };
-  if (!read_strings(type, space, read, texts)) fail_to_read(path);
+  if (!h5::read_strings(type, space, read, texts)) fail_to_read(path);
   return texts;
 }
 
@@ -284,7 +251,7 @@ std::vector<std::string> Hdf5Group::texts_attribute(std::string_view path,
   const auto read = [&](hid_t memory, void* out) {
     return H5Aread(attribute.get(), memory, out) >= 0;
   };
-  if (!read_strings(type, space, read, texts)) fail_to_read(path, name);
+  if (!h5::read_strings(type, space, read, texts)) fail_to_read(path, name);
   return texts;
 }
 
@@ -300,7 +267,7 @@ double Hdf5Group::real_attribute(std::string_view path, const std::string& name)
   const H5T_class_t sort = H5Tget_class(type.get());
   const Hdf5Handle space(H5Aget_space(attribute.get()));
   double value = 0.0;
-  if ((sort != H5T_FLOAT && sort != H5T_INTEGER) || count_of(space) != 1) {
+  if ((sort != H5T_FLOAT && sort != H5T_INTEGER) || h5::count_of(space) != 1) {
     refuse(path, "attribute " + name + " is not a single number");
   }
   if (H5Aread(attribute.get(), H5T_NATIVE_DOUBLE, &value) < 0) {
@@ -314,7 +281,7 @@ std::int64_t Hdf5Group::integer_attribute(std::string_view path, const std::stri
   const Hdf5Handle type(H5Aget_type(attribute.get()));
   const Hdf5Handle space(H5Aget_space(attribute.get()));
   std::int64_t value = 0;
-  if (H5Tget_class(type.get()) != H5T_INTEGER || count_of(space) != 1) {
+  if (H5Tget_class(type.get()) != H5T_INTEGER || h5::count_of(space) != 1) {
     refuse(path, "attribute " + name + " is not a single integer");
   }
   if (const std::string why = h5::refusal_of_integers(type, sizeof(value), true); !why.empty()) {

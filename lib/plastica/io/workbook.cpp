@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "plastica/base/check.hpp"
+#include "plastica/io/csv_text.hpp"
 #include "plastica/io/read_input.hpp"
 #include "plastica/io/workbook_parts.hpp"
 
@@ -30,18 +31,6 @@ std::size_t rows_of_numbers(const std::vector<Row>& rows, std::ptrdiff_t numbers
   return static_cast<std::size_t>(std::ranges::count_if(rows, [&](const Row& row) {
     return std::ranges::count_if(row.cells, is_number) >= numbers;
   }));
-}
-
-/// A cell between tabs: no tab, no line end, quoted as CSV does it.
-std::string written(const std::string& text) {
-  std::string flat = text;
-  for (char& c : flat) {
-    if (c == '\t' || c == '\n' || c == '\r') c = ' ';
-  }
-  if (flat.find('"') == std::string::npos) return flat;
-  std::string quoted = "\"";
-  for (const char c : flat) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
-  return quoted + '"';
 }
 
 /// What a number that is text shows of its marks.
@@ -137,8 +126,8 @@ SheetText text_of(const std::string& path, std::string name, const std::vector<R
       for (; column < cell.column; ++column) sheet.text += '\t';
       const bool times_100 =
           cell.is_percentage && cell.column < percent.size() && percent[cell.column];
-      sheet.text +=
-          cell.is_number ? number_text(path, cell, times_100, sheet.decimal) : written(cell.text);
+      sheet.text += cell.is_number ? number_text(path, cell, times_100, sheet.decimal)
+                                   : csv_text::tabbed_cell(cell.text);
     }
     for (; column + 1 < width; ++column) sheet.text += '\t';
   }

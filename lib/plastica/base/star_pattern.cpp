@@ -1,11 +1,11 @@
-#include "calibrate/target/column_pattern.hpp"
+#include "plastica/base/star_pattern.hpp"
 
 #include <cstddef>
 #include <optional>
 
-namespace plastica::calibrate {
+namespace plastica {
 
-bool matches_column(std::string_view pattern, std::string_view name) {
+bool matches_stars(std::string_view pattern, std::string_view name) {
   std::size_t p = 0;
   std::size_t n = 0;
   // Behind the last star, and where its text ends so far. What stands before that star is matched
@@ -29,4 +29,4 @@ bool matches_column(std::string_view pattern, std::string_view name) {
   return pattern.find_first_not_of('*', p) == std::string_view::npos;
 }
 
-}  // namespace plastica::calibrate
+}  // namespace plastica

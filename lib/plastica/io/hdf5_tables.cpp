@@ -1,0 +1,204 @@
+#include "plastica/io/hdf5_tables.hpp"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <iterator>
+#include <mutex>
+#include <set>
+#include <utility>
+
+#include "plastica/base/check.hpp"
+#include "plastica/base/listed.hpp"
+#include "plastica/base/star_pattern.hpp"
+#include "plastica/io/content_digest.hpp"
+#include "plastica/io/csv_text.hpp"
+#include "plastica/io/hdf5_columns.hpp"
+#include "plastica/io/hdf5_handle.hpp"
+
+namespace plastica::io {
+namespace {
+
+/// Groups within groups that are looked through.
+constexpr std::size_t kMostDepth = 32;
+
+/// HDF5 is not reentrant, and may be asked by whoever imports side by side.
+std::mutex& hdf5_mutex() {
+  static std::mutex mutex;
+  return mutex;
+}
+
+/// A column as a line of names has it. A unit that its name says, too, stands there once.
+std::string header_of(const h5::Column& column, const h5::Place& place) {
+  if (column.unit.empty()) return column.name;
+  const std::string by_name = csv_text::name_and_unit(column.name).second;
+  if (by_name == column.unit) return column.name;
+  if (by_name.empty()) return column.name + " [" + column.unit + "]";
+  (place / column.name)
+      .refuse("is in " + by_name + " by its name and in " + column.unit + " by its attribute");
+}
+
+void append_number(double value, std::string& text) {
+  if (std::isnan(value)) {
+    text += "nan";
+    return;
+  }
+  std::array<char, 32> digits{};
+  const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr;
+  text.append(digits.data(), end);
+}
+
+void check_lengths(const std::vector<h5::Column>& columns, const h5::Place& place) {
+  for (const h5::Column& column : columns) {
+    if (column.size() == columns.front().size()) continue;
+    place.refuse("has columns of unlike lengths: " + columns.front().name + " " +
+                 std::to_string(columns.front().size()) + ", " + column.name + " " +
+                 std::to_string(column.size()));
+  }
+}
+
+/// Columns as lines of cells.
+Hdf5Tables::Text text_of(const std::vector<h5::Column>& columns, const h5::Place& place) {
+  Hdf5Tables::Text text;
+  const auto is_named = [](const h5::Column& column) { return !column.name.empty(); };
+  text.has_header = std::ranges::any_of(columns, is_named);
+  if (text.has_header) {
+    for (const h5::Column& column : columns) {
+      if (&column != columns.data()) text.text += '\t';
+      text.text += csv_text::tabbed_cell(header_of(column, place));
+    }
+    text.text += '\n';
+  }
+  for (std::size_t row = 0; row < columns.front().size(); ++row) {
+    for (const h5::Column& column : columns) {
+      if (&column != columns.data()) text.text += '\t';
+      if (column.texts.empty()) {
+        append_number(column.numbers[row], text.text);
+      } else {
+        text.text += csv_text::tabbed_cell(column.texts[row]);
+      }
+    }
+    text.text += '\n';
+  }
+  return text;
+}
+
+h5::Place place_of(const std::string& file, const std::string& name) {
+  return {file, name == "/" ? name : "/" + name};
+}
+
+Hdf5Handle object_at(const Hdf5File& file, const h5::Place& place) {
+  Hdf5Handle object(H5Oopen(file.identifier(), place.path.c_str(), H5P_DEFAULT));
+  if (object.get() < 0) place.fail();
+  return object;
+}
+
+/// Whether a file says what result it is.
+bool has_schema(const Hdf5File& file) { return file.root().has_attribute(".", "schema"); }
+
+}  // namespace
+
+Hdf5Origin hdf5_origin(const std::string& path) {
+  if (!begins_as_result(path)) return Hdf5Origin::None;
+  const std::scoped_lock lock(hdf5_mutex());
+  try {
+    if (check_content_digest(path)) return Hdf5Origin::Results;
+  } catch (const InputError&) {  // only ours have a digest, that does not fit
+    return Hdf5Origin::Results;
+  }
+  try {
+    return has_schema(Hdf5File::open(path)) ? Hdf5Origin::Results : Hdf5Origin::Others;
+  } catch (const InputError&) {  // whoever reads it says so
+    return Hdf5Origin::Unknown;
+  }
+}
+
+/// What is open of a file.
+struct Hdf5Tables::Opened {
+  Hdf5File file;
+  std::set<haddr_t> known{};  ///< groups that were looked into: a hard link may lead back
+};
+
+Hdf5Tables::Hdf5Tables(const std::string& path) : path_(path) {
+  const std::scoped_lock lock(hdf5_mutex());
+  opened_ = std::make_unique<Opened>(Opened{Hdf5File::open(path)});
+  if (has_schema(opened_->file)) {
+    throw InputError({path_, 0}, "", "", "is a result file, no file of measured curves");
+  }
+  find_in("/", 0);
+  if (names_.empty()) {
+    throw InputError({path_, 0}, "", "",
+                     "holds no table: no group with two columns, no dataset of records or of two "
+                     "dimensions");
+  }
+}
+
+Hdf5Tables::~Hdf5Tables() {
+  const std::scoped_lock lock(hdf5_mutex());
+  opened_.reset();
+}
+
+void Hdf5Tables::find_in(const std::string& name, std::size_t depth) {
+  const h5::Place place = place_of(path_, name);
+  const Hdf5Handle group(H5Gopen2(opened_->file.identifier(), place.path.c_str(), H5P_DEFAULT));
+  H5O_info_t info{};
+  if (group.get() < 0 || H5Oget_info(group.get(), &info) < 0) place.fail();
+  if (depth > kMostDepth || !opened_->known.insert(info.addr).second) return;
+  std::size_t columns = 0;
+  std::vector<std::pair<std::string, bool>> others;  // groups, and tables by themselves
+  for (const std::string& child : h5::names_in(group, place)) {
+    const Hdf5Handle object = h5::opened(group, child, place);
+    const bool is_group = h5::is_group(object);
+    if (is_group || h5::is_table(object)) others.emplace_back(child, is_group);
+    if (h5::is_column(object)) ++columns;
+  }
+  if (columns >= 2) names_.push_back(name);
+  for (const auto& [child, is_group] : others) {
+    const std::string whole = name == "/" ? child : name + "/" + child;
+    if (is_group) {
+      find_in(whole, depth + 1);
+    } else {
+      names_.push_back(whole);
+    }
+  }
+}
+
+std::vector<std::string> Hdf5Tables::matching(const std::optional<std::string>& pattern) const {
+  if (!pattern) return names_;
+  std::vector<std::string> found;
+  std::ranges::copy_if(names_, std::back_inserter(found), [&](const std::string& name) {
+    return matches_stars(*pattern, name) || (name != "/" && matches_stars(*pattern, "/" + name));
+  });
+  if (!found.empty()) return found;
+  throw InputError({path_, 0}, "path", *pattern,
+                   "matches none of its tables: " + listed(names_, 8));
+}
+
+Hdf5Tables::Text Hdf5Tables::text(const std::string& name) const {
+  const h5::Place place = place_of(path_, name);
+  std::vector<h5::Column> columns;
+  {
+    const std::scoped_lock lock(hdf5_mutex());
+    columns = h5::columns_of(object_at(opened_->file, place), place);
+  }
+  check_lengths(columns, place);
+  return text_of(columns, place);
+}
+
+Hdf5Tables::Text Hdf5Tables::properties(const std::string& name) const {
+  std::vector<h5::Column> properties;
+  const std::scoped_lock lock(hdf5_mutex());
+  // From the table up to the file.
+  for (h5::Place place = place_of(path_, name);; place = place.above()) {
+    for (h5::Column& property : h5::properties_of(object_at(opened_->file, place), place)) {
+      const auto is_same = [&](const h5::Column& other) { return other.name == property.name; };
+      if (std::ranges::none_of(properties, is_same)) properties.push_back(std::move(property));
+    }
+    if (place.path == "/") break;
+  }
+  if (properties.empty()) return {};
+  return text_of(properties, place_of(path_, name));
+}
+
+}  // namespace plastica::io
