@@ -181,7 +181,7 @@ void add_calibrate(CLI::App& app, const Invocation& invocation, Action& action) 
   CLI::App* sub = app.add_subcommand(
       "calibrate", "Fit parameters to measured curves: a fit file, or bare curves");
   auto arguments = std::make_shared<CalibrateArguments>();
-  sub->add_option("inputs", arguments->inputs, "A fit file, or CSV files of curves")
+  sub->add_option("inputs", arguments->inputs, "A fit file, or files of curves (CSV, .xlsx, HDF5)")
       ->required()
       ->option_text("FIT.toml|FILE.csv...");
   sub->add_option("-o,--output", arguments->output,

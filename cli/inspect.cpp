@@ -112,7 +112,7 @@ void add_inspect(CLI::App& app, Action& action) {
   CLI::App* sub = app.add_subcommand(
       "inspect", "Show columns, units and repairs of measured files, and the block to paste");
   auto bare = std::make_shared<calibrate::BareFiles>();
-  sub->add_option("files", bare->files, "CSV files of curves")
+  sub->add_option("files", bare->files, "Files of curves: CSV, workbooks (.xlsx), HDF5")
       ->required()
       ->option_text("FILE.csv...");
   add_column_options(*sub, *bare, "Columns, in place of those that are guessed");

@@ -37,11 +37,12 @@ def by_name(result):
         names = [name.decode() for name in file["fits/name"][:]]
         raw = file["curves/raw"]
         offsets = raw["offsets"][:]
-        values = dict(zip(file["parameters/yield_stress/row"][:],
-                          file["parameters/yield_stress/value"][:]))
+        statuses = file["fits/status"][:]
+        values = file["parameters/yield_stress/value"][:]
         for row, name in enumerate(names):
             part = slice(offsets[row], offsets[row + 1])
-            fits[name] = (raw["strain"][part], raw["stress"][part], values.get(row))
+            value = values[row] if statuses[row] == b"fitted" else None
+            fits[name] = (raw["strain"][part], raw["stress"][part], value)
         return fits
 
 
@@ -83,6 +84,7 @@ class Hdf5Curves(unittest.TestCase):
             self.assertEqual(found[0].tobytes(), CURVES[name][0].tobytes())
             self.assertEqual(found[0].tobytes(), strain.tobytes())
             self.assertEqual(found[1].tobytes(), wanted[name][1].tobytes())
+            self.assertIsNotNone(value)
             self.assertEqual(found[2], value)
 
     def test_a_group_for_each_specimen(self):
@@ -252,7 +254,7 @@ class Hdf5Curves(unittest.TestCase):
             file["strain"], file["stress [MPa]"] = strain, stress
             file["stress [MPa]"][[5, 50]] = numpy.nan
         said, fits = self.fit('files = "curves.h5"\n' + COLUMNS)
-        self.assertIn("2 rows", said)
+        self.assertIn("2 samples     rows dropped that lack one of the two numbers", said)
         self.assertIsNotNone(fits["curves"][2])
 
     def test_links_are_not_followed_and_end(self):
@@ -283,8 +285,8 @@ class Hdf5Curves(unittest.TestCase):
         said = self.command("calibrate", "curves.h5", "-o", "x.h5", code=2)
         self.assertIn("curves.h5: is damaged: ", said)
         (self.at / "curves.h5").write_bytes(whole)
-        self.command("calibrate", "curves.h5", "-o", "fit.h5")
-        said, _ = self.fit('files = "f*.h5"\n' + COLUMNS, code=1)
+        self.command("calibrate", "curves.h5", "-o", "result.h5")
+        said, _ = self.fit('files = "result.h5"\n' + COLUMNS, code=1)
         self.assertIn("is a result file, no file of measured curves", " ".join(said.split()))
         self.assertIn("sheet = x: is of workbooks",
                       self.command("calibrate", "curves.h5", "--sheet", "x", "-o", "x.h5", code=2))
