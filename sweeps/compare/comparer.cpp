@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 
 namespace plastica::sweeps {
 namespace {
@@ -15,6 +16,13 @@ double at(const std::vector<double>& time, const std::vector<double>& curve, dou
   const double span = time[k] - time[k - 1];
   const double fraction = span > 0.0 ? (x - time[k - 1]) / span : 1.0;
   return curve[k - 1] + fraction * (curve[k] - curve[k - 1]);
+}
+
+/// Why a curve is not to be compared over its time; empty: it rises. A path that arcs lead comes
+/// back to loads that it had.
+std::string why_not_over(const std::vector<double>& time) {
+  if (std::ranges::is_sorted(time)) return {};
+  return "the load falls along the path, so that it has several values at one load";
 }
 
 double rms(const std::vector<double>& values) {
@@ -54,6 +62,10 @@ void Comparer::with_curve(std::size_t i, const std::vector<double>& time,
                           const std::vector<double>& curve) {
   const CaseResult& result = results_[i];
   if (result.curve.empty()) return;
+  for (const auto* times : {&time, &result.time}) {
+    out_.reason[i] = why_not_over(*times);
+    if (!out_.reason[i].empty()) return;
+  }
   // A last time may differ by its rounding.
   const double room = 1e-9 * std::abs(result.time.back());
   if (time.front() > result.time.front() + room || time.back() < result.time.back() - room) {
@@ -81,6 +93,8 @@ void Comparer::with_number_of(std::size_t i, const std::vector<double>& time,
   if (!result.value) return;
   Measured measured = take_of(sweep_.quantity.take, time, curve);
   if (result.level != Level::Coupon) {
+    out_.reason[i] = why_not_over(time);
+    if (!out_.reason[i].empty()) return;
     // Up to the case's last state, no further.
     const double end = result.last_time;
     const double room = 1e-9 * std::abs(end);

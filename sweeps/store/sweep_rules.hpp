@@ -12,7 +12,6 @@ inline constexpr std::array kSweepRules{
     io::may_lack("axes/*/values"),
     io::may_lack("cases/reference"),
     io::may_lack("cases/error"),
-    io::ValueRule{"cases/last_time", io::kNotNegative},
     io::anything("cases/energy_balance_error"),
     io::anything("cases/break_joint"),
     io::ValueRule{"cases/break_place", io::kFraction},

@@ -1,5 +1,7 @@
 #include "plastica/io/scene_rules.hpp"
 
+#include <algorithm>
+
 namespace plastica::io {
 namespace {
 
@@ -38,6 +40,18 @@ bool are_frames(const std::vector<std::size_t>& frames, std::size_t samples) {
   return !frames.empty() && frames.front() == 0 && frames.back() < samples;
 }
 
+/// Times of a motion rise from 0 on; those of a path that arcs lead fall and rise again.
+bool rises_if_moved(const SceneRecord& record, const std::vector<double>& time) {
+  if (record.setup.solver.analysis == Analysis::Statics) return true;
+  return std::ranges::is_sorted(time) && (time.empty() || time.front() >= 0.0);
+}
+
+std::vector<double> times_of(const std::vector<ChainBreak>& events) {
+  std::vector<double> times;
+  for (const ChainBreak& event : events) times.push_back(event.time);
+  return times;
+}
+
 bool spans_the_beam(const std::vector<double>& ends) {
   return ends.empty() || (ends.size() > 1 && ends.front() == 0.0 && ends.back() == 1.0);
 }
@@ -68,6 +82,10 @@ void check_agreement(const Hdf5Group& root, const SceneRecord& record) {
                 "must have a strain for each sample"},
       Agreement{!response.event || response.event->sample < scene.drive.strain.size(),
                 "coupon_break/sample", "must be a sample of the drive"},
+      Agreement{rises_if_moved(record, response.chain.time), "path/time",
+                "must rise from 0 on in a motion"},
+      Agreement{rises_if_moved(record, times_of(response.chain.events)), "events/time",
+                "must rise from 0 on in a motion"},
       Agreement{are_frames(response.chain.frame_sample, coupon ? 0 : samples), "path/frame_sample",
                 "must rise and be samples of the file"},
       Agreement{are_joints(record), "events/joints/joint", "must be a joint of the beam"},

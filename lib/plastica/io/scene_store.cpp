@@ -12,6 +12,7 @@
 #include "plastica/model/beam_axis.hpp"
 #include "plastica/model/yield_warnings.hpp"
 #include "plastica/run/axial_warning.hpp"
+#include "plastica/run/peak_warning.hpp"
 #include "plastica/run/rounding_warning.hpp"
 #include "plastica/run/scene_warnings.hpp"
 #include "plastica/run/turn_warning.hpp"
@@ -82,6 +83,9 @@ SceneRecord make_scene_record(const SceneFile& file, const Model& model, Respons
     record.warnings.push_back(std::move(warning));
   }
   for (std::string& warning : rounding_warnings(file.setup.scene, response)) {
+    record.warnings.push_back(std::move(warning));
+  }
+  for (std::string& warning : peak_warnings(response)) {
     record.warnings.push_back(std::move(warning));
   }
   for (std::string& warning : turn_warnings(file.setup.scene, model.level, response)) {

@@ -23,7 +23,7 @@
 /// member that they are read into, truth values 0 or 1.
 namespace plastica::io {
 
-enum class Order { Any, Rises, RisesStrictly };
+enum class Order { Any, RisesStrictly };
 
 struct ValueRule {
   std::string_view path{};  ///< of the dataset, from the root; `*` stands for one name on the way
@@ -88,13 +88,9 @@ inline void check_values(const Hdf5Group& group, std::string_view path,
       refuse_value(group, path, model_detail::number_text(value), rule.range.rule());
     }
   }
-  const bool strict = rule.order == Order::RisesStrictly;
   if (rule.order == Order::Any) return;
-  const auto falls = std::adjacent_find(values.begin(), values.end(), [&](double a, double b) {
-    return strict ? !(a < b) : !(a <= b);
-  });
-  if (falls != values.end()) {
-    refuse_value(group, path, "", strict ? "must rise from each to the next" : "must not fall");
+  if (std::ranges::adjacent_find(values, std::not_fn(std::less<>{})) != values.end()) {
+    refuse_value(group, path, "", "must rise from each to the next");
   }
 }
 

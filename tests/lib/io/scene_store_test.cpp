@@ -102,6 +102,14 @@ TEST_F(SceneStore, ReadsAChainBackBitByBit) {
   expect_same_chain(read.response.chain, record.response.chain);
 }
 
+/// As of a path that arcs lead beyond its peak.
+TEST_F(SceneStore, ReadsAPathBackWhoseLoadFalls) {
+  SceneRecord record = record_of(cantilever_text());
+  record.response.chain.time = {0.0, 0.5, 0.75, 0.25, -0.125, 1.0};
+  record.response.chain.factor = record.response.chain.time;
+  expect_same_chain(stored(record).response.chain, record.response.chain);
+}
+
 TEST_F(SceneStore, ReadsTheBeamAndWhatActsOnItBack) {
   const SceneRecord record = record_of(cantilever_text("-100 N", R"([[load]]
 at = 0.25
@@ -392,8 +400,11 @@ TEST_F(DamagedScene, WhoseNumbersAreOutOfTheirRangeIsRefused) {
                       record.setup.scene.probes[0].at = {1.5, {}};
                     }),
             "/probes/at = 1.5: must be from 0 to 1");
-  EXPECT_EQ(refusal(beam, [](SceneRecord& record) { record.response.chain.time[0] = 9.0; }),
-            "/path/time: must not fall");
+  const SceneRecord motion = motion_record({.segments = 4, .samples = 11, .frames = 3});
+  for (const double time : {9.0, -1.0}) {
+    EXPECT_EQ(refusal(motion, [&](SceneRecord& record) { record.response.chain.time[0] = time; }),
+              "/path/time: must rise from 0 on in a motion");
+  }
 }
 
 }  // namespace

@@ -1,7 +1,10 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <string>
+#include <vector>
 
+#include "plastica/run/peak_warning.hpp"
 #include "tests/support/chain_scene.hpp"
 
 namespace plastica {
@@ -38,14 +41,20 @@ TEST(ArcLength, EndsAtTheLoadThatWasAskedForAndNotBehindIt) {
 }
 
 /// A shallow arch, pushed at its crown: its path winds, and no equilibrium beyond the first top is
-/// stable before it has snapped through. With few steps the samples end on the way.
-TEST(ArcLength, NeverCallsAPathCompletedThatEndsBelowItsLoad) {
+/// stable before it has snapped through.
+Scene pushed_arch() {
   Scene scene = testing::cantilever_scene(24);
   scene.beam.shape = BeamShape::Arc;
   scene.beam.arc_angle = 0.6;
   scene.supports = {{.at = Place::start(), .kind = SupportKind::Pin},
                     {.at = Place::end(), .kind = SupportKind::Pin}};
   scene.loads = {{.at = {0.5, {}}, .force = {0.0, 40e3 * std::cos(0.3), -40e3 * std::sin(0.3)}}};
+  return scene;
+}
+
+/// With few steps the samples end on the way.
+TEST(ArcLength, NeverCallsAPathCompletedThatEndsBelowItsLoad) {
+  const Scene scene = pushed_arch();
   for (const int steps : {1, 2, 4, 8, 12, 16, 20, 25, 30}) {
     const Response response = simulate(scene, {.translation = JointTranslation::Elastic,
                                                .steps = steps,
@@ -54,6 +63,22 @@ TEST(ArcLength, NeverCallsAPathCompletedThatEndsBelowItsLoad) {
     // It gets to 1 on its way up again, if there are samples for all of the way.
     EXPECT_TRUE(steps < 20 || response.chain.factor[response.samples - 1] == 1.0) << steps;
   }
+}
+
+/// The peak that it passes is where load control ends.
+TEST(ArcLength, SaysThatItPassesAPeak) {
+  const Scene scene = pushed_arch();
+  SolverOptions options{
+      .translation = JointTranslation::Elastic, .steps = 400, .control = PathControl::Load};
+  const Response led = simulate(scene, options);
+  ASSERT_TRUE(led.limit.has_value());
+  EXPECT_TRUE(peak_warnings(led).empty());
+  options.control = PathControl::ArcLength;
+  const std::vector<std::string> said = peak_warnings(simulate(scene, options));
+  ASSERT_EQ(said.size(), 1U);
+  const std::string before = "the path passes a peak at a factor of ";
+  ASSERT_TRUE(said[0].starts_with(before)) << said[0];
+  EXPECT_NEAR(std::stod(said[0].substr(before.size())), led.limit->above, 5e-3) << said[0];
 }
 
 }  // namespace

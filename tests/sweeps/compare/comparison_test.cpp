@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <utility>
 
 #include "sweeps/compare/convergence.hpp"
 #include "tests/support/message.hpp"
@@ -130,6 +131,28 @@ TEST(Compare, TakesTheRmsOfCurves) {
   EXPECT_TRUE(made.compared().reference_curve[1].empty());
   made.results[0].time = {0.0, 1.0, 2.5};
   EXPECT_EQ(made.compared().reason[0], "the reference does not reach over the case's times");
+}
+
+// A path beyond its peak comes back to loads that it had: there is no one value at a load.
+TEST(Compare, SaysWhereTheLoadFallsAlongThePath) {
+  const std::string why = "the load falls along the path, so that it has several values at one load";
+  Made made(
+      segments_axis("[4, 8]") + "[error]\nprobe = 'tip'\ntake = 'curve'\nagainst = 'finest'\n",
+      {kNone, kNone});
+  made.results[1].time = {0.0, 1.0, 0.5, 2.0};
+  made.results[1].curve = {3.0, 3.0, 3.0, 3.0};
+  made.results[0].time = {0.0, 1.0, 2.0};
+  made.results[0].curve = {3.3, 3.3, 3.3};
+  EXPECT_EQ(made.compared().reason[0], why);
+  EXPECT_FALSE(made.compared().error[0].has_value());
+  std::swap(made.results[0].time, made.results[1].time);
+  std::swap(made.results[0].curve, made.results[1].curve);
+  EXPECT_EQ(made.compared().reason[0], why);
+  Made stored(segments_axis("[4]") + kTipError, {-2.0});
+  stored.sweep.against = {
+      .kind = AgainstKind::File, .time = {0.0, 1.0, 0.5}, .curve = {0.0, -1.0, -5.0}};
+  stored.results[0].last_time = 0.5;
+  EXPECT_EQ(stored.compared().reason[0], why);
 }
 
 // A reference that goes on is taken as far as the case goes.

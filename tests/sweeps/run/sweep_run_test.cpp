@@ -208,6 +208,9 @@ TEST(TakeOf, GivesOneNumberOfACurve) {
   EXPECT_EQ(take(Take::Size), 5.0);
   EXPECT_DOUBLE_EQ(take(Take::Mean), (-2.0 - 2.0) / 3.0);
   EXPECT_FALSE(take_of(Take::Frequency, time, values).value.has_value());
+  // Of a path beyond its peak.
+  EXPECT_EQ(take_of(Take::Mean, std::vector{0.0, 2.0, 1.0}, values).reason,
+            "the load falls along the path: there is no mean over it");
 }
 
 TEST(TakeOf, FindsTheFrequencyOfASine) {
