@@ -21,6 +21,7 @@
 #include "plastica/io/scene_file.hpp"
 #include "plastica/io/scene_store.hpp"
 #include "plastica/io/units.hpp"
+#include "plastica/model/numbered_place.hpp"
 #include "plastica/model/support_kind.hpp"
 
 namespace plastica::cli {
@@ -181,6 +182,11 @@ std::string beam_text(const BeamRequest& request, ResultKind kind) {
                       : kind == ResultKind::SceneFits ? scene_fitted_beam(request)
                                                       : simulated_beam(request);
   if (request.segments) {
+    const std::string why =
+        why_not_segments(source.setup.scene, source.setup.solver, *request.segments);
+    if (!why.empty()) {
+      throw InputError({}, "--segments", std::to_string(*request.segments), why);
+    }
     set_field(source.setup, find_field("beam.segments"), static_cast<double>(*request.segments), {},
               std::to_string(*request.segments));
   }

@@ -24,6 +24,7 @@
 #include "plastica/io/read_input.hpp"
 #include "plastica/io/scene_file.hpp"
 #include "plastica/io/text_file.hpp"
+#include "plastica/model/numbered_place.hpp"
 
 namespace plastica::calibrate {
 namespace {
@@ -235,7 +236,11 @@ class Reader {
     WeightedTarget& weighted = read.weighted;
     SceneTarget& target = weighted.target;
     weighted.setup = read_scene(table.at("scene"));
+    const Setup as_it_stands = weighted.setup;
     io::read_setup(table, weighted.setup);
+    const std::string why = why_not_segments(as_it_stands.scene, as_it_stands.solver,
+                                             weighted.setup.scene.beam.segments);
+    if (!why.empty()) throw table.at("beam").table().at("segments").error(why);
     refuse_own_segments(table);
     refuse_own_parameters(table);
     const TomlTable abscissa = table.at("abscissa").table();

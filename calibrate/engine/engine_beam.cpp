@@ -145,6 +145,7 @@ class BeamReader {
         add_weld(constraint, held);
         continue;
       }
+      if (is_oblique(constraint.direction)) continue;  // is noted as left out
       for (std::size_t k = 0; k < 3; ++k) {
         held.holds[k] = held.holds[k] || constraint.direction[k] != 0.0;
       }

@@ -72,8 +72,10 @@ void note_supports(const Scene& scene, const std::vector<EngineSegment>& segment
     const SupportTraits& kind = traits_of(support);
     if (kind.one_sided) {
       beam.notes.push_back(place() + " only pushes: left out");
-    } else if (kind.normal) {
-      beam.notes.push_back(place() + " holds along its normal alone: left out");
+    } else if (kind.normal && is_oblique(support.normal)) {
+      beam.notes.push_back(place() +
+                           " holds along its normal alone, which is no axis: left out, so that the "
+                           "beam is free there");
     }
     if (kind.springs) beam.notes.push_back(place() + " has springs to the ground: left out");
     if (support.moves()) beam.notes.push_back(place() + " moves: here it stands still");

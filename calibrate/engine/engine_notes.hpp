@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <span>
 #include <string>
 #include <string_view>
@@ -13,6 +14,14 @@
 
 /// What the writers of all formats share; not installed.
 namespace plastica::calibrate {
+
+/// Whether a direction is along no axis of the world.
+template <class Vector>
+bool is_oblique(const Vector& direction) {
+  int along = 0;
+  for (std::size_t k = 0; k < 3; ++k) along += direction[k] != 0.0 ? 1 : 0;
+  return along > 1;
+}
 
 /// Notes what of a scene the numbers of its beam do not hold.
 void add_scene_notes(const Scene& scene, const SolverOptions& options, EngineBeam& beam);

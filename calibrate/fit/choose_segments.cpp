@@ -9,6 +9,7 @@
 #include "calibrate/problem/scene_parameters.hpp"
 #include "calibrate/trial/remesh.hpp"
 #include "plastica/base/check.hpp"
+#include "plastica/model/numbered_place.hpp"
 #include "plastica/run/simulate.hpp"
 
 namespace plastica::calibrate {
@@ -86,6 +87,11 @@ void set_segments(int segments, std::vector<WeightedTarget>& targets) {
       throw InputError({}, "fit.segments", std::to_string(segments),
                        "is not for a scene that gives the lengths of its segments or joints (" +
                            each.target.name + ")");
+    }
+    const std::string why = why_not_segments(each.setup.scene, each.setup.solver, segments);
+    if (!why.empty()) {
+      throw InputError({}, "fit.segments", std::to_string(segments),
+                       why + " (" + each.target.name + ")");
     }
     each.setup.scene.beam.segments = segments;
   }

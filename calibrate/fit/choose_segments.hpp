@@ -9,7 +9,8 @@
 namespace plastica::calibrate {
 
 /// Gives every beam among the targets a number of segments; coupons stay.
-/// @throws InputError for a beam whose segments' lengths are given one by one
+/// @throws InputError for a beam whose segments' lengths are given one by one, or a place by the
+///         number of a segment
 void set_segments(int segments, std::vector<WeightedTarget>& targets);
 
 /// Finds the fewest segments that move no value of a fit by more than a fraction of it.

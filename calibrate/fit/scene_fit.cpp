@@ -130,6 +130,7 @@ class SceneFit {
     for (const TargetFit& of_target : result_.targets) {
       add_warning(of_target, result_.law, next, result_.warnings);
     }
+    warn_of_scenes(problem_, targets_, search_.best().x, result_.warnings);
     warn_of_specimens(targets_, result_.targets, result_.warnings);
     warn_of_survived(problem_, options_, result_.parameters, curves, result_.warnings);
     const FittedScenes fitted(problem_, options_, search_.best(), errors);

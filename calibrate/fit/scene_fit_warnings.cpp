@@ -2,11 +2,14 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "calibrate/inference/moved_by_segments.hpp"
 #include "calibrate/inference/shared_offset.hpp"
 #include "calibrate/problem/target_noise.hpp"
+#include "plastica/base/listed.hpp"
 
 namespace plastica::calibrate {
 
@@ -64,6 +67,25 @@ std::string warning_of_segments(const SceneFitResult& result, double within) {
              ? fmt::format("{} is moved by the segments by up to {:.2g} % of it: {}",
                            last_part(trial.parameter), 100.0 * trial.moved, asked)
              : fmt::format("what the segments do is not known: {}; {}", trial.reason, asked);
+}
+
+void warn_of_scenes(const SceneProblem& problem, std::span<const WeightedTarget> targets,
+                    std::span<const double> point, std::vector<std::string>& warnings) {
+  constexpr std::size_t kShownTargets = 3;
+  std::vector<std::pair<std::string, std::vector<std::string>>> said;  // with the targets' names
+  for (std::size_t t = 0; t < targets.size(); ++t) {
+    for (std::string& warning : problem.warnings_of(t, point)) {
+      auto known =
+          std::ranges::find_if(said, [&](const auto& one) { return one.first == warning; });
+      if (known == said.end()) known = said.insert(said.end(), {std::move(warning), {}});
+      known->second.push_back(targets[t].target.name);
+    }
+  }
+  for (const auto& [warning, names] : said) {
+    const bool of_all = names.size() == targets.size();
+    warnings.push_back(
+        (of_all ? "the scene: " : "the scene of " + listed(names, kShownTargets) + ": ") + warning);
+  }
 }
 
 }  // namespace plastica::calibrate

@@ -33,6 +33,12 @@ std::string warning_of_offset(const SceneProblem& problem, std::size_t t,
 /// A scene that stops short of what was measured, even with the fitted values.
 std::string warning_of_path(const SceneTarget& target, const SceneCurve& fitted);
 
+/// What a run of each target's scene warns of, with the fitted values: what a scene leaves out, the
+/// parameters make up for.
+/// @param point  the fitted coordinates (n_free)
+void warn_of_scenes(const SceneProblem& problem, std::span<const WeightedTarget> targets,
+                    std::span<const double> point, std::vector<std::string>& warnings);
+
 /// Segments that move a value by more than was asked for.
 /// @param within  0: nothing was asked
 std::string warning_of_segments(const SceneFitResult& result, double within);

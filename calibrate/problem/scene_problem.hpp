@@ -57,6 +57,10 @@ class SceneProblem {
   const SceneParameters& parameters() const { return parameters_; }
   std::span<const WeightedTarget> targets() const { return targets_; }
   const SceneModel& model(std::size_t t) const { return models_[t]; }
+  /// Those of a target's scene at a point (n_free), see `SceneModel::warnings`.
+  std::vector<std::string> warnings_of(std::size_t t, std::span<const double> point) const {
+    return models_[t].warnings(parameters_.values(point));
+  }
   /// With the scales that are set now.
   const LeastSquaresProblem& squares() const { return squares_; }
   std::size_t samples() const;  ///< of all targets

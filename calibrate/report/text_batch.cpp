@@ -166,10 +166,11 @@ std::string specimens_text(std::span<const FitRecord> records, const ReportOptio
   const DisplayUnit mpa = display_unit(Dimension::Stress, largest(records, strength));
   const std::vector<BatchParameter> parameters = batch_parameters(records);
 
-  std::vector<Table::Column> columns = {{"specimen", Align::Left, ""},
-                                        {"E", Align::Right, std::string(gpa.name)},
-                                        {proof_label(records), Align::Right, std::string(mpa.name)},
-                                        {"Rm", Align::Right, std::string(mpa.name)}};
+  std::vector<Table::Column> columns = {
+      {"specimen", Align::Left, ""},
+      {modulus_label(records), Align::Right, std::string(gpa.name)},
+      {proof_label(records), Align::Right, std::string(mpa.name)},
+      {"Rm", Align::Right, std::string(mpa.name)}};
   for (const BatchParameter& parameter : parameters) {
     columns.push_back({symbol_of(parameter.name) + " ± error", Align::PlusMinus,
                        std::string(parameter.unit.name)});

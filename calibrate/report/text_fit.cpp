@@ -96,6 +96,7 @@ std::string proof_label(const Characteristics& all) {
 
 std::string characteristics_text(const Target& target, const Ink& ink) {
   const Characteristics& all = target.characteristics;
+  const std::string modulus = target.test == Test::Torsion ? "G" : "E";
   Table table({{"", Table::Align::Left},
                {"", Table::Align::PlusMinus},
                {"", Table::Align::Left},
@@ -107,7 +108,7 @@ std::string characteristics_text(const Target& target, const Ink& ink) {
                std::move(note)});
   };
   if (all.youngs_modulus && !all.sound_modulus()) {
-    table.add({"E", "-", "", "not known: its error is above 5 %"});
+    table.add({modulus, "-", "", "not known: its error is above 5 %"});
   } else if (all.youngs_modulus) {
     const DisplayUnit unit = display_unit(Dimension::Stress, *all.youngs_modulus, true);
     const double value = *all.youngs_modulus / unit.scale;
@@ -117,7 +118,7 @@ std::string characteristics_text(const Target& target, const Ink& ink) {
       note += fmt::format(" from {} to {} {}", brief(all.modulus_window_low / window.scale),
                           brief(all.modulus_window_high / window.scale), window.name);
     }
-    table.add({"E",
+    table.add({modulus,
                all.youngs_modulus_stderr
                    ? with_error(value, *all.youngs_modulus_stderr / unit.scale)
                    : significant(value),

@@ -20,9 +20,11 @@ using plastica::report::Ink;
 using plastica::report::kWidth;
 using plastica::report::Table;
 
-std::string label_of(std::string_view name, const std::string& proof) {
+std::string label_of(std::string_view name, const std::string& modulus, const std::string& proof) {
+  if (name == "youngs_modulus") return modulus;
+  if (name == "rp02") return proof;
   for (const CharacteristicEntry& entry : characteristic_entries()) {
-    if (entry.name == name) return name == "rp02" ? proof : std::string(entry.label);
+    if (entry.name == name) return std::string(entry.label);
   }
   return printable(name);
 }
@@ -75,6 +77,14 @@ std::string proof_label(std::span<const FitRecord> records) {
   return "Rp" + brief(100.0 * offset.value_or(0.002));
 }
 
+std::string modulus_label(std::span<const FitRecord> records) {
+  const auto is_torsion = [](const FitRecord& record) {
+    return record.target.test == Test::Torsion;
+  };
+  if (std::ranges::none_of(records, is_torsion)) return "E";
+  return std::ranges::all_of(records, is_torsion) ? "G" : "E, G";
+}
+
 std::string groups_text(std::span<const FitRecord> records, const ReportOptions& options,
                         const Ink& ink) {
   const SpecimenDraws draws{options.specimen_resamples, options.seed, options.confidence};
@@ -82,6 +92,7 @@ std::string groups_text(std::span<const FitRecord> records, const ReportOptions&
   const bool drawn = draws.resamples > 0 && std::ranges::any_of(groups, [](const auto& group) {
                        return group.fitted >= kFewestToDraw;
                      });
+  const std::string modulus = modulus_label(records);
   const std::string proof = proof_label(records);
   const std::size_t shown =
       options.groups_shown == 0 ? groups.size() : std::min(groups.size(), options.groups_shown);
@@ -101,7 +112,7 @@ std::string groups_text(std::span<const FitRecord> records, const ReportOptions&
          {fmt::format("{:.4g} % of the mean", 100.0 * options.confidence), Table::Align::Range},
          {"", Table::Align::Left}});
     for (const GroupStatistic& entry : group.characteristics) {
-      add_statistic(table, entry, label_of(entry.name, proof));
+      add_statistic(table, entry, label_of(entry.name, modulus, proof));
     }
     if (!group.parameters.empty()) table.add_line("fitted");
     for (const GroupStatistic& entry : group.parameters) {

@@ -12,6 +12,9 @@ namespace plastica::calibrate::report {
 /// "Rp0.2", or "Rp" where the specimens have different offsets.
 std::string proof_label(std::span<const FitRecord> records);
 
+/// What the elastic slopes are: "E", of torsion tests "G", of both "E, G".
+std::string modulus_label(std::span<const FitRecord> records);
+
 /// Mean and deviation of the characteristics and parameters of each group, the intervals of the
 /// parameters' means if specimens are resampled.
 std::string groups_text(std::span<const FitRecord> records, const ReportOptions& options,

@@ -10,7 +10,9 @@
 #include "plastica/model/beam_axis.hpp"
 #include "plastica/model/region.hpp"
 #include "plastica/model/shared_moments.hpp"
+#include "plastica/run/run_warnings.hpp"
 #include "plastica/run/scene_joints.hpp"
+#include "plastica/run/simulate.hpp"
 
 namespace plastica::calibrate {
 namespace {
@@ -146,6 +148,19 @@ std::vector<SceneCurve> SceneModel::run(std::span<const double> values, std::siz
   std::vector<SceneCurve> curves = run(false, values, count, how);
   if (extended_) extend(values, how, curves);
   return curves;
+}
+
+std::vector<std::string> SceneModel::warnings(std::span<const double> values) const {
+  const Setup at = setup_at(setup_, values);
+  try {
+    const Model model = prepare(at.scene, at.solver);
+    Workspace workspace = make_workspace(model);
+    Response response = make_response(model);
+    plastica::run(model, {}, workspace, response);
+    return run_warnings(at.scene, at.solver, model, response);
+  } catch (const InputError&) {  // has no curve, which is said elsewhere
+    return {};
+  }
 }
 
 bool SceneModel::takes_a_limit() const {

@@ -68,6 +68,9 @@ class SceneModel {
                               StopFlag stop = nullptr) const;
 
   Level level() const { return model_.level; }
+  /// What a reader must not overlook of the scene with values of the fields, which it runs with:
+  /// its `run_warnings`. Of one that cannot run, nothing.
+  std::vector<std::string> warnings(std::span<const double> values) const;
   /// Whether any region takes a limit of the scene's material: not if regions of others cover it
   /// all.
   bool takes_a_limit() const;

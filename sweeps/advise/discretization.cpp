@@ -10,8 +10,8 @@
 #include <string_view>
 #include <variant>
 
+#include "plastica/model/numbered_place.hpp"
 #include "plastica/run/path_stops.hpp"
-#include "sweeps/plan/numbered_places.hpp"
 
 namespace plastica::sweeps {
 namespace {

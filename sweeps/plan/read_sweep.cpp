@@ -4,9 +4,9 @@
 
 #include "plastica/io/read_input.hpp"
 #include "plastica/io/toml.hpp"
+#include "plastica/model/numbered_place.hpp"
 #include "sweeps/plan/derived_fields.hpp"
 #include "sweeps/plan/kind_axes.hpp"
-#include "sweeps/plan/numbered_places.hpp"
 #include "sweeps/plan/read_axes.hpp"
 #include "sweeps/plan/sweep.hpp"
 
@@ -76,9 +76,13 @@ void check_places(const Sweep& sweep) {
   const auto place = numbered_place(sweep.setup.scene, sweep.setup.solver);
   if (!place) return;
   for (const Axis& axis : sweep.axes) {
-    if (axis.values.size() < 2 || !axis.field->path.starts_with("beam.segment")) continue;
-    throw InputError(axis.where, axis.field->path, std::to_string(axis.values.size()) + " values",
-                     "move the scene's " + std::string(*place) +
+    if (!axis.field->path.starts_with("beam.segment")) continue;
+    const bool is_one = axis.values.size() == 1;
+    if (is_one && axis.values.front() == axis.field->get(sweep.setup)) continue;
+    throw InputError(axis.where, axis.field->path,
+                     is_one ? "another value" : std::to_string(axis.values.size()) + " values",
+                     std::string(is_one ? "moves" : "move") + " the scene's " +
+                         std::string(*place) +
                          ", the end of a segment by its number: give it as a fraction");
   }
 }

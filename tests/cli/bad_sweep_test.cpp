@@ -68,6 +68,14 @@ INSTANTIATE_TEST_SUITE_P(
               "segment by its number: give it as a fraction",
               {{"numbered.toml",
                 changed(kScene, "[[load]]\nat = 'end'", "[[load]]\nat = { segment = 8 }")}}),
+        sweep(
+            "PlaceMovedBySet",
+            "scene.toml'\n[[axis]]\nfield = 'beam.segments'\nvalues = [4, 8, 16]\n",
+            "numbered.toml'\n[set]\nbeam.segments = 16\n",
+            "sweep.toml:3: beam.segments = another value: moves the scene's load.at, the end of a "
+            "segment by its number: give it as a fraction",
+            {{"numbered.toml",
+              changed(kScene, "[[load]]\nat = 'end'", "[[load]]\nat = { segment = 8 }")}}),
         sweep("UnknownField", "beam.segments", "beam.segment",
               "sweep.toml:3: axis[1].field = beam.segment: is not a field; `plastica fields` lists "
               "them"),

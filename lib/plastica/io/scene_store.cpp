@@ -10,12 +10,7 @@
 #include "plastica/io/scene_rules.hpp"
 #include "plastica/io/scene_writer.hpp"
 #include "plastica/model/beam_axis.hpp"
-#include "plastica/model/yield_warnings.hpp"
-#include "plastica/run/axial_warning.hpp"
-#include "plastica/run/peak_warning.hpp"
-#include "plastica/run/rounding_warning.hpp"
-#include "plastica/run/scene_warnings.hpp"
-#include "plastica/run/turn_warning.hpp"
+#include "plastica/run/run_warnings.hpp"
 
 namespace plastica::io {
 namespace {
@@ -41,22 +36,6 @@ void keep_valid_samples(Response& response) {
   }
 }
 
-/// Whether joints have done plastic work, beyond rounding.
-bool has_yielded(const Response& response) {
-  const auto& energy = response.chain.energy;
-  if (response.samples == 0 || energy.size() < response.samples) return false;
-  const Energies& last = energy[response.samples - 1];
-  return last.plastic > 1e-9 * std::max(std::fabs(last.external), last.elastic);
-}
-
-/// Whether a beam that bends in a plane comes to leave it, or would.
-bool leaves_plane(const Response& response) {
-  const auto any = [](const auto& modes) {
-    return modes && std::ranges::find(modes->out_of_plane, 1) != modes->out_of_plane.end();
-  };
-  return any(response.critical) || any(response.buckling);
-}
-
 }  // namespace
 
 std::span<const std::string_view> scene_layout::choices_of(std::string_view field) {
@@ -68,29 +47,7 @@ SceneRecord make_scene_record(const SceneFile& file, const Model& model, Respons
   record.setup = file.setup;
   record.level = model.level;
   record.level_reason = model.level_reason;
-  record.warnings = scene_warnings(model);
-  if (has_yielded(response)) {
-    if (auto warning = first_yield_warning(model)) {
-      record.warnings.push_back(std::move(*warning));
-    }
-  }
-  if (leaves_plane(response)) {
-    if (auto warning = model_detail::tipping_warning(file.setup.scene)) {
-      record.warnings.push_back(std::move(*warning));
-    }
-  }
-  for (std::string& warning : axial_warnings(file.setup.scene, file.setup.solver, response)) {
-    record.warnings.push_back(std::move(warning));
-  }
-  for (std::string& warning : rounding_warnings(file.setup.scene, response)) {
-    record.warnings.push_back(std::move(warning));
-  }
-  for (std::string& warning : peak_warnings(response)) {
-    record.warnings.push_back(std::move(warning));
-  }
-  for (std::string& warning : turn_warnings(file.setup.scene, model.level, response)) {
-    record.warnings.push_back(std::move(warning));
-  }
+  record.warnings = run_warnings(file.setup.scene, file.setup.solver, model, response);
   record.outline = beam_outline(model);
   record.inputs = {{std::filesystem::path(file.path).filename().string(), file.text}};
   keep_valid_samples(response);

@@ -16,6 +16,7 @@
 #include "plastica/model/yield_warnings.hpp"
 #include "plastica/run/chain_model.hpp"
 #include "plastica/run/joint_warnings.hpp"
+#include "plastica/run/shear_warning.hpp"
 #include "plastica/run/warning_facts.hpp"
 
 namespace plastica {
@@ -23,50 +24,6 @@ namespace {
 
 using model_detail::figure;
 using namespace run_detail;
-
-/// Shear's fraction of the tip deflection of a cantilever, clamped where the beam begins, under a
-/// tip force: phi/(1 + phi), phi = integral(dz/(kappa G A)) over integral((L - z)^2 dz/(E I)), for
-/// one section 3 E I/(kappa G A L^2). Source: Timoshenko's beam.
-double shear_fraction(const Facts& facts, bool about_x) {
-  double shear = 0.0;
-  double bending = 0.0;
-  double left = facts.scene.beam.length;
-  for_each_segment(facts, [&](double along, const chain::BeamRegion& region) {
-    const SectionProperties& section = region.properties;
-    const double second_moment = about_x ? section.second_moment_x : section.second_moment_y;
-    const double kappa = about_x ? section.shear_coefficient_y : section.shear_coefficient_x;
-    shear += along / (kappa * resolved_shear_modulus(region.material) * section.area);
-    const double beyond = std::max(left - along, 0.0);
-    bending += (left * left * left - beyond * beyond * beyond) / 3.0 /
-               (region.material.youngs_modulus * second_moment);
-    left = beyond;
-  });
-  const double phi = shear / bending;
-  return phi / (1.0 + phi);
-}
-
-std::optional<std::string> short_beam(const Facts& facts) {
-  const bool about_x =
-      bends_about_x(facts.level) &&
-      (!bends_about_y(facts.level) || depth_of(facts, true) >= depth_of(facts, false));
-  if (!about_x && !bends_about_y(facts.level)) return std::nullopt;
-  const double slenderness = facts.scene.beam.length / depth_of(facts, about_x);
-  if (slenderness >= 10.0 || facts.options.translation == JointTranslation::Elastic) {
-    return std::nullopt;
-  }
-  const std::string text =
-      "the beam is " + figure(slenderness) +
-      " times as long as deep (below 10): shear, which rigid joints leave out, ";
-  const double fraction = shear_fraction(facts, about_x);
-  if (!std::isfinite(fraction)) {
-    return text +
-           "may count; with section.shear_coefficient, which numbers do not tell, "
-           "solver.translation = \"elastic\" has it";
-  }
-  return text + "is " + figure(100.0 * fraction) +
-         " % of a cantilever's tip deflection (Timoshenko); solver.translation = \"elastic\" has "
-         "it";
-}
 
 /// Whether a history lets go of what it had reached.
 bool lets_go(const History& history) {
@@ -273,7 +230,7 @@ std::vector<std::string> scene_warnings(const Model& model) {
   const Facts facts(model);
   std::vector<std::string> warnings;
   for (const auto find :
-       {short_beam, hinge_warning, cap, thin_wall, per_axis, warping, softening, inner_places,
+       {shear_warning, hinge_warning, cap, thin_wall, per_axis, warping, softening, inner_places,
         cut_corners, inner_clamp_warning, rigid_stretch_warning, missed_corners, no_potential}) {
     if (auto warning = find(facts)) warnings.push_back(std::move(*warning));
   }

@@ -198,7 +198,7 @@ TEST_F(BareFilesTest, RefusesOptionsThatContradictEachOther) {
   EXPECT_EQ(error_with([](BareFiles& bare) { bare.force = "b"; }),
             "--load = b: cannot go with --stress");
   EXPECT_EQ(error_with([](BareFiles& bare) { bare.group = {"lot"}; }),
-            "--group = lot: needs --table, which has this column");
+            "--group = lot: needs --table, which has this column, or HDF5 files with attributes");
   EXPECT_EQ(error_with([](BareFiles& bare) { bare.table = "info.csv"; }),
             "--table = info.csv: must be FILE:KEY, the key being a column");
 }

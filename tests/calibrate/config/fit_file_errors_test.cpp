@@ -109,11 +109,11 @@ TEST_F(FitFileErrors, ForceAndElongationAreOfTensionAlone) {
 TEST_F(FitFileErrors, AColumnOfTheTableNeedsTheTable) {
   EXPECT_EQ(with("group = ['temperature']"),
             "f.toml:5: target[1].group = ['temperature']: needs `table`, the file that has this "
-            "column");
+            "column, or HDF5 files with attributes");
   EXPECT_EQ(
       error("[[target]]\nfiles = 'a.csv'\nstrain = 'e'\nforce = 'F'\narea = { from = 'S' }\n"),
       "f.toml:5: target[1].area = { from = 'S' }: needs `table`, the file that has this "
-      "column");
+      "column, or HDF5 files with attributes");
 }
 
 TEST_F(FitFileErrors, ATableMustBeAFileWithAKey) {

@@ -1,7 +1,10 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <string>
+#include <vector>
 
 #include "tests/calibrate/engine/engine_scenes.hpp"
 #include "tests/support/message.hpp"
@@ -240,6 +243,31 @@ TEST(EngineBeam, NotesWhatItLeavesOut) {
        {"fibre sections", "linear hardening", "support[4] at 0.75 m only pushes: left out",
         "support[3] at 1 m moves: here it stands still"}) {
     EXPECT_NE(notes.find(what), std::string::npos) << what << " in\n" << notes;
+  }
+}
+
+// One hold along x + y is none along x and y: it would be a pin.
+TEST(EngineBeam, HoldsAlongANormalThatIsAnAxis) {
+  for (const Place& at : {Place::start(), Place::end()}) {
+    Scene scene = breakable_scene();
+    scene.supports = {{.at = {0.5, {}}, .kind = SupportKind::Clamp},
+                      {.at = at, .kind = SupportKind::InclinedRoller, .normal = {0.0, -1.0, 0.0}}};
+    const auto holds_of = [&] {
+      const EngineBeam beam = beam_of(scene);
+      const auto found = std::ranges::find(beam.joints, "support_2", &EngineJoint::name);
+      return found == beam.joints.end() ? std::array<bool, 3>{} : found->holds;
+    };
+    const auto is_left_out = [&] {
+      const std::vector<std::string> notes = beam_of(scene).notes;
+      return std::ranges::any_of(notes, [](const std::string& note) {
+        return note.find("holds along its normal alone") != std::string::npos;
+      });
+    };
+    EXPECT_EQ(holds_of(), (std::array<bool, 3>{false, true, false}));
+    EXPECT_FALSE(is_left_out());
+    scene.supports[1].normal = {0.6, 0.8, 0.0};
+    EXPECT_EQ(holds_of(), (std::array<bool, 3>{}));
+    EXPECT_TRUE(is_left_out());
   }
 }
 

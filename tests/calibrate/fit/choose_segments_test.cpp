@@ -70,5 +70,17 @@ TEST(ChooseSegments, RefusesWhatHasNoNumberToChoose) {
       "(bar)");
 }
 
+// The end of segment 4 of 8 is another place among 16.
+TEST(ChooseSegments, RefusesToMoveWhatStandsAtASegmentByItsNumber) {
+  const SceneTarget target = measured(bend_test(8));
+  std::vector<WeightedTarget> targets{{bend_test(8), target}};
+  targets[0].setup.scene.probes[0].at = {0.0, 4};
+  set_segments(8, targets);
+  EXPECT_EQ(
+      testing::message_of([&] { set_segments(16, targets); }),
+      "fit.segments = 16: moves the scene's probe.at, the end of a segment by its number: give "
+      "it as a fraction (bar)");
+}
+
 }  // namespace
 }  // namespace plastica::calibrate

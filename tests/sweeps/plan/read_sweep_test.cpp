@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "sweeps/plan/numbered_places.hpp"
+#include "plastica/model/numbered_place.hpp"
 #include "tests/support/message.hpp"
 #include "tests/sweeps/sweep_text.hpp"
 

@@ -1,6 +1,6 @@
-#include "sweeps/plan/numbered_places.hpp"
+#include "plastica/model/numbered_place.hpp"
 
-namespace plastica::sweeps {
+namespace plastica {
 
 std::optional<std::string_view> numbered_place(const Scene& scene, const SolverOptions& solver) {
   std::optional<std::string_view> found;
@@ -31,4 +31,11 @@ std::optional<std::string_view> numbered_place(const Scene& scene, const SolverO
   return found;
 }
 
-}  // namespace plastica::sweeps
+std::string why_not_segments(const Scene& scene, const SolverOptions& solver, int segments) {
+  const auto place = numbered_place(scene, solver);
+  if (!place || segments == scene.beam.segments) return {};
+  return "moves the scene's " + std::string(*place) +
+         ", the end of a segment by its number: give it as a fraction";
+}
+
+}  // namespace plastica

@@ -1,14 +1,18 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <string_view>
 
 #include "plastica/model/scene.hpp"
 
-namespace plastica::sweeps {
+namespace plastica {
 
 /// What a scene puts at the end of a segment by its number, which is another place with another
 /// number of segments: "load.at"; the beam's start, segment 0, stays. None: nothing.
 std::optional<std::string_view> numbered_place(const Scene& scene, const SolverOptions& solver);
 
-}  // namespace plastica::sweeps
+/// Why a scene may not get another number of segments: what it moves. Empty: it may.
+std::string why_not_segments(const Scene& scene, const SolverOptions& solver, int segments);
+
+}  // namespace plastica

@@ -1,0 +1,53 @@
+#include "plastica/run/run_warnings.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <optional>
+#include <utility>
+
+#include "plastica/model/yield_warnings.hpp"
+#include "plastica/run/axial_warning.hpp"
+#include "plastica/run/peak_warning.hpp"
+#include "plastica/run/rounding_warning.hpp"
+#include "plastica/run/scene_warnings.hpp"
+#include "plastica/run/turn_warning.hpp"
+
+namespace plastica {
+namespace {
+
+/// Whether joints have done plastic work, beyond rounding.
+bool has_yielded(const Response& response) {
+  const auto& energy = response.chain.energy;
+  if (response.samples == 0 || energy.size() < response.samples) return false;
+  const Energies& last = energy[response.samples - 1];
+  return last.plastic > 1e-9 * std::max(std::fabs(last.external), last.elastic);
+}
+
+/// Whether a beam that bends in a plane comes to leave it, or would.
+bool leaves_plane(const Response& response) {
+  const auto any = [](const auto& modes) {
+    return modes && std::ranges::find(modes->out_of_plane, 1) != modes->out_of_plane.end();
+  };
+  return any(response.critical) || any(response.buckling);
+}
+
+}  // namespace
+
+std::vector<std::string> run_warnings(const Scene& scene, const SolverOptions& solver,
+                                      const Model& model, const Response& response) {
+  std::vector<std::string> all = scene_warnings(model);
+  const auto add = [&](std::optional<std::string> warning) {
+    if (warning) all.push_back(std::move(*warning));
+  };
+  if (has_yielded(response)) add(first_yield_warning(model));
+  if (leaves_plane(response)) add(model_detail::tipping_warning(scene));
+  for (std::vector<std::string>& some :
+       {axial_warnings(scene, solver, response), rounding_warnings(scene, response),
+        peak_warnings(response), turn_warnings(scene, model.level, response)}) {
+    std::ranges::move(some, std::back_inserter(all));
+  }
+  return all;
+}
+
+}  // namespace plastica
