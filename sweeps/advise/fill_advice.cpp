@@ -68,7 +68,7 @@ TriedSetting Filler::tried(const Trial& trial) const {
     one.reason = "it is as fine as the run that verifies";
   } else {
     const Deviation off = runs_.off(trial, *finest_);
-    one.error = off.largest + candidate_.of_words;
+    one.error = off.largest + candidate_.of_finest + candidate_.of_words;
     one.reason = off.reason;
   }
   return one;

@@ -42,11 +42,13 @@ std::vector<std::string> run_warnings(const Scene& scene, const SolverOptions& s
   };
   if (has_yielded(response)) add(first_yield_warning(model));
   if (leaves_plane(response)) add(model_detail::tipping_warning(scene));
-  for (std::vector<std::string>& some :
-       {axial_warnings(scene, solver, response), rounding_warnings(scene, response),
-        peak_warnings(response), turn_warnings(scene, model.level, response)}) {
-    std::ranges::move(some, std::back_inserter(all));
-  }
+  const auto add_all = [&](const std::vector<std::string>& some) {
+    std::ranges::copy(some, std::back_inserter(all));
+  };
+  add_all(axial_warnings(scene, solver, response));
+  add_all(rounding_warnings(scene, response));
+  add_all(peak_warnings(response));
+  add_all(turn_warnings(scene, model.level, response));
   return all;
 }
 

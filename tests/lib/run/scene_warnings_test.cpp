@@ -2,12 +2,16 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <functional>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "plastica/run/simulate.hpp"
 #include "tests/lib/model/chain_scenes.hpp"
+#include "tests/support/chain_scene.hpp"
 
 namespace plastica {
 namespace {
