@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <string>
 
 #include "tests/fuzz/fuzz_target.hpp"
 
@@ -35,5 +36,22 @@ class ByteSource {
  private:
   Bytes bytes_;
 };
+
+/// What is left of a file after patches: each the place in three bytes, the number of bytes in one,
+/// these. Of 31 bytes or more there is none: the file ends there.
+/// @param begin  the first byte that a patch may reach
+inline std::string patched(std::string file, std::size_t begin, ByteSource patches) {
+  while (!patches.is_empty() && file.size() > begin) {
+    const std::size_t place = begin + patches.number(3) % (file.size() - begin);
+    const std::size_t size = patches.byte();
+    if (size > 30) {
+      file.resize(place);
+      continue;
+    }
+    const Bytes patch = patches.piece(std::min(size, file.size() - place));
+    std::ranges::copy(patch, file.begin() + static_cast<std::ptrdiff_t>(place));
+  }
+  return file;
+}
 
 }  // namespace plastica::fuzz
