@@ -65,6 +65,11 @@ const std::vector<std::string>& result_bases() {
   return bases;
 }
 
+ResultChoice result_choice(std::size_t byte) {
+  const std::vector<std::string>& bases = result_bases();
+  return {bases[byte % bases.size()], byte / bases.size() % 4 == 1};
+}
+
 std::string sealed_scratch_file(const std::string& content) {
   std::string path = scratch_file("fuzzed.h5", content);
   const io::FileDescriptor file(::open(path.c_str(), O_RDWR | O_CLOEXEC));

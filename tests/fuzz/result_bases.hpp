@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -9,6 +10,14 @@ namespace plastica::fuzz {
 /// that breaks, a coupon, a cantilever, a sweep. They are made once, when they are first asked for:
 /// as files they would be a megabyte of the tree.
 const std::vector<std::string>& result_bases();
+
+/// What the first byte of fuzzed bytes says: which file is changed, and whether what was read of it
+/// is written again.
+struct ResultChoice {
+  const std::string& base;
+  bool again;
+};
+ResultChoice result_choice(std::size_t byte);
 
 /// Writes a file behind a digest that is its own. @return its path
 std::string sealed_scratch_file(const std::string& content);

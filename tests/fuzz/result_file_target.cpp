@@ -13,8 +13,8 @@ namespace {
 /// them. The first byte chooses the file; then follow patches.
 void read_patched(Bytes bytes) {
   ByteSource source(bytes);
-  const std::string& base = result_bases()[source.byte() % result_bases().size()];
-  read_result(sealed_scratch_file(patched(base, io::kContentOffset, source)));
+  const auto [base, again] = result_choice(source.byte());
+  read_result(sealed_scratch_file(patched(base, io::kContentOffset, source)), again);
 }
 
 const Registered kResultFile{"result_file", read_patched};

@@ -63,40 +63,42 @@ void report(const sweeps::SweepRecord& record) {
 
 /// Whatever was read can be written, and is read again as the same.
 template <typename Read, typename Write>
-void read_and_write(const std::string& path, const Read& read, const Write& write) {
+void read_and_write(const std::string& path, bool again, const Read& read, const Write& write) {
   const auto contents = result_or_refused([&] { return read(path); });
   if (!contents) return;
+  read_or_refused([&] { report(*contents); });
+  if (!again) return;
   const std::string first = scratch_path("first.h5");
   const std::string second = scratch_path("second.h5");
   write(first, *contents);
   write(second, read(first));
   require(content_of(first) == content_of(second), "a result that reads as another one");
-  read_or_refused([&] { report(*contents); });
 }
 
 }  // namespace
 
-void read_result(const std::string& path) {
+void read_result(const std::string& path, bool again) {
   const auto schema = result_or_refused([&] { return io::schema_of(path); });
   if (!schema) return;
   if (*schema == calibrate::kFitStoreSchema) {
-    read_and_write(path, calibrate::read_fit_store, [](const auto& to, const auto& contents) {
-      calibrate::write_fit_store(to, contents);
-    });
+    read_and_write(
+        path, again, calibrate::read_fit_store,
+        [](const auto& to, const auto& contents) { calibrate::write_fit_store(to, contents); });
   } else if (*schema == calibrate::kSceneFitSchema) {
-    read_and_write(path, calibrate::read_scene_fit_store, [](const auto& to, const auto& contents) {
-      calibrate::write_scene_fit_store(to, contents);
-    });
+    read_and_write(path, again, calibrate::read_scene_fit_store,
+                   [](const auto& to, const auto& contents) {
+                     calibrate::write_scene_fit_store(to, contents);
+                   });
   } else if (*schema == io::kSceneSchema) {
-    read_and_write(path, io::read_scene_store,
+    read_and_write(path, again, io::read_scene_store,
                    [](const auto& to, const auto& record) { io::write_scene_store(to, record); });
   } else if (*schema == sweeps::kSweepSchema) {
-    read_and_write(path, sweeps::read_sweep_store, [](const auto& to, const auto& record) {
+    read_and_write(path, again, sweeps::read_sweep_store, [](const auto& to, const auto& record) {
       sweeps::write_sweep_store(to, record);
     });
-    read_or_refused([&] { return sweeps::earlier_results(path); });
+    if (again) read_or_refused([&] { return sweeps::earlier_results(path); });
   }
-  read_or_refused([&] { return io::compare_results(path, path, {}); });
+  if (again) read_or_refused([&] { return io::compare_results(path, path, {}); });
 }
 
 }  // namespace plastica::fuzz

@@ -16,8 +16,8 @@ namespace {
 /// of bytes of its payload in one, these.
 void read_edited(Bytes bytes) {
   ByteSource source(bytes);
-  const std::size_t base = source.byte() % result_bases().size();
-  const std::string path = scratch_file("edited.h5", result_bases()[base]);
+  const auto [base, again] = result_choice(source.byte());
+  const std::string path = scratch_file("edited.h5", base);
   {
     ResultEdit edit(path);
     while (!source.is_empty()) {
@@ -26,7 +26,7 @@ void read_edited(Bytes bytes) {
       edit.apply(object, kind, source.piece(source.byte()));
     }
   }
-  read_result(sealed_scratch_file(content_of(path)));
+  read_result(sealed_scratch_file(content_of(path)), again);
 }
 
 const Registered kResultValues{"result_values", read_edited};
