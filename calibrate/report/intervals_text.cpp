@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -46,9 +47,11 @@ std::string range_text(const ShownParameter& p, const DisplayUnit& unit, double 
   return end_text(p, unit, low, width, low_end) + " … " + end_text(p, unit, high, width, high_end);
 }
 
-/// Half the interval that the covariance gives, of noise and sampling as the others are.
+/// Half the interval that the covariance gives, of noise and sampling as the others are; NaN where
+/// one of them is not known: older files do not say the degrees of freedom.
 double reach_of(const ShownParameter& p, double confidence) {
   if (!std::isfinite(p.noise_error)) return p.noise_error;
+  if (!(p.degrees_of_freedom > 0.0)) return std::numeric_limits<double>::quiet_NaN();
   const double half = std::sqrt(3.0) * p.sampling_error;
   return theory::half_interval(confidence, p.noise_error, p.degrees_of_freedom, {&half, 1});
 }

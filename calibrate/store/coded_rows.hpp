@@ -1,6 +1,7 @@
 #pragma once
 
 #include <concepts>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string_view>
@@ -8,7 +9,9 @@
 #include <utility>
 #include <vector>
 
+#include "calibrate/result/words.hpp"
 #include "plastica/io/bytes.hpp"
+#include "plastica/io/storage_error.hpp"
 
 /// How what is described becomes bytes of a journal and comes back; not installed.
 namespace plastica::calibrate::store {
@@ -44,7 +47,7 @@ class Getter {
 
   template <typename... T>
   void operator()(T&... values) {
-    ((values = reader_.get<T>()), ...);
+    (get(values), ...);
   }
   template <typename T, typename Code>
   void each(std::vector<T>& items, const Code& code_item) {
@@ -60,6 +63,25 @@ class Getter {
   }
 
  private:
+  template <typename T>
+  void get(T& value) {
+    value = reader_.get<T>();
+    if constexpr (std::is_enum_v<T>) check(value);
+  }
+  template <typename T>
+  void get(std::optional<T>& value) {
+    value = reader_.get<std::optional<T>>();
+    if constexpr (std::is_enum_v<T>) {
+      if (value) check(*value);
+    }
+  }
+  /// Reports look for its word. @throws io::StorageError if it has none
+  template <typename Enum>
+  static void check(Enum value) {
+    if (static_cast<std::size_t>(value) < words_of<Enum>().size()) return;
+    throw io::StorageError("a record of a fit", "has a number that stands for no word");
+  }
+
   io::ByteReader& reader_;
 };
 

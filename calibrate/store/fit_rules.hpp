@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <string_view>
 
 #include "plastica/io/value_rule.hpp"
 
@@ -10,6 +11,11 @@
 namespace plastica::calibrate::store {
 
 inline constexpr Range kBelowOne{0.0, 1.0, true, true};
+
+/// A standard error, or degrees of freedom: not known, not negative, or beyond all bounds.
+constexpr io::ValueRule unsigned_or_none(std::string_view path) {
+  return {path, io::kNotNegative, io::Order::Any, true, true};
+}
 
 inline constexpr std::array kFitRules{
     io::anything("fits/seed"),
@@ -26,12 +32,12 @@ inline constexpr std::array kFitRules{
     io::may_lack("corrections/amount"),
     io::anything("stages/cost"),
     // Through scenes.
-    io::anything("fits/degrees_of_freedom"),
+    unsigned_or_none("fits/degrees_of_freedom"),
     io::ValueRule{"targets/break_half_interval", io::kNotNegative},
     io::ValueRule{"targets/weight", io::kNotNegative},
     io::anything("targets/cost"),
     io::anything("targets/noise"),
-    io::anything("targets/degrees_of_freedom"),
+    unsigned_or_none("targets/degrees_of_freedom"),
     io::may_lack("targets/misfit_fraction"),
     io::may_lack("targets/runs_test_p"),
     io::may_lack("targets/break_strain"),
@@ -51,23 +57,23 @@ inline constexpr std::array kFitRules{
     // Parameters: a table each, or, through scenes, one of all until version 4.
     io::anything("parameters/*/lower"),
     io::anything("parameters/*/upper"),
-    io::anything("parameters/*/standard_error"),
-    io::anything("parameters/*/noise_error"),
-    io::anything("parameters/*/sampling_error"),
-    io::anything("parameters/*/misfit_error"),
-    io::anything("parameters/*/degrees_of_freedom"),
+    unsigned_or_none("parameters/*/standard_error"),
+    unsigned_or_none("parameters/*/noise_error"),
+    unsigned_or_none("parameters/*/sampling_error"),
+    unsigned_or_none("parameters/*/misfit_error"),
+    unsigned_or_none("parameters/*/degrees_of_freedom"),
     io::anything("parameters/*/interval_low"),
     io::anything("parameters/*/interval_high"),
     io::anything("parameters/*/verdict_number"),
     io::anything("parameters/lower"),
     io::anything("parameters/upper"),
-    io::anything("parameters/standard_error"),
-    io::anything("parameters/noise_error"),
-    io::anything("parameters/sampling_error"),
-    io::anything("parameters/misfit_error"),
+    unsigned_or_none("parameters/standard_error"),
+    unsigned_or_none("parameters/noise_error"),
+    unsigned_or_none("parameters/sampling_error"),
+    unsigned_or_none("parameters/misfit_error"),
     io::anything("parameters/interval_low"),
     io::anything("parameters/interval_high"),
-    io::anything("parameters/degrees_of_freedom"),
+    unsigned_or_none("parameters/degrees_of_freedom"),
     io::anything("parameters/verdict_number"),
     // Profiles and bootstraps.
     io::anything("profiles/low"),

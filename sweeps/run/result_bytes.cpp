@@ -1,6 +1,11 @@
 #include "sweeps/run/result_bytes.hpp"
 
+#include <cstddef>
+
 #include "plastica/io/bytes.hpp"
+#include "plastica/io/result_file.hpp"
+#include "plastica/io/storage_error.hpp"
+#include "plastica/model/field.hpp"
 
 namespace plastica::sweeps {
 namespace {
@@ -23,13 +28,20 @@ std::vector<std::byte> bytes_of(const CaseResult& result) {
 }
 
 CaseResult result_from_bytes(std::span<const std::byte> bytes) {
-  io::ByteReader reader(bytes, "record of a journal");
+  constexpr const char* kSource = "record of a journal";
+  io::ByteReader reader(bytes, kSource);
   CaseResult result;
   const auto get = [&](auto&... values) {
     ((values = reader.get<std::remove_reference_t<decltype(values)>>()), ...);
   };
   traverse(result, get);
   reader.expect_end();
+  // Reports look for the words of both.
+  if (static_cast<std::size_t>(result.status) >= io::status_words().size() ||
+      static_cast<std::size_t>(result.level) >=
+          find_field_or_null("solver.level")->choices.size()) {
+    throw io::StorageError(kSource, "has a number that stands for no word");
+  }
   return result;
 }
 

@@ -42,11 +42,11 @@ Evidence evidence_for(const std::vector<Line>& sample, char separator, NumberFor
     Evidence& evidence = by_width[cells.size()];
     evidence.width = cells.size();
     ++evidence.lines;
+    const bool shows_point = line.text.find('.') != std::string_view::npos;
     for (const std::string_view cell : cells) {
       if (read_number(cell, format).kind == CellKind::Number) ++evidence.numbers;
       // "5;1" between commas: a row of "0,5;1,5" cut at its decimal commas; "10 100" likewise.
       if (separator == ',' && cell.find(';') != std::string_view::npos) --evidence.numbers;
-      const bool shows_point = line.text.find('.') != std::string_view::npos;
       if (separator == ',' && !shows_point && has_blank_between_digits(cell)) {
         evidence.numbers -= 2;
       }

@@ -53,8 +53,7 @@ double bytes_of_file(const Hdf5Handle& object) {
 
 Link link_at(const Hdf5Handle& location, const std::string& path) {
   H5L_info_t info{};
-  if (H5Lexists(location.get(), path.c_str(), H5P_DEFAULT) <= 0 ||
-      H5Lget_info(location.get(), path.c_str(), &info, H5P_DEFAULT) < 0) {
+  if (H5Lget_info(location.get(), path.c_str(), &info, H5P_DEFAULT) < 0) {
     H5Eclear2(H5E_DEFAULT);
     return Link::None;
   }

@@ -38,7 +38,8 @@ bool Hdf5Group::has_links(const std::string& full) const {
   }
 }
 
-/// A path with the old name of each part that the file has only under that.
+/// A path with the old name of each part that the file has only under that; empty if the file has
+/// no such path.
 std::string Hdf5Group::stored_path(const std::string& full) const {
   if (has_links(full)) return full;
   std::string path;
@@ -51,7 +52,7 @@ std::string Hdf5Group::stored_path(const std::string& full) const {
     path += is_old ? before : name;
     begin = end + 1;
   }
-  return path;
+  return has_links(path) ? path : std::string();
 }
 
 void Hdf5Group::fail_to_read(std::string_view path, const std::string& attribute) const {
@@ -63,7 +64,7 @@ void Hdf5Group::fail_to_read(std::string_view path, const std::string& attribute
 
 Hdf5Kind Hdf5Group::kind(std::string_view path) const {
   const std::string full = stored_path(full_path(path));
-  if (!has_links(full)) return Hdf5Kind::None;
+  if (full.empty()) return Hdf5Kind::None;
   const Hdf5Handle object(H5Oopen(handle_.get(), full.c_str(), H5P_DEFAULT));
   if (object.get() < 0) fail_to_read(full);
   const H5I_type_t sort = H5Iget_type(object.get());
@@ -82,7 +83,7 @@ Hdf5Group Hdf5Group::open_group(std::string_view path) const {
 
 Hdf5Handle Hdf5Group::open_object(std::string_view path) const {
   const std::string full = stored_path(full_path(path));
-  if (!has_links(full)) refuse(path, "is not in this file");
+  if (full.empty()) refuse(path, "is not in this file");
   Hdf5Handle object(H5Oopen(handle_.get(), full.c_str(), H5P_DEFAULT));
   if (object.get() < 0) fail_to_read(full);
   return object;

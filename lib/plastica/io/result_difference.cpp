@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 
 #include "plastica/io/hdf5.hpp"
@@ -113,6 +114,11 @@ class FileComparison {
 
   /// @param path  of a group in both files: "", "/fits"
   void compare_groups(const std::string& path) {
+    // Results have groups in groups in groups. A hard link to a group around it would have no end.
+    constexpr std::ptrdiff_t kDeepest = 16;
+    if (std::ranges::count(path, '/') > kDeepest) {
+      throw InputError({first_.file(), 0}, path, "", "is nested deeper than any result");
+    }
     compare_attributes(path);
     const std::string shown = path.empty() ? "/" : path;
     std::vector<std::string> names = first_.open_group(shown).children();

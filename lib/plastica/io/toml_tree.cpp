@@ -121,7 +121,9 @@ TomlNode* entry_of(const TomlNode& table, std::string_view name) {
 }
 
 std::string joined_key(const std::string& table, std::string_view name) {
-  return table.empty() ? std::string(name) : table + "." + std::string(name);
+  // A quoted key may be empty: an error line shows its quotes.
+  const std::string shown = name.empty() ? "\"\"" : std::string(name);
+  return table.empty() ? shown : table + "." + shown;
 }
 
 }  // namespace plastica::io

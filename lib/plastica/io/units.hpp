@@ -28,8 +28,9 @@ UnitConversion unit_conversion(std::string_view unit, Dimension dimension,
 /// Whether `unit_conversion` knows a unit for a dimension.
 bool is_unit_of(std::string_view unit, Dimension dimension);
 
-/// Whether a text is a unit that `unit_conversion` knows for one dimension or another. A column's
-/// header "Stress (MPa)" has one, "Stress (true)" has not. A number alone is none: "Run (2)".
+/// Whether a text is a unit, of whatever dimension, also of one that we do not have ("V"). A
+/// column's header "Stress (MPa)" has one, "Stress (true)" has not. A number alone is none: "Run
+/// (2)".
 bool is_unit(std::string_view text);
 
 /// Reads "355 MPa", "0.2 %", "1e-3" into SI. A strain of 1 and more needs its unit: "20" may be

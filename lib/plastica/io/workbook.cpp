@@ -106,13 +106,16 @@ std::string number_text(const std::string& path, const Cell& cell, bool times_10
 
 SheetText text_of(const std::string& path, std::string name, const std::vector<Row>& rows,
                   std::optional<char> decimal) {
-  constexpr std::size_t kMaxCells = std::size_t{1} << 28U;
+  // A sheet of few cells far apart would take seconds and gigabytes as a table.
+  constexpr std::size_t kMaxCells = std::size_t{1} << 28U, kMaxEmpty = std::size_t{1} << 24U;
   SheetText sheet{std::move(name), {}, decimal_of(path, rows, decimal)};
-  std::size_t width = 0;
+  std::size_t width = 0, filled = 0;
   for (const Row& row : rows) {
+    filled += row.cells.size();
     if (!row.cells.empty()) width = std::max(width, row.cells.back().column + 1);
   }
-  if (width * rows.size() > kMaxCells) {
+  const std::size_t cells = width * rows.size();
+  if (cells > kMaxCells || cells > kMaxEmpty + 16 * filled) {
     refuse_workbook(path, "has a sheet with " + std::to_string(width) + " columns and " +
                               std::to_string(rows.size()) + " rows, more than are read");
   }
