@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <array>
 #include <filesystem>
 #include <limits>
@@ -11,7 +10,6 @@
 #include "calibrate/config/read_csv_options.hpp"
 #include "calibrate/config/read_plausible.hpp"
 #include "calibrate/config/read_target_options.hpp"
-#include "plastica/io/content_digest.hpp"
 #include "plastica/io/read_input.hpp"
 #include "plastica/io/units.hpp"
 
@@ -218,11 +216,12 @@ void check_target(const TomlTable& table, const TargetSource& source) {
   if (!source.force && source.area && table.contains("area")) {
     refuse("area", "is of no use without force");
   }
-  if (source.table || std::ranges::any_of(source.files, io::begins_as_result)) return;
+  if (source.has_values()) return;
   const auto needs_table = [&](const std::optional<SpecimenValue>& value) {
     return value && !value->value;
   };
-  constexpr std::string_view kNeedsTable = "needs `table`, the file that has this column, or HDF5 files with attributes";
+  constexpr std::string_view kNeedsTable =
+      "needs `table`, the file that has this column, or HDF5 files with attributes";
   if (source.elongation && needs_table(source.gauge_length)) refuse("gauge_length", kNeedsTable);
   if (source.force && needs_table(source.area)) refuse("area", kNeedsTable);
   if (needs_table(source.strain_rate)) refuse("strain_rate", kNeedsTable);

@@ -238,9 +238,9 @@ class Reader {
     weighted.setup = read_scene(table.at("scene"));
     const Setup as_it_stands = weighted.setup;
     io::read_setup(table, weighted.setup);
-    const std::string why = why_not_segments(as_it_stands.scene, as_it_stands.solver,
-                                             weighted.setup.scene.beam.segments);
-    if (!why.empty()) throw table.at("beam").table().at("segments").error(why);
+    const std::string why =
+        why_not_beam(as_it_stands.scene, as_it_stands.solver, weighted.setup.scene);
+    if (!why.empty()) throw table.at("beam").error(why);
     refuse_own_segments(table);
     refuse_own_parameters(table);
     const TomlTable abscissa = table.at("abscissa").table();

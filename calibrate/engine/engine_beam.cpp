@@ -147,7 +147,7 @@ class BeamReader {
       }
       if (is_oblique(constraint.direction)) continue;  // is noted as left out
       for (std::size_t k = 0; k < 3; ++k) {
-        held.holds[k] = held.holds[k] || constraint.direction[k] != 0.0;
+        held.holds[k] = held.holds[k] || std::fabs(constraint.direction[k]) > 0.5;
       }
     }
     bool is_first = true;

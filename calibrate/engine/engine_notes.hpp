@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <span>
 #include <string>
@@ -15,11 +16,11 @@
 /// What the writers of all formats share; not installed.
 namespace plastica::calibrate {
 
-/// Whether a direction is along no axis of the world.
+/// Whether a unit vector is along no axis of the world, but for the rounding of a rotation.
 template <class Vector>
 bool is_oblique(const Vector& direction) {
   int along = 0;
-  for (std::size_t k = 0; k < 3; ++k) along += direction[k] != 0.0 ? 1 : 0;
+  for (std::size_t k = 0; k < 3; ++k) along += std::fabs(direction[k]) > 1e-12 ? 1 : 0;
   return along > 1;
 }
 

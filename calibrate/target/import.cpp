@@ -17,6 +17,7 @@
 #include "calibrate/target/make.hpp"
 #include "calibrate/target/samples.hpp"
 #include "calibrate/target/specimen_table.hpp"
+#include "calibrate/target/tables_of_files.hpp"
 #include "plastica/base/parallel_for.hpp"
 #include "plastica/io/content_digest.hpp"
 #include "plastica/io/hdf5_tables.hpp"
@@ -162,52 +163,18 @@ Target import_curve(const Block& block, const SpecimenTable* specimens, const Cs
   return target;
 }
 
-/// A table of curves: a file, or a table of an HDF5 file.
-struct TableOfFile {
-  std::string file;
-  std::shared_ptr<const io::Hdf5Tables>
-      tables{};        ///< null: the file is the table, or cannot be read
-  std::string path{};  ///< of the table
-  std::string last{};  ///< see `Part`
-};
-
 /// Values of a specimen that no table beside the curves says: of an HDF5 file.
+/// @param tables  of that file; null: it is none
 /// @throws InputError if it says none
-SpecimenTable properties_of(const TargetSource& source, const TableOfFile& from) {
+SpecimenTable properties_of(const TargetSource& source, const TableOfFile& from,
+                            const io::Hdf5Tables* tables) {
   std::optional<CsvTable> properties;
-  if (from.tables) properties = CsvTable::read_properties(*from.tables, from.path);
+  if (tables != nullptr) properties = CsvTable::read_properties(*tables, from.path);
   if (properties) return {source, std::move(*properties)};
-  throw InputError(
-      {from.file, 0}, "", "",
-      (from.tables ? from.path + " has no attributes" : std::string("is no HDF5 file")) +
-          ": needs `table`, the file of what is said of each specimen");
-}
-
-/// @throws InputError for a path that matches no table of an HDF5 file
-std::vector<TableOfFile> tables_of(const TargetSource& source) {
-  std::vector<TableOfFile> all;
-  std::map<std::string, std::size_t> count;
-  for (const std::string& file : source.files) {
-    std::shared_ptr<const io::Hdf5Tables> tables;
-    if (io::begins_as_result(file) && !source.csv.sheet) {
-      try {
-        tables = std::make_shared<const io::Hdf5Tables>(file);
-      } catch (const InputError&) {  // its reading says why
-      }
-    }
-    if (!tables) {
-      all.push_back({file});
-      continue;
-    }
-    for (const std::string& path : tables->matching(source.csv.path)) {
-      all.push_back({file, tables, path, path.substr(path.rfind('/') + 1)});
-      ++count[all.back().last];
-    }
-  }
-  for (TableOfFile& table : all) {
-    if (count[table.last] > 1) table.last.clear();
-  }
-  return all;
+  throw InputError({from.file, 0}, "", "",
+                   (tables != nullptr ? from.path + " has no attributes of a number or text"
+                                      : std::string("is no HDF5 file")) +
+                       ": needs `table`, the file of what is said of each specimen");
 }
 
 Imported import_table(const Block& block, const TableOfFile& from) {
@@ -219,20 +186,27 @@ Imported import_table(const Block& block, const TableOfFile& from) {
   first.measure = source.measure;
   Part whole{std::filesystem::path(from.file).stem().string(), "", {}, "", ""};
   // Sheets of a workbook and tables of a file are specimens of their own.
-  if (source.csv.sheet) whole.within = *source.csv.sheet;
-  if (from.tables && from.path != "/") whole.within = from.path;
+  const std::string within = source.csv.sheet.value_or(from.within);
+  if (!within.empty()) whole.stem += ":" + within;
+  whole.within = source.csv.sheet.value_or(from.key);
   whole.last = from.last;
-  if (!whole.within.empty()) whole.stem += ":" + whole.within;
   first.name = whole.stem;
+  if (from.lacking) {
+    imported.lacking = from.lacking;
+    imported.targets.push_back(rejected(std::move(first), *from.lacking));
+    return imported;
+  }
   const bool is_one = source.split.empty();
   if (block.specimens && is_one) find_row(block, whole, imported);
+  std::shared_ptr<const io::Hdf5Tables> tables;
   std::optional<CsvTable> table;
   try {
     if (block.specimens && is_one) {
       block.specimens->add_groups(block.specimens->row_of(whole), first);
     }
-    if (from.tables) {
-      table.emplace(CsvTable::read(*from.tables, from.path));
+    if (!from.path.empty()) {
+      tables = from.tables ? from.tables : std::make_shared<const io::Hdf5Tables>(from.file);
+      table.emplace(CsvTable::read(*tables, from.path));
     } else if (source.kept) {
       table = source.kept->take(from.file, source.csv);
     }
@@ -249,7 +223,7 @@ Imported import_table(const Block& block, const TableOfFile& from) {
     columns = columns_of(block.plan, *table);
     parts = parts_of(source, *table, whole);
     if (!block.specimens && source.asks_for_values()) {
-      properties.emplace(properties_of(source, from));
+      properties.emplace(properties_of(source, from, tables.get()));
       properties->add_groups(0, first);
     }
   } catch (const InputError& error) {
@@ -275,6 +249,10 @@ Imported import_table(const Block& block, const TableOfFile& from) {
 }
 
 }  // namespace
+
+bool TargetSource::has_values() const {
+  return table || std::ranges::any_of(files, io::begins_as_result);
+}
 
 bool TargetSource::asks_for_values() const {
   const auto is_asked = [](const std::optional<SpecimenValue>& value) {

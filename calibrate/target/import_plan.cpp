@@ -2,23 +2,16 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <string>
 
 #include "calibrate/target/named_column.hpp"
 #include "plastica/base/star_pattern.hpp"
-#include "plastica/io/content_digest.hpp"
 #include "plastica/io/units.hpp"
 
 namespace plastica::calibrate {
 namespace {
 
 using io::CsvTable;
-
-/// Whether something says values of each specimen: a table, or a file of HDF5.
-bool has_values_of_specimens(const TargetSource& source) {
-  return source.table || std::ranges::any_of(source.files, io::begins_as_result);
-}
 
 void check_value(const TargetSource& source, const SpecimenValue& value, const char* field) {
   if (value.value) {
@@ -28,7 +21,7 @@ void check_value(const TargetSource& source, const SpecimenValue& value, const c
   if (value.from.empty()) {
     throw InputError(value.where, field, "", "must be a quantity or a column of the table");
   }
-  if (!has_values_of_specimens(source)) {
+  if (!source.has_values()) {
     throw InputError(value.where, field, value.from, "needs a table to come from");
   }
 }
@@ -107,7 +100,7 @@ ImportPlan plan_of(const TargetSource& source) {
     throw InputError(plan.strain->where, plan.strain_field, plan.strain->column,
                      "must name one column; only stress or force may be a pattern");
   }
-  if (!source.group.empty() && !has_values_of_specimens(source)) {
+  if (!source.group.empty() && !source.has_values()) {
     throw InputError(where, "group", source.group.front(), "needs a table to come from");
   }
   return plan;

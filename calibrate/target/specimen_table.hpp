@@ -18,8 +18,8 @@ struct Part {
   std::string stem;   ///< of the file
   std::string value;  ///< of the columns that split it; empty: all rows
   std::vector<std::size_t> rows;
-  std::string within;  ///< its sheet, or its table of an HDF5 file; empty: the file is the table
-  std::string last;    ///< name of that table in its group; empty if another one has it, too
+  std::string within;  ///< its sheet, or the path of its table of an HDF5 file …
+  std::string last;    ///< … or that table's name in its group; empty if another one has it, too
 
   std::vector<double> of(std::vector<double> values) const {
     if (value.empty()) return values;

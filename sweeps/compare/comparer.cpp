@@ -99,7 +99,8 @@ void Comparer::with_number_of(std::size_t i, const std::vector<double>& time,
     const double end = result.last_time;
     const double room = 1e-9 * std::abs(end);
     const bool from_start = sweep_.quantity.take != Take::End;
-    if ((from_start && time.front() > room) || time.back() < end - room) {
+    if ((from_start && time.front() > room) || time.back() < end - room ||
+        time.front() > end + room) {
       out_.reason[i] = "the reference does not reach over the case's times";
       return;
     }

@@ -111,11 +111,12 @@ Measured take_of(Take take, std::span<const double> time, std::span<const double
     case Take::Max: return {*largest, {}};
     case Take::Size: return {std::max(-*least, *largest), {}};
     case Take::Mean:
+    case Take::Frequency:
       if (!std::ranges::is_sorted(time)) {
-        return {std::nullopt, "the load falls along the path: there is no mean over it"};
+        return {std::nullopt, "the load falls along the path: there is nothing over it"};
       }
+      if (take == Take::Frequency) return frequency_of(time, values);
       return {time_mean(time, values), {}};
-    case Take::Frequency: return frequency_of(time, values);
     case Take::End:
     case Take::Curve: break;
   }

@@ -90,8 +90,9 @@ INSTANTIATE_TEST_SUITE_P(
                 "--test = pull: must be one of tension, bending, torsion"),
         options("TableWithoutKey", {"--table", "info.csv"},
                 "--table = info.csv: must be FILE:KEY, the key being a column"),
-        options("GroupWithoutTable", {"--group", "lot"},
-                "--group = lot: needs --table, which has this column"),
+        options(
+            "GroupWithoutTable", {"--group", "lot"},
+            "--group = lot: needs --table, which has this column, or HDF5 files with attributes"),
         options("FixWithoutValue", {"--fix", "youngs_modulus"},
                 "--fix = youngs_modulus: must be NAME=VALUE, such as youngs_modulus=\"200 GPa\""),
         options(

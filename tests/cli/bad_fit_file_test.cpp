@@ -197,7 +197,7 @@ INSTANTIATE_TEST_SUITE_P(
                    "temperature"),
         target_key("GroupWithoutTable", "group = ['temperature']",
                    "8: target[1].group = ['temperature']: needs `table`, the file that has this "
-                   "column"),
+                   "column, or HDF5 files with attributes"),
         target_key("MissingTable", "table = { file = 'none.csv', key = 'id' }",
                    "8: target[1].table.file = none.csv: is not a file"),
         target_key("TableWithoutKey", "table = { file = 'info.csv' }",

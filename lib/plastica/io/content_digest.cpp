@@ -79,6 +79,18 @@ std::uint64_t bytes_said(std::string_view block) {
   return bytes;
 }
 
+/// The first bytes of a regular file, as many as a title has; empty of what cannot be read.
+std::string beginning_of(const std::string& path) {
+  std::error_code ignored;
+  if (!std::filesystem::is_regular_file(path, ignored)) return {};
+  const FileDescriptor file(::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC));
+  std::array<std::byte, kTitle.size()> buffer{};
+  if (file.get() < 0) return {};
+  const ssize_t got = read_at(file.get(), buffer, 0);
+  if (got <= 0) return {};
+  return {reinterpret_cast<const char*>(buffer.data()), static_cast<std::size_t>(got)};
+}
+
 }  // namespace
 
 void write_content_digest(int descriptor, const std::string& path) {
@@ -98,16 +110,10 @@ void write_content_digest(int descriptor, const std::string& path) {
   }
 }
 
+bool begins_with_digest(const std::string& path) { return beginning_of(path).starts_with(kTitle); }
+
 bool begins_as_result(const std::string& path) {
-  std::error_code ignored;
-  if (!std::filesystem::is_regular_file(path, ignored)) return false;
-  const FileDescriptor file(::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC));
-  std::array<std::byte, kTitle.size()> buffer{};
-  if (file.get() < 0) return false;
-  const ssize_t got = read_at(file.get(), buffer, 0);
-  if (got <= 0) return false;
-  const std::string_view begin(reinterpret_cast<const char*>(buffer.data()),
-                               static_cast<std::size_t>(got));
+  const std::string begin = beginning_of(path);
   return begin.starts_with(kTitle) || begin.starts_with(kHdf5Signature);
 }
 

@@ -23,6 +23,9 @@ void write_content_digest(int descriptor, const std::string& path);
 /// @throws InputError if it cannot be read, is no HDF5 file, is cut off, or differs from its digest
 bool check_content_digest(const std::string& path);
 
+/// Whether a file begins with the block. Never throws.
+bool begins_with_digest(const std::string& path);
+
 /// Whether a file begins as a result does, with the block or as HDF5. Says nothing of the rest, and
 /// false of what cannot be read or is no regular file: a pipe is not read.
 bool begins_as_result(const std::string& path);

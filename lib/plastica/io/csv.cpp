@@ -44,8 +44,9 @@ Source source_of(const std::string& path) {
 }
 
 CsvTable parsed(const Hdf5Tables::Text& text, const std::string& file) {
-  return CsvTable::parse(text.text, file,
-                         {.separator = '\t', .decimal = '.', .header = text.has_header ? 1 : 0});
+  return CsvTable::parse(
+      text.text, file,
+      {.separator = '\t', .decimal = '.', .header = text.has_header ? 1 : 0, .is_made = true});
 }
 
 std::string only_table(const Hdf5Tables& tables, const std::optional<std::string>& pattern) {
@@ -101,7 +102,15 @@ std::optional<CsvTable> CsvTable::read_properties(const Hdf5Tables& tables,
 CsvTable first_table(const std::string& path, const CsvOptions& options) {
   if (source_of(path) != Source::Hdf5) return CsvTable::read(path, options);
   const Hdf5Tables tables(path);
-  return CsvTable::read(tables, tables.matching(options.path).front());
+  std::optional<InputError> first;
+  for (const std::string& name : tables.matching(options.path)) {
+    try {
+      return CsvTable::read(tables, name);
+    } catch (const InputError& error) {
+      if (!first) first = error;
+    }
+  }
+  throw InputError(*first);
 }
 
 std::string table_text(const std::string& path, const CsvOptions& options) {
@@ -135,7 +144,7 @@ CsvTable CsvTable::parse(std::string_view text, std::string name, const CsvOptio
 
   if (layout.header) {
     std::string_view header = csv_text::without_blanks(lines[*layout.header].text, separator);
-    if (header.starts_with('#')) header.remove_prefix(1);  // as NumPy writes it
+    if (header.starts_with('#') && !options.is_made) header.remove_prefix(1);  // as NumPy writes it
     if (!csv_text::split_names(header, separator, layout.dialect.width, cells)) {
       throw InputError({table.file_, lines[*layout.header].number}, "", "",
                        "has a quote that is not closed");
@@ -166,7 +175,9 @@ CsvTable CsvTable::parse(std::string_view text, std::string name, const CsvOptio
 
   const bool ends_in_newline = all.ends_with('\n') || all.ends_with('\r');
   std::vector<bool> filled(width, false);
-  const auto is_comment = [&](std::size_t i) { return csv_text::is_comment(lines[i].text); };
+  const auto is_comment = [&](std::size_t i) {
+    return !options.is_made && csv_text::is_comment(lines[i].text);
+  };
   std::size_t last_line = lines.size();
   while (last_line > layout.first_data + 1 && is_comment(last_line - 1)) --last_line;
   table.cells_.reserve((lines.size() - layout.first_data) * width);

@@ -22,6 +22,8 @@ struct CsvOptions {
   /// Of an HDF5 file: the path of its table, in which a `*` stands for any characters; else the
   /// only one there is.
   std::optional<std::string> path = {};
+  /// The text was made of a table whose structure is known: no row of units, no comments.
+  bool is_made = false;
 
   friend bool operator==(const CsvOptions&, const CsvOptions&) = default;
 };
@@ -118,7 +120,8 @@ class CsvTable {
   std::vector<std::string_view> cells_;  // (rows x columns), row by row
 };
 
-/// What `CsvTable::read` reads, and of an HDF5 file that has several tables the first.
+/// What `CsvTable::read` reads, and of an HDF5 file that has several tables the first that can be
+/// read.
 /// @throws InputError as `CsvTable::read`
 CsvTable first_table(const std::string& path, const CsvOptions& options = {});
 

@@ -135,11 +135,11 @@ class Finder {
     if (options_.header.value_or(0) > 0) {
       layout.header = line_index(*options_.header);
       layout.first_data = *layout.header + 1;
-      const bool more = layout.first_data < lines_.size();
+      const bool more = layout.first_data < lines_.size() && !options_.is_made;
       if (more && !is_data(layout.first_data) && is_unit_row(layout.first_data)) {
         layout.unit_row = layout.first_data++;
       }
-    } else {
+    } else if (!options_.is_made) {
       layout.first_data = first_data();
       if (!options_.header && layout.first_data > 0) find_header(layout);
     }

@@ -1,11 +1,14 @@
 #include "plastica/io/hdf5_columns.hpp"
 
 #include <array>
+#include <cstdint>
 #include <optional>
+#include <type_traits>
 #include <utility>
 
 #include "plastica/io/hdf5_check.hpp"
 #include "plastica/io/hdf5_strings.hpp"
+#include "plastica/io/read_input.hpp"
 
 namespace plastica::io::h5 {
 namespace {
@@ -34,17 +37,15 @@ std::vector<hsize_t> extents_of(const Hdf5Handle& dataset) {
   return extents;
 }
 
-/// Texts of an attribute; none if there is no such attribute, or it holds something else.
+/// Texts of an attribute; none if there is no such attribute, or it holds something else, or more
+/// than an attribute of ours may.
 std::vector<std::string> texts_of_attribute(const Hdf5Handle& object, const char* name,
                                             const Place& place) {
   if (H5Aexists(object.get(), name) <= 0) return {};
   const Hdf5Handle attribute(H5Aopen(object.get(), name, H5P_DEFAULT));
   if (attribute.get() < 0) (place / name).fail();
   const Hdf5Handle type(H5Aget_type(attribute.get()));
-  if (sort_of(type) != Sort::Text) return {};
-  if (const std::string why = refusal_of_attribute(attribute); !why.empty()) {
-    (place / name).refuse(why);
-  }
+  if (sort_of(type) != Sort::Text || !refusal_of_attribute(attribute).empty()) return {};
   const Hdf5Handle space(H5Aget_space(attribute.get()));
   std::vector<std::string> texts;
   const auto read = [&](hid_t memory, void* out) {
@@ -73,35 +74,85 @@ std::vector<std::string> units_of(const Hdf5Handle& object, std::size_t columns,
   return std::vector<std::string>(columns);
 }
 
+/// Most columns of a table of two dimensions that does not name them: more are an image.
+constexpr hsize_t kMostUnnamed = 16;
+/// Most columns of a table.
+constexpr hsize_t kMostColumns = 10'000;
+
+/// @throws InputError for what is not to be read: not in this file, never written, or too large
 Hdf5Handle checked(Hdf5Handle dataset, const Place& place) {
   if (const std::string why = refusal_of_dataset(dataset); !why.empty()) place.refuse(why);
+  const Hdf5Handle space(H5Dget_space(dataset.get()));
+  // As text, a number takes some 20 bytes.
+  constexpr std::size_t kMostValues = kMaxTableBytes / 20;
+  if (count_of(space) > kMostValues) {
+    place.refuse("has more than " + std::to_string(kMostValues) + " values");
+  }
+  H5D_space_status_t status{};
+  const bool is_known = H5Dget_space_status(dataset.get(), &status) >= 0;
+  if (count_of(space) > 0 && (!is_known || status != H5D_SPACE_STATUS_ALLOCATED)) {
+    place.refuse("has values that were never written");
+  }
   return dataset;
 }
 
-std::vector<double> numbers_of(const Hdf5Handle& dataset, hid_t memory, const Place& place) {
+/// Reads all elements. The buffer of a conversion holds whole elements of the file, records too.
+/// @throws InputError
+void read_all(const Hdf5Handle& dataset, hid_t memory, void* out, const Place& place) {
   const Hdf5Handle space(H5Dget_space(dataset.get()));
-  std::vector<double> values(count_of(space));
-  if (values.empty()) return values;
-  const Hdf5Handle transfer(new_transfer(values.size(), memory));
-  if (H5Dread(dataset.get(), memory, H5S_ALL, H5S_ALL, transfer.get(), values.data()) < 0) {
-    place.fail();
-  }
+  const Hdf5Handle stored(H5Dget_type(dataset.get()));
+  const bool is_larger = H5Tget_size(stored.get()) > H5Tget_size(memory);
+  const Hdf5Handle transfer(new_transfer(count_of(space), is_larger ? stored.get() : memory));
+  if (H5Dread(dataset.get(), memory, H5S_ALL, H5S_ALL, transfer.get(), out) < 0) place.fail();
+}
+
+/// @param as_memory  makes of the type of one value what is asked for in memory
+template <typename Number, typename AsMemory>
+std::vector<Number> numbers_of(const Hdf5Handle& dataset, const AsMemory& as_memory,
+                               const Place& place) {
+  const Hdf5Handle space(H5Dget_space(dataset.get()));
+  const Hdf5Handle memory = as_memory(memory_type<Number>());
+  std::vector<Number> values(count_of(space));
+  if (!values.empty()) read_all(dataset, memory.get(), values.data(), place);
   return values;
 }
 
-/// @param as_memory  makes of the type of a text what is asked for in memory
 template <typename AsMemory>
 std::vector<std::string> texts_of(const Hdf5Handle& dataset, const Hdf5Handle& type,
                                   const AsMemory& as_memory, const Place& place) {
   const Hdf5Handle space(H5Dget_space(dataset.get()));
   std::vector<std::string> texts;
   const auto read = [&](hid_t text, void* out) {
-    const Hdf5Handle memory(as_memory(text));
-    const Hdf5Handle transfer(new_transfer(count_of(space), memory.get()));
-    return H5Dread(dataset.get(), memory.get(), H5S_ALL, H5S_ALL, transfer.get(), out) >= 0;
+    const Hdf5Handle memory = as_memory(text);
+    read_all(dataset, memory.get(), out, place);
+    return true;
   };
-  if (!read_strings(type, space, read, texts)) place.fail();
+  read_strings(type, space, read, texts);
   return texts;
+}
+
+/// Whole numbers as their digits: a real number has no more than 16, and others stand for keys.
+template <typename Integer>
+std::vector<std::string> digits_of(const std::vector<Integer>& values) {
+  std::vector<std::string> texts;
+  for (const Integer value : values) texts.push_back(std::to_string(value));
+  return texts;
+}
+
+/// All values of a dataset, or of a field of its records.
+/// @param type  of one value, in the file
+template <typename AsMemory>
+void fill(const Hdf5Handle& dataset, const Hdf5Handle& type, const AsMemory& as_memory,
+          const Place& place, Column& column) {
+  if (sort_of(type) == Sort::Text) {
+    column.texts = texts_of(dataset, type, as_memory, place);
+  } else if (H5Tget_class(type.get()) == H5T_FLOAT) {
+    column.numbers = numbers_of<double>(dataset, as_memory, place);
+  } else if (H5Tget_sign(type.get()) == H5T_SGN_NONE) {
+    column.texts = digits_of(numbers_of<std::uint64_t>(dataset, as_memory, place));
+  } else {
+    column.texts = digits_of(numbers_of<std::int64_t>(dataset, as_memory, place));
+  }
 }
 
 /// The type of records in memory that have one field alone.
@@ -115,15 +166,12 @@ Hdf5Handle record_of(const std::string& field, hid_t type) {
 Column column_of(const Hdf5Handle& dataset, const std::string& name, const Place& place) {
   const Hdf5Handle type(H5Dget_type(dataset.get()));
   Column column{name, units_of(dataset, 1, place).front(), {}, {}};
-  if (sort_of(type) == Sort::Number) {
-    column.numbers = numbers_of(dataset, H5T_NATIVE_DOUBLE, place);
-  } else {
-    column.texts = texts_of(
-        dataset, type, [](hid_t text) { return Hdf5Handle(H5Tcopy(text)); }, place);
-  }
+  fill(
+      dataset, type, [](hid_t value) { return Hdf5Handle(H5Tcopy(value)); }, place, column);
   return column;
 }
 
+/// A dataset of one value beside longer ones is none of the columns.
 std::vector<Column> columns_of_group(const Hdf5Handle& group, const Place& place) {
   std::vector<Column> columns;
   for (const std::string& name : names_in(group, place)) {
@@ -132,40 +180,45 @@ std::vector<Column> columns_of_group(const Hdf5Handle& group, const Place& place
     const Place at = place / name;
     columns.push_back(column_of(checked(std::move(object), at), name, at));
   }
+  const auto is_one = [](const Column& column) { return column.size() == 1; };
+  if (!std::ranges::all_of(columns, is_one)) std::erase_if(columns, is_one);
   return columns;
 }
 
-/// Names and sorts of the fields of records that are numbers or texts.
-std::vector<std::pair<std::string, Sort>> fields_of(const Hdf5Handle& type) {
-  std::vector<std::pair<std::string, Sort>> fields;
+/// Indices of the fields of records that are numbers or texts.
+std::vector<unsigned> fields_of(const Hdf5Handle& type) {
+  std::vector<unsigned> fields;
   for (int i = 0; i < H5Tget_nmembers(type.get()); ++i) {
     const auto index = static_cast<unsigned>(i);
     const Sort sort = sort_of(Hdf5Handle(H5Tget_member_type(type.get(), index)));
-    if (sort != Sort::Number && sort != Sort::Text) continue;
-    char* name = H5Tget_member_name(type.get(), index);
-    fields.emplace_back(name == nullptr ? "" : name, sort);
-    H5free_memory(name);
+    if (sort == Sort::Number || sort == Sort::Text) fields.push_back(index);
   }
   return fields;
 }
 
+std::string name_of_field(const Hdf5Handle& type, unsigned index) {
+  char* name = H5Tget_member_name(type.get(), index);
+  std::string copy = name == nullptr ? "" : name;
+  H5free_memory(name);
+  return copy;
+}
+
+/// Whether records are complex numbers, as h5py writes them.
+bool is_complex(const Hdf5Handle& type) {
+  return H5Tget_nmembers(type.get()) == 2 && name_of_field(type, 0) == "r" &&
+         name_of_field(type, 1) == "i";
+}
+
 std::vector<Column> columns_of_records(const Hdf5Handle& dataset, const Place& place) {
   const Hdf5Handle type(H5Dget_type(dataset.get()));
-  const auto fields = fields_of(type);
-  const std::vector<std::string> units = units_of(dataset, fields.size(), place);
+  const auto members = static_cast<std::size_t>(std::max(H5Tget_nmembers(type.get()), 0));
+  const std::vector<std::string> units = units_of(dataset, members, place);
   std::vector<Column> columns;
-  for (const auto& [name, sort] : fields) {
-    Column column{name, units[columns.size()], {}, {}};
-    if (sort == Sort::Number) {
-      const Hdf5Handle memory = record_of(name, H5T_NATIVE_DOUBLE);
-      column.numbers = numbers_of(dataset, memory.get(), place);
-    } else {
-      const int index = H5Tget_member_index(type.get(), name.c_str());
-      const Hdf5Handle field(H5Tget_member_type(type.get(), static_cast<unsigned>(index)));
-      const std::string& of = name;
-      column.texts = texts_of(
-          dataset, field, [&of](hid_t text) { return record_of(of, text); }, place);
-    }
+  for (const unsigned index : fields_of(type)) {
+    Column column{name_of_field(type, index), units[index], {}, {}};
+    const Hdf5Handle field(H5Tget_member_type(type.get(), index));
+    fill(
+        dataset, field, [&](hid_t value) { return record_of(column.name, value); }, place, column);
     columns.push_back(std::move(column));
   }
   return columns;
@@ -173,7 +226,11 @@ std::vector<Column> columns_of_records(const Hdf5Handle& dataset, const Place& p
 
 std::vector<Column> columns_of_matrix(const Hdf5Handle& dataset, const Place& place) {
   const auto width = static_cast<std::size_t>(extents_of(dataset)[1]);
-  const std::vector<double> values = numbers_of(dataset, H5T_NATIVE_DOUBLE, place);
+  if (width > kMostColumns) {
+    place.refuse("has more than " + std::to_string(kMostColumns) + " columns");
+  }
+  const std::vector<double> values = numbers_of<double>(
+      dataset, [](hid_t value) { return Hdf5Handle(H5Tcopy(value)); }, place);
   const std::vector<std::string> names = texts_of_attribute(dataset, kColumns, place);
   const std::vector<std::string> units = units_of(dataset, width, place);
   if (!names.empty() && names.size() != width) {
@@ -215,17 +272,37 @@ std::optional<Column> attribute_of(const Hdf5Handle& object, const std::string& 
   const Hdf5Handle space(H5Aget_space(attribute.get()));
   const Hdf5Handle type(H5Aget_type(attribute.get()));
   if (sort_of(type) != Sort::Number || count_of(space) != 1) return {};
-  double value = 0.0;
-  if (H5Aread(attribute.get(), H5T_NATIVE_DOUBLE, &value) < 0) (place / name).fail();
-  return Column{name, "", {value}, {}};
+  const auto read = [&](auto& value) {
+    const hid_t memory = memory_type<std::remove_reference_t<decltype(value)>>();
+    if (H5Aread(attribute.get(), memory, &value) < 0) (place / name).fail();
+  };
+  if (H5Tget_class(type.get()) == H5T_FLOAT) {
+    double value = 0.0;
+    read(value);
+    return Column{name, "", {value}, {}};
+  }
+  if (H5Tget_sign(type.get()) == H5T_SGN_NONE) {
+    std::uint64_t value = 0;
+    read(value);
+    return Column{name, "", {}, {std::to_string(value)}};
+  }
+  std::int64_t value = 0;
+  read(value);
+  return Column{name, "", {}, {std::to_string(value)}};
+}
+
+std::size_t count_in(const Hdf5Handle& dataset) {
+  return count_of(Hdf5Handle(H5Dget_space(dataset.get())));
+}
+
+bool is_number_or_text(const Hdf5Handle& dataset) {
+  const Sort sort = sort_of(Hdf5Handle(H5Dget_type(dataset.get())));
+  return sort == Sort::Number || sort == Sort::Text;
 }
 
 /// Whether an object is a dataset of one number or text.
 bool is_value(const Hdf5Handle& object) {
-  if (!is_dataset(object) || !extents_of(object).empty()) return false;
-  const Sort sort = sort_of(Hdf5Handle(H5Dget_type(object.get())));
-  const Hdf5Handle space(H5Dget_space(object.get()));
-  return (sort == Sort::Number || sort == Sort::Text) && count_of(space) == 1;
+  return is_dataset(object) && is_number_or_text(object) && count_in(object) == 1;
 }
 
 }  // namespace
@@ -256,17 +333,27 @@ bool is_group(const Hdf5Handle& object) {
   return object.get() >= 0 && H5Iget_type(object.get()) == H5I_GROUP;
 }
 bool is_column(const Hdf5Handle& object) {
-  if (!is_dataset(object)) return false;
-  const Sort sort = sort_of(Hdf5Handle(H5Dget_type(object.get())));
-  return (sort == Sort::Number || sort == Sort::Text) && extents_of(object).size() == 1;
+  if (!is_dataset(object) || !is_number_or_text(object)) return false;
+  const std::vector<hsize_t> extents = extents_of(object);
+  const auto is_along = [](hsize_t extent) { return extent != 1; };
+  return !extents.empty() && std::ranges::count_if(extents, is_along) <= 1;
+}
+
+bool is_column_of_numbers(const Hdf5Handle& object) {
+  return is_column(object) && count_in(object) != 1 &&
+         sort_of(Hdf5Handle(H5Dget_type(object.get()))) == Sort::Number;
 }
 
 bool is_table(const Hdf5Handle& object) {
   if (!is_dataset(object)) return false;
   const std::vector<hsize_t> extents = extents_of(object);
   const Hdf5Handle type(H5Dget_type(object.get()));
-  if (sort_of(type) == Sort::Number) return extents.size() == 2 && extents[1] >= 2;
-  return sort_of(type) == Sort::Records && extents.size() == 1 && fields_of(type).size() >= 2;
+  if (sort_of(type) == Sort::Number) {
+    if (extents.size() != 2 || extents[0] < 2 || extents[1] < 2) return false;
+    return extents[1] <= kMostUnnamed || H5Aexists(object.get(), kColumns) > 0;
+  }
+  return sort_of(type) == Sort::Records && extents.size() == 1 && fields_of(type).size() >= 2 &&
+         !is_complex(type);
 }
 
 std::vector<Column> columns_of(Hdf5Handle object, const Place& place) {

@@ -47,9 +47,13 @@ std::vector<std::string> names_in(const Hdf5Handle& group, const Place& place);
 Hdf5Handle opened(const Hdf5Handle& group, const std::string& name, const Place& place);
 
 bool is_group(const Hdf5Handle& object);
-/// Whether an object of a group is a column of it: a dataset of one dimension, of numbers or texts.
+/// Whether an object of a group is a column of it: a dataset of one dimension, others being 1, of
+/// numbers or texts.
 bool is_column(const Hdf5Handle& object);
-/// Whether an object is a table by itself: a dataset of records or of two dimensions.
+/// The same of more than one number.
+bool is_column_of_numbers(const Hdf5Handle& object);
+/// Whether an object is a table by itself: a dataset of records, or of two dimensions that names
+/// its columns or has few.
 bool is_table(const Hdf5Handle& object);
 
 /// The columns of a group or of a dataset that is a table.

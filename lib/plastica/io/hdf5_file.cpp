@@ -9,14 +9,6 @@
 namespace plastica::io {
 namespace {
 
-/// HDF5 prints its errors by itself unless told otherwise. At the program's end it closes once more
-/// what is open, and crashes on a file that a full disk kept it from closing; ours are closed by
-/// then.
-void keep_quiet() {
-  H5dont_atexit();
-  H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
-}
-
 /// The system's words, where an error of HDF5 has them among addresses and times.
 std::string words_of_system(const std::string& message) {
   constexpr std::string_view kBefore = "error message = '";
@@ -35,7 +27,7 @@ Hdf5Handle opened_root(const Hdf5Handle& file, const std::string& path) {
 }  // namespace
 
 std::string hdf5_version() {
-  keep_quiet();  // also this call would start HDF5, as it is by default
+  h5::keep_quiet();  // also this call would start HDF5, as it is by default
   unsigned major = 0;
   unsigned minor = 0;
   unsigned release = 0;
@@ -66,7 +58,7 @@ Hdf5File::Hdf5File(Hdf5File&& other) noexcept
       root_(std::move(other.root_)) {}
 
 Hdf5File Hdf5File::create(const std::string& path, Overwrite overwrite) {
-  keep_quiet();
+  h5::keep_quiet();
   OutputFile output(path, overwrite);
 
   const Hdf5Handle creation(H5Pcreate(H5P_FILE_CREATE));
@@ -83,7 +75,7 @@ Hdf5File Hdf5File::create(const std::string& path, Overwrite overwrite) {
 }
 
 Hdf5File Hdf5File::open(const std::string& path) {
-  keep_quiet();
+  h5::keep_quiet();
   check_content_digest(path);
   const Hdf5Handle access(H5Pcreate(H5P_FILE_ACCESS));
   H5Pset_fclose_degree(access.get(), H5F_CLOSE_STRONG);
@@ -114,6 +106,11 @@ void Hdf5File::commit() {
 }
 
 namespace h5 {
+
+void keep_quiet() {
+  H5dont_atexit();
+  H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
+}
 
 std::string innermost_error() {
   std::string message;

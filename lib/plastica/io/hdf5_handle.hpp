@@ -23,6 +23,11 @@ hid_t memory_type() {
   if constexpr (std::is_same_v<T, std::uint8_t>) return H5T_NATIVE_UINT8;
 }
 
+/// HDF5 prints its errors by itself unless told otherwise, in each thread anew. At the program's
+/// end it closes once more what is open, and crashes on a file that a full disk kept it from
+/// closing; ours are closed by then.
+void keep_quiet();
+
 /// The innermost message on HDF5's error stack, which says what really happened.
 std::string innermost_error();
 

@@ -16,6 +16,7 @@
 #include "plastica/io/csv_text.hpp"
 #include "plastica/io/hdf5_columns.hpp"
 #include "plastica/io/hdf5_handle.hpp"
+#include "plastica/io/read_input.hpp"
 
 namespace plastica::io {
 namespace {
@@ -23,20 +24,38 @@ namespace {
 /// Groups within groups that are looked through.
 constexpr std::size_t kMostDepth = 32;
 
-/// HDF5 is not reentrant, and may be asked by whoever imports side by side.
-std::mutex& hdf5_mutex() {
-  static std::mutex mutex;
-  return mutex;
+/// HDF5 is not reentrant, and is asked by whoever imports side by side. Results are read and
+/// written before and after that.
+class Hdf5Lock {
+ public:
+  Hdf5Lock() : lock_(mutex()) { h5::keep_quiet(); }
+
+ private:
+  static std::mutex& mutex() {
+    static std::mutex of_all;
+    return of_all;
+  }
+  std::scoped_lock<std::mutex> lock_;
+};
+
+/// A unit without blanks and brackets around it.
+std::string bare_unit(const std::string& text) {
+  std::string_view unit = csv_text::without_blanks(text);
+  const bool is_in_brackets = unit.size() > 2 && ((unit.front() == '[' && unit.back() == ']') ||
+                                                  (unit.front() == '(' && unit.back() == ')'));
+  if (is_in_brackets) unit = csv_text::without_blanks(unit.substr(1, unit.size() - 2));
+  return std::string(unit);
 }
 
 /// A column as a line of names has it. A unit that its name says, too, stands there once.
 std::string header_of(const h5::Column& column, const h5::Place& place) {
-  if (column.unit.empty()) return column.name;
+  const std::string unit = bare_unit(column.unit);
+  if (unit.empty()) return column.name;
   const std::string by_name = csv_text::name_and_unit(column.name).second;
-  if (by_name == column.unit) return column.name;
-  if (by_name.empty()) return column.name + " [" + column.unit + "]";
+  if (by_name == unit) return column.name;
+  if (!csv_text::unit_cell(by_name).is_unit) return column.name + " [" + unit + "]";
   (place / column.name)
-      .refuse("is in " + by_name + " by its name and in " + column.unit + " by its attribute");
+      .refuse("is in " + by_name + " by its name and in " + unit + " by its attribute");
 }
 
 void append_number(double value, std::string& text) {
@@ -44,8 +63,14 @@ void append_number(double value, std::string& text) {
     text += "nan";
     return;
   }
+  // As it would be typed, which a key or a group is compared with: 100000, not 1e+05.
+  constexpr double kPlain = 1e15;
+  const bool is_whole = value == std::floor(value) && std::fabs(value) < kPlain;
   std::array<char, 32> digits{};
-  const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr;
+  const auto form = is_whole ? std::chars_format::fixed : std::chars_format::general;
+  char* const last = digits.data() + digits.size();
+  const auto end = is_whole ? std::to_chars(digits.data(), last, value, form).ptr
+                            : std::to_chars(digits.data(), last, value).ptr;
   text.append(digits.data(), end);
 }
 
@@ -95,21 +120,24 @@ Hdf5Handle object_at(const Hdf5File& file, const h5::Place& place) {
 }
 
 /// Whether a file says what result it is.
-bool has_schema(const Hdf5File& file) { return file.root().has_attribute(".", "schema"); }
+bool has_schema(const Hdf5File& file) {
+  const Hdf5Group& root = file.root();
+  return root.has_attribute(".", "schema") &&
+         root.attribute_kind(".", "schema") == Hdf5Kind::Text &&
+         root.text_attribute(".", "schema").starts_with("plastica");
+}
 
 }  // namespace
 
 Hdf5Origin hdf5_origin(const std::string& path) {
   if (!begins_as_result(path)) return Hdf5Origin::None;
-  const std::scoped_lock lock(hdf5_mutex());
-  try {
-    if (check_content_digest(path)) return Hdf5Origin::Results;
-  } catch (const InputError&) {  // only ours have a digest, that does not fit
-    return Hdf5Origin::Results;
-  }
+  if (begins_with_digest(path)) return Hdf5Origin::Results;
+  const Hdf5Lock lock;
   try {
     return has_schema(Hdf5File::open(path)) ? Hdf5Origin::Results : Hdf5Origin::Others;
   } catch (const InputError&) {  // whoever reads it says so
+    return Hdf5Origin::Unknown;
+  } catch (const StorageError&) {
     return Hdf5Origin::Unknown;
   }
 }
@@ -121,21 +149,27 @@ struct Hdf5Tables::Opened {
 };
 
 Hdf5Tables::Hdf5Tables(const std::string& path) : path_(path) {
-  const std::scoped_lock lock(hdf5_mutex());
-  opened_ = std::make_unique<Opened>(Opened{Hdf5File::open(path)});
-  if (has_schema(opened_->file)) {
-    throw InputError({path_, 0}, "", "", "is a result file, no file of measured curves");
-  }
-  find_in("/", 0);
-  if (names_.empty()) {
-    throw InputError({path_, 0}, "", "",
-                     "holds no table: no group with two columns, no dataset of records or of two "
-                     "dimensions");
+  const Hdf5Lock lock;
+  try {
+    opened_ = std::make_unique<Opened>(Opened{Hdf5File::open(path)});
+    if (has_schema(opened_->file)) {
+      throw InputError({path_, 0}, "", "", "is a result file, no file of measured curves");
+    }
+    find_in("/", 0);
+    if (names_.empty()) {
+      throw InputError(
+          {path_, 0}, "", "",
+          "holds no table: no group with two columns of numbers, no dataset of records, "
+          "none of two dimensions");
+    }
+  } catch (...) {
+    opened_.reset();  // before the lock is
+    throw;
   }
 }
 
 Hdf5Tables::~Hdf5Tables() {
-  const std::scoped_lock lock(hdf5_mutex());
+  const Hdf5Lock lock;
   opened_.reset();
 }
 
@@ -144,14 +178,18 @@ void Hdf5Tables::find_in(const std::string& name, std::size_t depth) {
   const Hdf5Handle group(H5Gopen2(opened_->file.identifier(), place.path.c_str(), H5P_DEFAULT));
   H5O_info_t info{};
   if (group.get() < 0 || H5Oget_info(group.get(), &info) < 0) place.fail();
-  if (depth > kMostDepth || !opened_->known.insert(info.addr).second) return;
+  if (!opened_->known.insert(info.addr).second) return;
+  if (depth > kMostDepth) {
+    place.refuse("lies within more than " + std::to_string(kMostDepth) + " groups");
+  }
   std::size_t columns = 0;
   std::vector<std::pair<std::string, bool>> others;  // groups, and tables by themselves
   for (const std::string& child : h5::names_in(group, place)) {
     const Hdf5Handle object = h5::opened(group, child, place);
     const bool is_group = h5::is_group(object);
     if (is_group || h5::is_table(object)) others.emplace_back(child, is_group);
-    if (h5::is_column(object)) ++columns;
+    if (h5::is_column_of_numbers(object)) ++columns;
+    if (!is_utf8(child)) place.refuse("holds a name that is not UTF-8 text");
   }
   if (columns >= 2) names_.push_back(name);
   for (const auto& [child, is_group] : others) {
@@ -179,7 +217,7 @@ Hdf5Tables::Text Hdf5Tables::text(const std::string& name) const {
   const h5::Place place = place_of(path_, name);
   std::vector<h5::Column> columns;
   {
-    const std::scoped_lock lock(hdf5_mutex());
+    const Hdf5Lock lock;
     columns = h5::columns_of(object_at(opened_->file, place), place);
   }
   check_lengths(columns, place);
@@ -188,11 +226,14 @@ Hdf5Tables::Text Hdf5Tables::text(const std::string& name) const {
 
 Hdf5Tables::Text Hdf5Tables::properties(const std::string& name) const {
   std::vector<h5::Column> properties;
-  const std::scoped_lock lock(hdf5_mutex());
+  const Hdf5Lock lock;
   // From the table up to the file.
   for (h5::Place place = place_of(path_, name);; place = place.above()) {
     for (h5::Column& property : h5::properties_of(object_at(opened_->file, place), place)) {
-      const auto is_same = [&](const h5::Column& other) { return other.name == property.name; };
+      const auto is_same = [&](const h5::Column& other) {
+        return csv_text::name_and_unit(other.name).first ==
+               csv_text::name_and_unit(property.name).first;
+      };
       if (std::ranges::none_of(properties, is_same)) properties.push_back(std::move(property));
     }
     if (place.path == "/") break;

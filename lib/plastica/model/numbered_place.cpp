@@ -1,5 +1,7 @@
 #include "plastica/model/numbered_place.hpp"
 
+#include "plastica/model/beam_axis.hpp"
+
 namespace plastica {
 
 std::optional<std::string_view> numbered_place(const Scene& scene, const SolverOptions& solver) {
@@ -31,11 +33,23 @@ std::optional<std::string_view> numbered_place(const Scene& scene, const SolverO
   return found;
 }
 
+namespace {
+
+std::string moved(std::string_view place) {
+  return "moves the scene's " + std::string(place) +
+         ", the end of a segment by its number: give it as a fraction";
+}
+
+}  // namespace
+
 std::string why_not_segments(const Scene& scene, const SolverOptions& solver, int segments) {
   const auto place = numbered_place(scene, solver);
-  if (!place || segments == scene.beam.segments) return {};
-  return "moves the scene's " + std::string(*place) +
-         ", the end of a segment by its number: give it as a fraction";
+  return place && segments != scene.beam.segments ? moved(*place) : "";
+}
+
+std::string why_not_beam(const Scene& scene, const SolverOptions& solver, const Scene& other) {
+  const auto place = numbered_place(scene, solver);
+  return place && segment_ends(scene) != segment_ends(other) ? moved(*place) : "";
 }
 
 }  // namespace plastica

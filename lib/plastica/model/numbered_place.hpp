@@ -15,4 +15,7 @@ std::optional<std::string_view> numbered_place(const Scene& scene, const SolverO
 /// Why a scene may not get another number of segments: what it moves. Empty: it may.
 std::string why_not_segments(const Scene& scene, const SolverOptions& solver, int segments);
 
+/// The same of another beam that it may not get: with segments that end elsewhere.
+std::string why_not_beam(const Scene& scene, const SolverOptions& solver, const Scene& other);
+
 }  // namespace plastica

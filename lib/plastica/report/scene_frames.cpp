@@ -25,8 +25,13 @@ void check_time(const io::SceneRecord& record, std::string_view option,
                 const std::optional<double>& time) {
   const std::size_t frames = frames_of(record);
   if (!time || frames == 0) return;
-  const double first = time_of_frame(record, 0);
-  const double last = time_of_frame(record, frames - 1);
+  // A path that arcs lead falls, too.
+  double first = time_of_frame(record, 0);
+  double last = first;
+  for (std::size_t f = 1; f < frames; ++f) {
+    first = std::min(first, time_of_frame(record, f));
+    last = std::max(last, time_of_frame(record, f));
+  }
   const double room = 1e-9 * std::fabs(last);  // what is typed has fewer digits
   if (*time >= first - room && *time <= last + room) return;
   throw InputError({}, option, brief(*time) + " s",

@@ -33,13 +33,31 @@ double shear_over_bending(const Facts& facts, bool about_x) {
   return shear / bending;
 }
 
+/// How the ends of a stretch are held against rotation.
+enum class Ends { Cantilever, Free, OneHeld, BothHeld };
+
 /// A part of the beam between neighbours that hold it across its axis.
 struct Stretch {
   double length = 1.0;  ///< over the beam's
-  /// Shear over bending, times kappa G A l^2/(E I): of a cantilever under a tip force 3; of a span
-  /// under a force in its middle 12, held against rotation at one end 192/7, at both 48.
-  double factor = 3.0;
+  Ends ends = Ends::Cantilever;
 };
+
+/// Shear's part of the deflection under a force at a cantilever's tip or in the middle of a span.
+/// @param phi  E I/(kappa G A l^2) of the stretch
+/// Source: unit loads on Timoshenko's beam. Of a span that is held at one end the roller's force is
+/// (5/48 + phi/2)/(1/3 + phi) of the force, and the deflection without shear 7/768.
+double shear_part(Ends ends, double phi) {
+  const auto part = [](double ratio) { return ratio / (1.0 + ratio); };
+  switch (ends) {
+    case Ends::Cantilever: return part(3.0 * phi);
+    case Ends::Free: return part(12.0 * phi);
+    case Ends::BothHeld: return part(48.0 * phi);
+    case Ends::OneHeld: break;
+  }
+  const double roller = (5.0 / 48.0 + 0.5 * phi) / (1.0 / 3.0 + phi);
+  const double deflection = 1.0 / 24.0 + 0.5 * phi - roller * (5.0 / 48.0 + 0.5 * phi);
+  return 1.0 - 7.0 / 768.0 / deflection;
+}
 
 /// The longest; beyond a support that lies within, the beam goes on, and holds its rotation.
 Stretch longest_stretch(const Facts& facts, bool about_x) {
@@ -50,24 +68,27 @@ Stretch longest_stretch(const Facts& facts, bool about_x) {
   std::vector<Hold> holds;
   for (const Support& support : facts.scene.supports) {
     const HeldFreedoms held = support.held();
-    if (!held[about_x ? 1 : 0]) continue;
+    constexpr double kMostly = 0.7;  // of a normal
+    const std::size_t across = about_x ? 1 : 0;
+    const bool by_normal = support.has_normal() && std::fabs(support.normal[across]) > kMostly;
+    if (!held[across] && !by_normal) continue;
     const double at = fraction_of(support.at, facts.layout.ends);
     holds.push_back({at, held[about_x ? 3 : 4] || (at > 0.0 && at < 1.0)});
   }
   std::ranges::sort(holds, {}, &Hold::at);
   Stretch longest{0.0};
-  const auto take = [&](double length, double factor) {
-    if (length > longest.length) longest = {length, factor};
+  const auto take = [&](double length, Ends ends) {
+    if (length > longest.length) longest = {length, ends};
   };
   for (std::size_t i = 0; i + 1 < holds.size(); ++i) {
     const int rotations = (holds[i].rotation ? 1 : 0) + (holds[i + 1].rotation ? 1 : 0);
-    take(holds[i + 1].at - holds[i].at, rotations == 0   ? 12.0
-                                        : rotations == 1 ? 192.0 / 7.0
-                                                         : 48.0);
+    take(holds[i + 1].at - holds[i].at, rotations == 0   ? Ends::Free
+                                        : rotations == 1 ? Ends::OneHeld
+                                                         : Ends::BothHeld);
   }
   if (holds.empty()) return {};
-  take(holds.front().at, 3.0);
-  take(1.0 - holds.back().at, 3.0);
+  take(holds.front().at, Ends::Cantilever);
+  take(1.0 - holds.back().at, Ends::Cantilever);
   return longest;
 }
 
@@ -82,15 +103,13 @@ std::optional<std::string> shear_warning(const Facts& facts) {
   if (!about_x && !bends_about_y(facts.level)) return std::nullopt;
   const Stretch stretch = longest_stretch(facts, about_x);
   const double slenderness = facts.scene.beam.length / depth_of(facts, about_x);
-  const double ratio =
-      shear_over_bending(facts, about_x) * stretch.factor / 3.0 / (stretch.length * stretch.length);
-  const double fraction = ratio / (1.0 + ratio);
+  const double phi = shear_over_bending(facts, about_x) / 3.0 / (stretch.length * stretch.length);
+  const double fraction = shear_part(stretch.ends, phi);
   if (slenderness >= 10.0 && !(fraction >= kCounts)) return std::nullopt;
-  const bool is_cantilever = stretch.factor == 3.0;
-  const std::string text =
-      (is_cantilever ? "the beam is " + figure(slenderness)
-                     : "between its supports the beam is " + figure(stretch.length * slenderness)) +
-      " times as long as deep: shear, which rigid joints leave out, ";
+  const bool is_cantilever = stretch.ends == Ends::Cantilever;
+  const std::string text = (is_cantilever ? "the beam is " : "between its supports the beam is ") +
+                           figure(stretch.length * slenderness) +
+                           " times as long as deep: shear, which rigid joints leave out, ";
   if (!std::isfinite(fraction)) {
     return text +
            "may count; with section.shear_coefficient, which numbers do not tell, "

@@ -9,7 +9,7 @@
 namespace plastica::run_detail {
 
 /// Where shear, which rigid joints leave out, may count: in a beam that is less than ten times as
-/// long as deep, or one whose longest stretch between supports it lets bend by 5 % more.
+/// long as deep, or where it makes 5 % of the deflection of the longest stretch between supports.
 std::optional<std::string> shear_warning(const Facts& facts);
 
 }  // namespace plastica::run_detail

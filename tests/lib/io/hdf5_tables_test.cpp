@@ -105,7 +105,7 @@ TEST(Hdf5Tables, ThatAreNoneAreRefused) {
   const ScratchFolder folder;
   const Hdf5Tables tables(file_with(folder, [](Hdf5Group& root) {
     root.write("unlike/strain", kStrain);
-    root.write("unlike/stress", std::vector{1.0});
+    root.write("unlike/stress", std::vector{1.0, 2.0});
     root.write("units/strain [%]", kStrain, {.units = "mm/mm"});
     root.write("units/stress", kStress);
     root.write("empty/strain", std::vector<double>{});
@@ -115,7 +115,7 @@ TEST(Hdf5Tables, ThatAreNoneAreRefused) {
     return message_from<InputError>([&] { CsvTable::read(tables, path); });
   };
   const std::string file = tables.file() + ": ";
-  EXPECT_EQ(said_of("unlike"), file + "/unlike: has columns of unlike lengths: strain 3, stress 1");
+  EXPECT_EQ(said_of("unlike"), file + "/unlike: has columns of unlike lengths: strain 3, stress 2");
   EXPECT_EQ(said_of("units"),
             file + "/units/strain [%]: is in % by its name and in mm/mm by its attribute");
   EXPECT_EQ(said_of("empty"), file + "holds no data row");
@@ -135,6 +135,7 @@ TEST(Hdf5Tables, HavePropertiesOfWhichTheNearestCounts) {
     root.set_attribute("lot/A", "S0 [mm^2]", 78.5);
     root.write("lot/A/L0", 50.0, {.units = "mm"});
     root.set_attribute("lot", "L0", 1.0);
+    root.set_attribute("lot", "S0", 1.0);
     root.set_attribute("lot", "heat", "H 7");
     root.set_attribute("lot", "several", Names{"a", "b"});
   }));

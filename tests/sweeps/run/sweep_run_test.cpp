@@ -210,7 +210,7 @@ TEST(TakeOf, GivesOneNumberOfACurve) {
   EXPECT_FALSE(take_of(Take::Frequency, time, values).value.has_value());
   // Of a path beyond its peak.
   EXPECT_EQ(take_of(Take::Mean, std::vector{0.0, 2.0, 1.0}, values).reason,
-            "the load falls along the path: there is no mean over it");
+            "the load falls along the path: there is nothing over it");
 }
 
 TEST(TakeOf, FindsTheFrequencyOfASine) {
