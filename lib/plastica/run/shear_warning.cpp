@@ -67,6 +67,8 @@ Stretch longest_stretch(const Facts& facts, bool about_x) {
   };
   std::vector<Hold> holds;
   for (const Support& support : facts.scene.supports) {
+    // At rest one that moves is the load: the head of a machine.
+    if (facts.options.analysis == Analysis::Statics && support.moves()) continue;
     const HeldFreedoms held = support.held();
     constexpr double kMostly = 0.7;  // of a normal
     const std::size_t across = about_x ? 1 : 0;

@@ -2,6 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <fstream>
+#include <iterator>
+#include <string>
+
 #include "tests/calibrate/config/config_folder.hpp"
 
 namespace plastica::calibrate {
@@ -167,6 +171,24 @@ TEST_F(SceneFitFileTest, RefusesSegmentsThatContradict) {
                 .find("beam.segments = 8: contradicts fit.segments, which is for all beams of the "
                       "fit"),
             std::string::npos);
+}
+
+// The end of segment 2 of 4 is another place among 8, or among 4 of other lengths.
+TEST_F(SceneFitFileTest, RefusesABeamThatMovesWhatStandsAtASegmentByItsNumber) {
+  std::ifstream file(path("bar.toml"));
+  std::string scene{std::istreambuf_iterator<char>(file), {}};
+  const std::string tip = "kind = \"displacement\"\nat = \"end\"";
+  scene.replace(scene.find(tip), tip.size(), "kind = \"displacement\"\nat = { segment = 2 }");
+  write("bar.toml", scene);
+  const std::string why =
+      "moves the scene's probe.at, the end of a segment by its number: give it as a fraction";
+  for (const std::string beam :
+       {"{ segments = 8 }", "{ segment_lengths = [0.1, 0.2, 0.3, 0.4] }"}) {
+    EXPECT_NE(refusal(kFit + kTarget + "beam = " + beam + "\n").find(why), std::string::npos)
+        << beam;
+  }
+  EXPECT_NE(refusal(kFit + "segments = 8\n" + kTarget).find(why), std::string::npos);
+  EXPECT_EQ(refusal(kFit + kTarget + "beam = { segments = 4 }\n"), "");
 }
 
 TEST_F(SceneFitFileTest, ReadsTheShippedOne) {

@@ -2,10 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 
 #include "tests/calibrate/fit/bent_bar.hpp"
 #include "tests/support/has.hpp"
@@ -253,6 +255,24 @@ TEST(SceneFit, FailsWithAReasonWhereThePathEndsTooEarly) {
             "measured from 0 to 0.39 (its ramps going on to 4 times their ends)");
   EXPECT_EQ(fit.runs, 2) << "again with ramps that go on";
   EXPECT_EQ(fit.failed_runs, 1);
+}
+
+/// What a scene leaves out its parameters make up for: here shear, of a bar that is short.
+TEST(SceneFit, PassesOnWhatItsScenesWarnOf) {
+  plastica::Setup setup = bend_test(10);
+  setup.scene.section.height = setup.scene.beam.length / 5.0;
+  const SceneTarget target = measured(setup, {}, 1e-4, 1e-3);
+  const SceneFitOptions options{.parameters = {free_parameter("youngs_modulus", 50e9, 500e9)},
+                                .starts = 1,
+                                .segments_error = false};
+  const auto says = [&](std::string_view words) {
+    const SceneFitResult fit = fit_scene(setup, target, options);
+    EXPECT_EQ(fit.status, FitStatus::Fitted) << fit.reason;
+    return std::ranges::any_of(fit.warnings, [&](const auto& one) { return has(one, words); });
+  };
+  EXPECT_TRUE(says("the scene: the beam is 5 times as long as deep: shear"));
+  setup.solver.translation = JointTranslation::Elastic;
+  EXPECT_FALSE(says("shear"));
 }
 
 }  // namespace
