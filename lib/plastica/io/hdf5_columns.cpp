@@ -79,6 +79,22 @@ constexpr hsize_t kMostUnnamed = 16;
 /// Most columns of a table.
 constexpr hsize_t kMostColumns = 10'000;
 
+/// Whether all values of a dataset were written, or at least all of its chunks.
+bool is_written(const Hdf5Handle& dataset) {
+  const Hdf5Handle creation(H5Dget_create_plist(dataset.get()));
+  if (H5Pget_layout(creation.get()) != H5D_CHUNKED) {
+    H5D_space_status_t status{};
+    return H5Dget_space_status(dataset.get(), &status) >= 0 && status == H5D_SPACE_STATUS_ALLOCATED;
+  }
+  const std::vector<hsize_t> extents = extents_of(dataset);
+  std::vector<hsize_t> chunk(extents.size());
+  hsize_t wanted = 1, found = 0;
+  if (H5Pget_chunk(creation.get(), static_cast<int>(chunk.size()), chunk.data()) < 0) return false;
+  for (std::size_t i = 0; i < chunk.size(); ++i) wanted *= (extents[i] + chunk[i] - 1) / chunk[i];
+  const Hdf5Handle space(H5Dget_space(dataset.get()));
+  return H5Dget_num_chunks(dataset.get(), space.get(), &found) >= 0 && found == wanted;
+}
+
 /// @throws InputError for what is not to be read: not in this file, never written, or too large
 Hdf5Handle checked(Hdf5Handle dataset, const Place& place) {
   if (const std::string why = refusal_of_dataset(dataset); !why.empty()) place.refuse(why);
@@ -88,9 +104,7 @@ Hdf5Handle checked(Hdf5Handle dataset, const Place& place) {
   if (count_of(space) > kMostValues) {
     place.refuse("has more than " + std::to_string(kMostValues) + " values");
   }
-  H5D_space_status_t status{};
-  const bool is_known = H5Dget_space_status(dataset.get(), &status) >= 0;
-  if (count_of(space) > 0 && (!is_known || status != H5D_SPACE_STATUS_ALLOCATED)) {
+  if (count_of(space) > 0 && !is_written(dataset)) {
     place.refuse("has values that were never written");
   }
   return dataset;

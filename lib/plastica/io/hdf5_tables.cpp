@@ -53,7 +53,9 @@ std::string header_of(const h5::Column& column, const h5::Place& place) {
   if (unit.empty()) return column.name;
   const std::string by_name = csv_text::name_and_unit(column.name).second;
   if (by_name == unit) return column.name;
-  if (!csv_text::unit_cell(by_name).is_unit) return column.name + " [" + unit + "]";
+  if (by_name.empty() || !csv_text::unit_cell(by_name).is_unit) {
+    return column.name + " [" + unit + "]";
+  }
   (place / column.name)
       .refuse("is in " + by_name + " by its name and in " + unit + " by its attribute");
 }

@@ -43,7 +43,7 @@ TEST(Hdf5Tables, AreFoundInGroupsWithinGroups) {
     write_columns(root.group("lot 2/B"));
     write_columns(root.group("lot 2"));
     root.write("alone/strain", kStrain);
-    root.write_table("A", std::span<const double>(kStrain.data(), 2), 2);
+    root.write_table<double>("A", std::array{0.0, 1.0, 2.0, 3.0}, 2);
     write_columns(root.group("lot 1/B"));
   }));
   EXPECT_EQ(tables.names(), (Names{"lot 2", "lot 2/B", "A", "lot 1/B"}));
@@ -123,8 +123,9 @@ TEST(Hdf5Tables, ThatAreNoneAreRefused) {
             file + "path: must be one of its tables: unlike, units and empty");
   const std::string none = file_with(folder, [](Hdf5Group& root) { root.write("x", kStrain); });
   EXPECT_TRUE(message_from<InputError>([&] { Hdf5Tables{none}; })
-                  .ends_with("holds no table: no group with two columns, no dataset of records or "
-                             "of two dimensions"));
+                  .ends_with("holds no table: no group with two columns of numbers, no dataset of "
+                             "records, none of two "
+                             "dimensions"));
 }
 
 TEST(Hdf5Tables, HavePropertiesOfWhichTheNearestCounts) {
