@@ -135,7 +135,8 @@ TEST(Compare, TakesTheRmsOfCurves) {
 
 // A path beyond its peak comes back to loads that it had: there is no one value at a load.
 TEST(Compare, SaysWhereTheLoadFallsAlongThePath) {
-  const std::string why = "the load falls along the path, so that it has several values at one load";
+  const std::string why =
+      "the load falls along the path, so that it has several values at one load";
   Made made(
       segments_axis("[4, 8]") + "[error]\nprobe = 'tip'\ntake = 'curve'\nagainst = 'finest'\n",
       {kNone, kNone});
