@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <utility>
 
 #include "calibrate/inference/moved_by_segments.hpp"
@@ -77,7 +78,10 @@ void warn_of_scenes(const SceneProblem& problem, std::span<const WeightedTarget>
     for (std::string& warning : problem.warnings_of(t, point)) {
       auto known =
           std::ranges::find_if(said, [&](const auto& one) { return one.first == warning; });
-      if (known == said.end()) known = said.insert(said.end(), {std::move(warning), {}});
+      if (known == said.end()) {
+        said.emplace_back(std::move(warning), std::vector<std::string>{});
+        known = std::prev(said.end());
+      }
       known->second.push_back(targets[t].target.name);
     }
   }

@@ -1,7 +1,6 @@
 #include "tests/fuzz/fuzz_target.hpp"
 
-#include <stdlib.h>  // mkdtemp
-
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <iterator>

@@ -20,7 +20,7 @@ namespace {
 
 template <typename Read>
 auto read_record(const Read& read, std::span<const std::byte> bytes) {
-  const auto result = result_or_refused([&] { return read(bytes); });
+  auto result = result_or_refused([&] { return read(bytes); });
   if (result) {
     const std::vector<std::byte> first = bytes_of(*result);
     require(first == bytes_of(read(first)), "a record that is another one when read again");

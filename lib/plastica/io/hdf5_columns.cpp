@@ -149,6 +149,7 @@ std::vector<std::string> texts_of(const Hdf5Handle& dataset, const Hdf5Handle& t
 template <typename Integer>
 std::vector<std::string> digits_of(const std::vector<Integer>& values) {
   std::vector<std::string> texts;
+  texts.reserve(values.size());
   for (const Integer value : values) texts.push_back(std::to_string(value));
   return texts;
 }

@@ -195,7 +195,8 @@ void Hdf5Tables::find_in(const std::string& name, std::size_t depth) {
   }
   if (columns >= 2) names_.push_back(name);
   for (const auto& [child, is_group] : others) {
-    const std::string whole = name == "/" ? child : name + "/" + child;
+    std::string whole = name == "/" ? "" : name + '/';
+    whole += child;
     if (is_group) {
       find_in(whole, depth + 1);
     } else {

@@ -60,6 +60,7 @@ void write_tapers(Hdf5Group& group, const std::vector<Region>& regions) {
   const auto tapers = [](const Region& region) { return region.to_section.has_value(); };
   if (std::none_of(regions.begin(), regions.end(), tapers)) return;
   std::vector<std::string> names;
+  names.reserve(regions.size());
   for (const Region& region : regions) {
     names.push_back(region.to_section ? region.to_section->name : "");
   }

@@ -48,6 +48,7 @@ bool rises_if_moved(const SceneRecord& record, const std::vector<double>& time) 
 
 std::vector<double> times_of(const std::vector<ChainBreak>& events) {
   std::vector<double> times;
+  times.reserve(events.size());
   for (const ChainBreak& event : events) times.push_back(event.time);
   return times;
 }

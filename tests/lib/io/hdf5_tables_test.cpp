@@ -10,6 +10,7 @@
 
 #include "plastica/base/check.hpp"
 #include "plastica/io/csv.hpp"
+#include "plastica/io/hdf5.hpp"
 #include "tests/lib/io/message_from.hpp"
 #include "tests/lib/io/scratch_folder.hpp"
 
@@ -22,7 +23,7 @@ using Names = std::vector<std::string>;
 /// A file whose content a function writes.
 template <typename Write>
 std::string file_with(const ScratchFolder& folder, const Write& write) {
-  const std::string path = folder.file("curves.h5");
+  std::string path = folder.file("curves.h5");
   Hdf5File file = Hdf5File::create(path);
   write(file.root());
   file.commit();
