@@ -85,6 +85,20 @@ std::string modulus_label(std::span<const FitRecord> records) {
   return std::ranges::all_of(records, is_torsion) ? "G" : "E, G";
 }
 
+namespace {
+
+/// The same of a group, which is of one test where tests part it from others.
+std::string modulus_of(const GroupSummary& group, std::span<const FitRecord> records) {
+  for (const auto& [key, value] : group.group) {
+    if (key != "test") continue;
+    if (value == "torsion") return "G";
+    if (value == "tension" || value == "bending") return "E";
+  }
+  return modulus_label(records);
+}
+
+}  // namespace
+
 std::string groups_text(std::span<const FitRecord> records, const ReportOptions& options,
                         const Ink& ink) {
   const SpecimenDraws draws{options.specimen_resamples, options.seed, options.confidence};
@@ -92,7 +106,6 @@ std::string groups_text(std::span<const FitRecord> records, const ReportOptions&
   const bool drawn = draws.resamples > 0 && std::ranges::any_of(groups, [](const auto& group) {
                        return group.fitted >= kFewestToDraw;
                      });
-  const std::string modulus = modulus_label(records);
   const std::string proof = proof_label(records);
   const std::size_t shown =
       options.groups_shown == 0 ? groups.size() : std::min(groups.size(), options.groups_shown);
@@ -112,7 +125,7 @@ std::string groups_text(std::span<const FitRecord> records, const ReportOptions&
          {fmt::format("{:.4g} % of the mean", 100.0 * options.confidence), Table::Align::Range},
          {"", Table::Align::Left}});
     for (const GroupStatistic& entry : group.characteristics) {
-      add_statistic(table, entry, label_of(entry.name, modulus, proof));
+      add_statistic(table, entry, label_of(entry.name, modulus_of(group, records), proof));
     }
     if (!group.parameters.empty()) table.add_line("fitted");
     for (const GroupStatistic& entry : group.parameters) {

@@ -112,6 +112,27 @@ TEST_F(ExportSceneFit, SaysInEachFormatWithHowManySegmentsTheFitWasMade) {
   EXPECT_EQ(mine.out.find("rho = 2700"), std::string::npos);
 }
 
+// The end of segment 6 of 6 is another place among 12.
+TEST_F(ExportSceneFit, RefusesSegmentsThatMoveAPlace) {
+  fit(std::string(kFit) + kTarget);
+  place_.write("mine.toml", changed(kBar, "kind = \"displacement\"\nat = \"end\"",
+                                    "kind = \"displacement\"\nat = { segment = 6 }"));
+  const std::map<std::string, std::string> files{{"fit.h5", place_.read("fit.h5")},
+                                                 {"mine.toml", place_.read("mine.toml")}};
+  const std::vector<std::string> words{"export",  "fit.h5",    "--to",      "opensees",
+                                       "--scene", "mine.toml", "--segments"};
+  const auto with = [&](const std::string& segments) {
+    std::vector<std::string> all = words;
+    all.push_back(segments);
+    return all;
+  };
+  expect_refusal(
+      {"", files, with("12"),
+       "--segments = 12: moves the scene's probe.at, the end of a segment by its number: "
+       "give it as a fraction"});
+  EXPECT_EQ(place_.run(with("6")).code, 0);
+}
+
 TEST_F(ExportSceneFit, TakesOneOfSeveralScenesByItsName) {
   fit(std::string(kFit) + kTarget +
       changed(changed(kTarget, "bar.toml", "long.toml"), "beam = { segments = 8 }\n", ""));

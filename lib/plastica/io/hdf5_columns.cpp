@@ -264,13 +264,7 @@ std::vector<Column> columns_of_matrix(const Hdf5Handle& dataset, const Place& pl
 /// Names of an object's attributes, but for those that say what its columns are.
 std::vector<std::string> attributes_of(const Hdf5Handle& object, const Place& place) {
   std::vector<std::string> names;
-  const auto take = [](hid_t, const char* name, const H5A_info_t*, void* out) -> herr_t {
-    static_cast<std::vector<std::string>*>(out)->emplace_back(name);
-    return 0;
-  };
-  if (H5Aiterate2(object.get(), H5_INDEX_NAME, H5_ITER_INC, nullptr, take, &names) < 0) {
-    place.fail();
-  }
+  if (!read_attribute_names(object, names)) place.fail();
   std::erase_if(names, [](const std::string& name) {
     return name == kColumns || std::ranges::find(kUnits, name) != kUnits.end();
   });
@@ -296,14 +290,11 @@ std::optional<Column> attribute_of(const Hdf5Handle& object, const std::string& 
     read(value);
     return Column{name, "", {value}, {}};
   }
-  if (H5Tget_sign(type.get()) == H5T_SGN_NONE) {
-    std::uint64_t value = 0;
+  const auto digits = [&](auto value) {
     read(value);
     return Column{name, "", {}, {std::to_string(value)}};
-  }
-  std::int64_t value = 0;
-  read(value);
-  return Column{name, "", {}, {std::to_string(value)}};
+  };
+  return H5Tget_sign(type.get()) == H5T_SGN_NONE ? digits(std::uint64_t{}) : digits(std::int64_t{});
 }
 
 std::size_t count_in(const Hdf5Handle& dataset) {
@@ -323,17 +314,8 @@ bool is_value(const Hdf5Handle& object) {
 }  // namespace
 
 std::vector<std::string> names_in(const Hdf5Handle& group, const Place& place) {
-  const Hdf5Handle creation(H5Gget_create_plist(group.get()));
-  unsigned order = 0;
-  H5Pget_link_creation_order(creation.get(), &order);
-  const bool is_known = (order & H5P_CRT_ORDER_INDEXED) != 0U;
   std::vector<std::string> names;
-  const auto take = [](hid_t, const char* name, const H5L_info_t*, void* out) -> herr_t {
-    static_cast<std::vector<std::string>*>(out)->emplace_back(name);
-    return 0;
-  };
-  const H5_index_t index = is_known ? H5_INDEX_CRT_ORDER : H5_INDEX_NAME;
-  if (H5Literate(group.get(), index, H5_ITER_INC, nullptr, take, &names) < 0) place.fail();
+  if (!read_link_names(group, names)) place.fail();
   return names;
 }
 

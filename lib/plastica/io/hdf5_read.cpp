@@ -97,19 +97,8 @@ Hdf5Handle Hdf5Group::open_dataset(std::string_view path) const {
 }
 
 std::vector<std::string> Hdf5Group::children() const {
-  const Hdf5Handle creation(H5Gget_create_plist(handle_.get()));
-  unsigned order = 0;
-  H5Pget_link_creation_order(creation.get(), &order);
-  const H5_index_t index =
-      (order & H5P_CRT_ORDER_INDEXED) != 0U ? H5_INDEX_CRT_ORDER : H5_INDEX_NAME;
   std::vector<std::string> names;
-  const auto take = [](hid_t, const char* name, const H5L_info_t*, void* out) -> herr_t {
-    static_cast<std::vector<std::string>*>(out)->emplace_back(name);
-    return 0;
-  };
-  if (H5Literate(handle_.get(), index, H5_ITER_INC, nullptr, take, &names) < 0) {
-    fail_to_read(path_);
-  }
+  if (!h5::read_link_names(handle_, names)) fail_to_read(path_);
   return names;
 }
 
@@ -216,13 +205,7 @@ bool Hdf5Group::has_attribute(std::string_view path, const std::string& name) co
 std::vector<std::string> Hdf5Group::attribute_names(std::string_view path) const {
   const Hdf5Handle object = open_object(path);
   std::vector<std::string> names;
-  const auto take = [](hid_t, const char* name, const H5A_info_t*, void* out) -> herr_t {
-    static_cast<std::vector<std::string>*>(out)->emplace_back(name);
-    return 0;
-  };
-  if (H5Aiterate2(object.get(), H5_INDEX_NAME, H5_ITER_INC, nullptr, take, &names) < 0) {
-    fail_to_read(path);
-  }
+  if (!h5::read_attribute_names(object, names)) fail_to_read(path);
   return names;
 }
 

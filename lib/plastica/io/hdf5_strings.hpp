@@ -44,4 +44,30 @@ bool read_strings(const Hdf5Handle& type, const Hdf5Handle& space, const Read& r
   return true;
 }
 
+/// Names of a group's links: in the order in which they were written if it knows that, else by
+/// name. @return false on failure
+inline bool read_link_names(const Hdf5Handle& group, std::vector<std::string>& names) {
+  const auto take = [](hid_t, const char* name, const H5L_info_t*, void* out) -> herr_t {
+    static_cast<std::vector<std::string>*>(out)->emplace_back(name);
+    return 0;
+  };
+  // Closed before the iteration: to close anything forgets why that failed.
+  const H5_index_t index = [&] {
+    const Hdf5Handle creation(H5Gget_create_plist(group.get()));
+    unsigned order = 0;
+    H5Pget_link_creation_order(creation.get(), &order);
+    return (order & H5P_CRT_ORDER_INDEXED) != 0U ? H5_INDEX_CRT_ORDER : H5_INDEX_NAME;
+  }();
+  return H5Literate(group.get(), index, H5_ITER_INC, nullptr, take, &names) >= 0;
+}
+
+/// Names of an object's attributes, by name. @return false on failure
+inline bool read_attribute_names(const Hdf5Handle& object, std::vector<std::string>& names) {
+  const auto take = [](hid_t, const char* name, const H5A_info_t*, void* out) -> herr_t {
+    static_cast<std::vector<std::string>*>(out)->emplace_back(name);
+    return 0;
+  };
+  return H5Aiterate2(object.get(), H5_INDEX_NAME, H5_ITER_INC, nullptr, take, &names) >= 0;
+}
+
 }  // namespace plastica::io::h5

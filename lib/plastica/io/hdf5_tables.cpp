@@ -69,11 +69,10 @@ void append_number(double value, std::string& text) {
   constexpr double kPlain = 1e15;
   const bool is_whole = value == std::floor(value) && std::fabs(value) < kPlain;
   std::array<char, 32> digits{};
-  const auto form = is_whole ? std::chars_format::fixed : std::chars_format::general;
-  char* const last = digits.data() + digits.size();
-  const auto end = is_whole ? std::to_chars(digits.data(), last, value, form).ptr
-                            : std::to_chars(digits.data(), last, value).ptr;
-  text.append(digits.data(), end);
+  char* const first = digits.data();
+  char* const last = first + digits.size();
+  text.append(first, is_whole ? std::to_chars(first, last, value, std::chars_format::fixed).ptr
+                              : std::to_chars(first, last, value).ptr);
 }
 
 void check_lengths(const std::vector<h5::Column>& columns, const h5::Place& place) {

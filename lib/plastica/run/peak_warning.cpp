@@ -14,9 +14,9 @@ std::vector<std::string> peak_warnings(const Response& response) {
   for (std::size_t i = 1; i < samples; ++i) {
     if (time[i] >= time[i - 1]) continue;
     return {fmt::format(
-        "the path passes a peak at a factor of {:.4g} and falls: led by its loads the "
-        "beam would leave it there, and come to rest where they are passed again, if it does; "
-        "solver.control = \"load\" ends at the peak",
+        "the path passes a peak at a factor of {:.4g}: beyond it less is needed for equilibrium, "
+        "and a beam that keeps its loads would not stay there; solver.control = \"load\" ends at "
+        "the peak",
         factor[i - 1])};
   }
   return {};

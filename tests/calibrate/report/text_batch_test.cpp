@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <sstream>
+#include <string>
+#include <string_view>
+#include <vector>
 
 #include "calibrate/report/format.hpp"
 #include "calibrate/report/text.hpp"
@@ -36,6 +39,20 @@ std::vector<std::string> batch_lines(const std::string& text) {
 std::vector<FitRecord> some_records() {
   return {fitted_record("bar-01", 280e6), fitted_record("bar-02", 290e6, "150"),
           rejected_record("bar-03", "the file is empty"), failed_record("bar-04", "no number")};
+}
+
+TEST(BatchReport, CallsTheSlopeOfATorsionTestG) {
+  std::vector<FitRecord> records{fitted_record("bar-01", 280e6), fitted_record("bar-02", 290e6)};
+  const auto begins = [&](std::string_view words) {
+    const std::vector<std::string> lines = batch_lines(batch_report(records));
+    return std::ranges::any_of(lines, [&](const auto& line) { return line.starts_with(words); });
+  };
+  EXPECT_TRUE(begins("  E ") && !begins("  G "));
+  records[1].target.test = calibrate::Test::Torsion;  // a group of its own
+  EXPECT_TRUE(begins("  E ") && begins("  G "));
+  EXPECT_TRUE(has(batch_report(records), "E, G"));
+  records[0].target.test = calibrate::Test::Torsion;
+  EXPECT_TRUE(begins("  G ") && !begins("  E "));
 }
 
 TEST(BatchReport, HasARowPerSpecimen) {
