@@ -87,7 +87,7 @@ int calibrate_files(const CalibrateArguments& arguments) {
   if (!arguments.laws.empty()) file.options.laws = calibrate::laws_of(arguments.laws, "--laws");
   if (arguments.no_modulus_prior) file.options.modulus_prior = false;
   take_isa(arguments.isa, file.options.setup.solver);
-  const bool found = finds_output(arguments.resume, arguments.force, output);
+  const bool found = finds_output(arguments.resume, arguments.force, output, arguments.team);
   for (calibrate::TargetBlock& block : file.targets) {
     block.options.accept = block.options.accept || arguments.accept;
   }
@@ -217,10 +217,12 @@ void add_calibrate(CLI::App& app, const Invocation& invocation, Action& action) 
       "    --fix youngs_modulus=\"200 GPa\"");
   arguments->command_line = invocation.command_line;
   arguments->merged = invocation.merged;
+  arguments->launched = invocation.team;
   sub->callback([&action, arguments, sub] {
     arguments->bare_option = first_given(*sub, kBareGroup);
     action = [arguments, sub] {
       arguments->shard = shard_of(*sub);
+      if (!arguments->shard) arguments->team = join_team(arguments->launched, arguments->threads);
       expect_inputs(*arguments);
       return has_scenes(*arguments) ? calibrate_scenes(*arguments) : calibrate_files(*arguments);
     };

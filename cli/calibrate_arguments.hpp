@@ -10,6 +10,7 @@
 
 #include "calibrate/config/bare_files.hpp"
 #include "calibrate/inference/intervals.hpp"
+#include "cli/run_team.hpp"
 #include "cli/tell.hpp"
 #include "plastica/io/case_journal.hpp"
 
@@ -34,6 +35,8 @@ struct CalibrateArguments {
   std::string isa;                           ///< empty: as the files say
   std::optional<io::ShardOfRun> shard;       ///< empty: all of the run
   const io::MergedShards* merged = nullptr;  ///< in place of fits; null: there are none
+  RunTeam* launched = nullptr;               ///< other processes, which may join; null: none
+  Team* team = nullptr;                      ///< those that have joined; null: none
   std::string command_line;
 };
 

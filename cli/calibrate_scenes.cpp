@@ -105,7 +105,7 @@ int calibrate_scenes(const CalibrateArguments& arguments) {
     say_shard(output, arguments.shard);
     return kDone;
   }
-  const bool found = finds_output(arguments.resume, arguments.force, output);
+  const bool found = finds_output(arguments.resume, arguments.force, output, arguments.team);
   check_outputs(file.read_files, output, arguments.json, arguments.force,
                 found || arguments.shard.has_value());
   const InterruptGuard interrupt;

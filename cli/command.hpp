@@ -14,6 +14,8 @@ struct MergedShards;
 
 namespace plastica::cli {
 
+class RunTeam;
+
 /// What the chosen subcommand does; returns the exit code. May throw: `main` turns an InputError
 /// into exit code 2 and anything else into 3, each with one line.
 using Action = std::function<int()>;
@@ -22,6 +24,8 @@ struct Invocation {
   std::string command_line;
   /// All cases of a run, in place of computing them: `plastica merge` runs the program again.
   const io::MergedShards* merged = nullptr;
+  /// The processes that a launcher has started; those that share a run join it.
+  RunTeam* team = nullptr;
 };
 
 /// Runs the program again with other words, the command first. @return the exit code

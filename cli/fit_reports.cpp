@@ -11,13 +11,15 @@
 #include "calibrate/report/scene_fit_text.hpp"
 #include "calibrate/report/text.hpp"
 #include "cli/find_record.hpp"
+#include "cli/launched.hpp"
 
 namespace plastica::cli {
 namespace {
 
 calibrate::ReportOptions options_of(double confidence) {
   calibrate::ReportOptions options;
-  options.color = isatty(STDOUT_FILENO) != 0;
+  // mpirun makes a terminal for what it passes on, wherever that goes.
+  options.color = isatty(STDOUT_FILENO) != 0 && !launched();
   options.confidence = confidence;
   return options;
 }

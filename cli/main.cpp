@@ -15,9 +15,11 @@
 #include "cli/common_options.hpp"
 #include "cli/exit_code.hpp"
 #include "cli/help_format.hpp"
+#include "cli/run_team.hpp"
 #include "cli/tell.hpp"
 #include "plastica/base/check.hpp"
 #include "plastica/base/keep_freed_memory.hpp"
+#include "plastica/base/team.hpp"
 #include "plastica/base/version.hpp"
 #include "plastica/io/nearest_word.hpp"
 
@@ -63,10 +65,14 @@ void add_commands(CLI::App& app, const plastica::cli::Invocation& invocation,
   plastica::cli::add_fields(app, action);
 }
 
-int complain(std::string what, int code) {
-  // One line, whatever a file is called.
+/// One line, whatever a file is called.
+std::string in_one_line(std::string what) {
   std::replace(what.begin(), what.end(), '\n', ' ');
-  plastica::cli::tell("plastica: {}\n", what);
+  return what;
+}
+
+int complain(const std::string& what, int code) {
+  plastica::cli::tell("plastica: {}\n", in_one_line(what));
   return code;
 }
 
@@ -103,8 +109,9 @@ int finish_output(int code) {
 }
 
 /// @param words   of the command line, the command first
-/// @param merged  see `Invocation`
-int run(std::vector<std::string> words, const plastica::io::MergedShards* merged) {
+/// @param merged, team  see `Invocation`
+int run(std::vector<std::string> words, const plastica::io::MergedShards* merged,
+        plastica::cli::RunTeam* team) {
   CLI::App app{"Fit lumped beams of rigid segments to measured curves, and simulate them",
                "plastica"};
   app.set_version_flag("--version", std::string(plastica::version()), "Print the version");
@@ -115,10 +122,10 @@ int run(std::vector<std::string> words, const plastica::io::MergedShards* merged
   app.set_help_flag("-h,--help", "Print this help");
   app.footer(kFooter);
   const plastica::cli::Invocation invocation{fmt::format("plastica {}", fmt::join(words, " ")),
-                                             merged};
+                                             merged, team};
   const plastica::cli::RunAgain run_again = [](const std::vector<std::string>& others,
                                                const plastica::io::MergedShards& shards) {
-    return run(others, &shards);
+    return run(others, &shards, nullptr);
   };
   Action action;
   add_commands(app, invocation, run_again, action);
@@ -143,13 +150,20 @@ int run(std::vector<std::string> words, const plastica::io::MergedShards* merged
 int main(int argc, char** argv) {
   plastica::cli::open_closed_streams();
   plastica::keep_freed_memory();
+  plastica::cli::RunTeam team;
+  int code = plastica::cli::kMachineFailed;
+  std::string what;  // has failed
   try {
-    return run({argv + 1, argv + argc}, nullptr);
+    code = run({argv + 1, argv + argc}, nullptr, &team);
+  } catch (const plastica::TeamLeft&) {
+    return team.end_after_another(code);
   } catch (const plastica::InputError& error) {
-    return complain(error.what(), plastica::cli::kBadInput);
+    code = plastica::cli::kBadInput;
+    what = error.what();
   } catch (const std::bad_alloc&) {
-    return complain("out of memory", plastica::cli::kMachineFailed);
+    what = "out of memory";
   } catch (const std::exception& error) {
-    return complain(error.what(), plastica::cli::kMachineFailed);
+    what = error.what();
   }
+  return team.end(code, in_one_line(what));
 }

@@ -4,10 +4,12 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <filesystem>
 #include <string_view>
 
 #include "plastica/base/check.hpp"
+#include "plastica/base/team.hpp"
 #include "plastica/io/case_journal.hpp"
 #include "plastica/io/durable_file.hpp"
 #include "plastica/io/nearest_word.hpp"
@@ -122,9 +124,11 @@ double fraction_of(std::string_view option, const std::string& text) {
   return value;
 }
 
-bool finds_output(bool resume, bool force, const std::string& output) {
+bool finds_output(bool resume, bool force, const std::string& output, Team* team) {
   std::error_code ignored;
-  return resume && !force && fs::is_regular_file(output, ignored);
+  const bool found = resume && !force && fs::is_regular_file(output, ignored);
+  if (team != nullptr) team->agree(found ? 1 : 0, "output: they need one folder");
+  return found;
 }
 
 void refuse_other_output(const std::string& output, bool journal_is_ours) {
@@ -138,6 +142,8 @@ void refuse_other_output(const std::string& output, bool journal_is_ours) {
 }
 
 void tell_interrupted(const std::string& output) {
+  static std::atomic<bool> told = false;
+  if (told.exchange(true)) return;
   std::error_code ignored;
   tell("plastica: interrupted; what is finished is kept: --resume{} goes on\n",
        fs::exists(output, ignored) ? " --force" : "");

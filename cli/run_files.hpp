@@ -10,6 +10,10 @@
 #include "calibrate/store/fit_store.hpp"
 #include "cli/tell.hpp"
 
+namespace plastica {
+class Team;
+}
+
 namespace plastica::cli {
 
 /// The files that a fit of curves reads: its own, tables, curves.
@@ -47,7 +51,8 @@ std::optional<double> seconds_of(std::string_view option, const std::string& tex
 double fraction_of(std::string_view option, const std::string& text);
 
 /// Whether a run that is to go on finds an output, which may be its own, complete.
-bool finds_output(bool resume, bool force, const std::string& output);
+/// @param team  of the run, of which all find it or none; null: there is none
+bool finds_output(bool resume, bool force, const std::string& output, Team* team);
 
 /// Refuses a value that is none of an option's words, naming them and the nearest. Empty: not
 /// given.
@@ -74,7 +79,7 @@ void take_complete_output(const std::string& output, const std::string& found, B
   }
 }
 
-/// Says that a run was interrupted, and what goes on with it.
+/// Says that a run was interrupted, and what goes on with it; once.
 /// @param output  is replaced then, if it is there
 void tell_interrupted(const std::string& output);
 

@@ -71,6 +71,7 @@ int run_fits(const CalibrateArguments& arguments, const std::string& output, boo
              Contents& contents, std::chrono::steady_clock::time_point begin, Batch& batch,
              const Fit& fit) {
   if (arguments.shard) return run_shard(arguments, output, batch, fit);
+  if (found && !batch.leads()) return kDone;
   if (found) {
     contents = read_fits<Contents>(output);
     take_complete_output(output, contents.run, batch);
@@ -80,6 +81,7 @@ int run_fits(const CalibrateArguments& arguments, const std::string& output, boo
   io::check_output_path(output, arguments.force);
   tell_of_journal(batch, arguments.quiet);
   contents.records = fit();
+  if (!batch.leads()) return kDone;
   if (!batch.complete()) {
     tell_interrupted(output);
     return kInterrupted;
@@ -112,7 +114,8 @@ inline calibrate::JournaledOptions journaling(const CalibrateArguments& argument
                                               StopFlag stop) {
   calibrate::JournaledOptions how;
   how.journal = policy_of(output, arguments.shard, arguments.resume, arguments.force,
-                          meta.instruction_set, arguments.merged);
+                          meta.instruction_set, arguments.merged, arguments.team);
+  if (arguments.launched != nullptr) arguments.launched->watch(stop, output);
   how.threads = arguments.threads;
   how.stop = stop;
   return how;

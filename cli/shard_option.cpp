@@ -5,11 +5,10 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <array>
-#include <charconv>
-#include <cstdlib>
 #include <string_view>
 #include <utility>
 
+#include "cli/launched.hpp"
 #include "cli/run_files.hpp"
 #include "cli/tell.hpp"
 
@@ -25,30 +24,10 @@ void add_shard_option(CLI::App& sub) {
 
 namespace {
 
-/// Variables in which launchers say which of how many processes this one is, from 0 on: Open MPI,
-/// MPICH and others by PMI, SLURM.
-constexpr std::array<std::pair<const char*, const char*>, 3> kRanks{{
-    {"OMPI_COMM_WORLD_RANK", "OMPI_COMM_WORLD_SIZE"},
-    {"PMI_RANK", "PMI_SIZE"},
-    {"SLURM_PROCID", "SLURM_NTASKS"},
-}};
-
 /// The shard of this process, "2/7".
 std::string shard_of_process() {
-  for (const auto& [rank, size] : kRanks) {
-    const char* index = std::getenv(rank);
-    const char* count = std::getenv(size);
-    if (index == nullptr || count == nullptr) continue;
-    std::size_t number = 0;
-    const std::string_view digits = index;
-    const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), number);
-    if (error != std::errc{} || end != digits.data() + digits.size()) {
-      throw InputError({}, rank, index, "in the environment, must be a number");
-    }
-    // A task of an array is one process: all tasks would compute all.
-    if (std::string_view(count) == "1") break;
-    return std::to_string(number + 1) + "/" + count;
-  }
+  const std::optional<Launched> process = launched();
+  if (process) return fmt::format("{}/{}", process->rank + 1, process->count);
   throw InputError(
       {}, "--shard", "auto",
       "needs several processes of mpirun or srun, which tell each its number; a task of "
@@ -92,9 +71,9 @@ std::optional<io::ShardOfRun> shard_of(const CLI::App& sub) {
 
 io::JournalPolicy policy_of(const std::string& output, std::optional<io::ShardOfRun> shard,
                             bool resume, bool force, const std::string& instruction_set,
-                            const io::MergedShards* merged) {
+                            const io::MergedShards* merged, Team* team) {
   const std::string path = shard ? io::shard_path(output, shard->shard) : io::journal_path(output);
-  return {path, resume, force, instruction_set, std::move(shard), merged};
+  return {path, resume, force, instruction_set, std::move(shard), merged, team};
 }
 
 void say_shard(const std::string& output, const std::optional<io::ShardOfRun>& shard) {

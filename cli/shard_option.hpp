@@ -10,6 +10,10 @@ namespace CLI {  // NOLINT(readability-identifier-naming): of the library CLI11
 class App;
 }
 
+namespace plastica {
+class Team;
+}
+
 namespace plastica::cli {
 
 /// Adds `--shard`, which `shard_of` reads.
@@ -24,7 +28,7 @@ std::optional<io::ShardOfRun> shard_of(const CLI::App& sub);
 /// merged it computes nothing.
 io::JournalPolicy policy_of(const std::string& output, std::optional<io::ShardOfRun> shard,
                             bool resume, bool force, const std::string& instruction_set,
-                            const io::MergedShards* merged);
+                            const io::MergedShards* merged, Team* team);
 
 /// Says of a dry run what a shard would do of it; nothing where it is the whole run.
 void say_shard(const std::string& output, const std::optional<io::ShardOfRun>& shard);

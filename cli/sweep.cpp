@@ -19,6 +19,7 @@
 #include "cli/progress_bar.hpp"
 #include "cli/result_kind.hpp"
 #include "cli/run_files.hpp"
+#include "cli/run_team.hpp"
 #include "cli/shard_option.hpp"
 #include "cli/tell.hpp"
 #include "plastica/io/text_file.hpp"
@@ -48,6 +49,8 @@ struct SweepArguments {
   std::string isa;
   std::optional<io::ShardOfRun> shard;       ///< empty: all of the sweep
   const io::MergedShards* merged = nullptr;  ///< in place of runs; null: there are none
+  RunTeam* launched = nullptr;               ///< other processes, which may join; null: none
+  Team* team = nullptr;                      ///< those that have joined; null: none
   std::string command_line;
 };
 
@@ -152,7 +155,8 @@ int sweep_file(const SweepArguments& arguments) {
   sweeps::SweepRunOptions how;
   const std::optional<io::ShardOfRun>& shard = arguments.shard;
   how.journal = policy_of(output, shard, arguments.resume || arguments.rerun_failed,
-                          arguments.force, meta.instruction_set, arguments.merged);
+                          arguments.force, meta.instruction_set, arguments.merged, arguments.team);
+  if (arguments.launched != nullptr) arguments.launched->watch(&interrupt.flag(), output);
   if (!shard) how.earlier = results_before(arguments, output);
   how.rerun_failed = arguments.rerun_failed;
   how.threads = arguments.threads;
@@ -172,8 +176,9 @@ int sweep_file(const SweepArguments& arguments) {
   });
   std::vector<sweeps::CaseResult> results = run.run();
   bar.clear();
+  if (!run.leads()) return kDone;
   if (!run.complete()) {
-    tell("plastica: interrupted; what is finished is kept: --resume goes on\n");
+    tell_interrupted("");
     return kInterrupted;
   }
   if (shard) {
@@ -237,9 +242,11 @@ void add_sweep(CLI::App& app, const Invocation& invocation, Action& action) {
       "Exit code 1 if no case has a usable result, 130 after Ctrl-C: --resume goes on.");
   arguments->command_line = invocation.command_line;
   arguments->merged = invocation.merged;
+  arguments->launched = invocation.team;
   sub->callback([&action, arguments, sub] {
     action = [arguments, sub] {
       arguments->shard = shard_of(*sub);
+      if (!arguments->shard) arguments->team = join_team(arguments->launched, arguments->threads);
       return sweep_file(*arguments);
     };
   });

@@ -14,6 +14,8 @@ namespace plastica::cli {
 
 namespace {
 
+bool is_silent = false;
+
 /// The lines with all control characters but their ends made harmless.
 std::string shown(std::string_view lines) {
   std::string text;
@@ -28,7 +30,10 @@ std::string shown(std::string_view lines) {
 
 }  // namespace
 
+void be_silent(bool silent) { is_silent = silent; }
+
 void tell(const std::string& lines) noexcept {
+  if (is_silent) return;
   try {
     std::fputs(shown(lines).c_str(), stderr);
   } catch (const std::bad_alloc&) {
@@ -44,7 +49,9 @@ void tell_of_damage() {
   tell("plastica: what is finished was kept in a file that is damaged: what is lost runs again\n");
 }
 
-void say(const std::string& lines) { fmt::print("{}", shown(lines)); }
+void say(const std::string& lines) {
+  if (!is_silent) fmt::print("{}", shown(lines));
+}
 
 void put(const std::string& text) {
   if (::isatty(STDOUT_FILENO) != 0) {

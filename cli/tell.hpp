@@ -18,6 +18,9 @@ void tell(fmt::format_string<Arguments...> format, Arguments&&... arguments) {
   tell(fmt::format(format, std::forward<Arguments>(arguments)...));
 }
 
+/// Whether `tell` and `say` of this process say nothing: another one speaks for it.
+void be_silent(bool silent);
+
 /// Tells the old names that files have, each with the new one.
 void tell_notes(std::span<const std::string> notes);
 

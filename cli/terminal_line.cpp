@@ -10,18 +10,38 @@ namespace plastica::cli {
 
 using std::chrono::steady_clock;
 
+namespace {
+
+TerminalLine::Style style_of_all = TerminalLine::Style::Redrawn;
+
+bool is_terminal() { return isatty(STDERR_FILENO) != 0; }
+
+}  // namespace
+
 TerminalLine::TerminalLine(bool quiet)
-    : shown_(!quiet && isatty(STDERR_FILENO) != 0), start_(steady_clock::now()), last_(start_) {}
+    : shown_(!quiet && style_of_all != Style::Silent &&
+             (is_terminal() || style_of_all == Style::Lines)),
+      in_lines_(!is_terminal()),
+      start_(steady_clock::now()),
+      last_(start_) {}
+
+void TerminalLine::set_style(Style style) { style_of_all = style; }
 
 TerminalLine::~TerminalLine() { clear(); }
 
 bool TerminalLine::is_due() const {
-  return shown_ && (!drawn_ || steady_clock::now() - last_ >= std::chrono::milliseconds(100));
+  if (!shown_) return false;
+  if (in_lines_) return steady_clock::now() - last_ >= std::chrono::seconds(10);
+  return !drawn_ || steady_clock::now() - last_ >= std::chrono::milliseconds(100);
 }
 
 void TerminalLine::draw(const std::string& text) {
-  if (!shown_) return;
+  if (!shown_ || (in_lines_ && !is_due())) return;
   last_ = steady_clock::now();
+  if (in_lines_) {
+    std::fputs((text + '\n').c_str(), stderr);
+    return;
+  }
   drawn_ = true;
   std::fputs(fmt::format("\r{}\033[K", text).c_str(), stderr);
   std::fflush(stderr);

@@ -7,7 +7,8 @@ namespace plastica::cli {
 
 /// A line on stderr that is drawn over and over.
 ///
-/// Silent when stderr is no terminal, so that logs stay clean. Not for several threads at once.
+/// Silent when stderr is no terminal, so that logs stay clean, but see `Style`. Not for several
+/// threads at once.
 class TerminalLine {
  public:
   /// @param quiet  never show anything
@@ -16,7 +17,16 @@ class TerminalLine {
   TerminalLine(const TerminalLine&) = delete;
   TerminalLine& operator=(const TerminalLine&) = delete;
 
-  /// Whether it is time to draw: at once, and then at most ten times a second.
+  enum class Style {
+    Redrawn,
+    Lines,   ///< where stderr is no terminal, a new line now and then: it may be passed on to one
+    Silent,  ///< another process draws
+  };
+  /// Of all lines that are made from now on.
+  static void set_style(Style style);
+
+  /// Whether it is time to draw: at once, and then at most ten times a second; every ten seconds
+  /// where each is a new line.
   bool is_due() const;
   void draw(const std::string& text);
   /// Wipes the line, so that other output starts at the left margin.
@@ -25,6 +35,7 @@ class TerminalLine {
 
  private:
   bool shown_;
+  bool in_lines_;
   bool drawn_ = false;
   std::chrono::steady_clock::time_point start_;
   std::chrono::steady_clock::time_point last_;

@@ -78,7 +78,7 @@ std::vector<FitResult> fit_cases(std::span<const Target> targets, std::span<cons
   std::vector<FitResult> results(cases.size());
   for (FitResult& result : results) result.reason = "not run";
   std::mutex mutex;
-  parallel_for(cases.size(), {batch.threads, batch.stop}, [&](std::size_t i, int) {
+  parallel_for(cases.size(), {batch.threads, batch.stop, batch.next}, [&](std::size_t i, int) {
     const Target& target = targets[cases[i].target];
     try {
       if (cases[i].law) {

@@ -10,6 +10,7 @@
 #include "calibrate/result/result.hpp"
 #include "calibrate/search/ladder.hpp"
 #include "calibrate/target/target.hpp"
+#include "plastica/base/next_index.hpp"
 
 namespace plastica::calibrate {
 
@@ -29,6 +30,8 @@ struct BatchFitOptions {
   StopFlag stop = nullptr;
   /// Called after each fit with its index, one call at a time, from any thread: journal, progress.
   std::function<void(std::size_t index, const FitResult& result)> finished;
+  /// Which fits are to be done, see `ParallelOptions`. Empty: all.
+  NextIndex next{};
 };
 
 /// One fit of a batch: of a target, with one of the laws that are compared.

@@ -27,6 +27,7 @@ void JournaledFits<Result>::resume(const std::function<bool(Result&)>& usable) {
     ++progress_.resumed;
   }
   stale_ = journal_.found() - progress_.resumed;
+  before_ = progress_;
 }
 
 template <typename Result>
@@ -46,15 +47,53 @@ void JournaledFits<Result>::count(const Result& result) {
 template <typename Result>
 void JournaledFits<Result>::start_run() {
   if (std::exchange(has_run_, true)) throw std::logic_error("JournaledFits: it has run already");
-  if (how_.progress) how_.progress(progress_);
+  kept_.assign(ids_.size(), 0);
+  if (team() != nullptr) {
+    team()->on_told([this](const Team::Counts& others) {
+      const std::lock_guard lock(mutex_);
+      others_ = others;
+      tell();
+    });
+  }
+  tell();
+}
+
+template <typename Result>
+void JournaledFits<Result>::tell() const {
+  if (!how_.progress) return;
+  BatchProgress all = progress_;
+  all.done += others_[0];
+  all.failed += others_[1];
+  all.rejected += others_[2];
+  how_.progress(all);
 }
 
 template <typename Result>
 void JournaledFits<Result>::keep(std::size_t index, const Result& result) {
   journal_.keep(ids_[index], bytes_of(result));
+  kept_[index] = 1;
   const std::lock_guard lock(mutex_);
   count(result);
-  if (how_.progress) how_.progress(progress_);
+  tell();
+  if (team() == nullptr) return;
+  team()->tell({progress_.done - before_.done, progress_.failed - before_.failed,
+                progress_.rejected - before_.rejected});
+}
+
+template <typename Result>
+void JournaledFits<Result>::gather(bool everyone) {
+  if (team() == nullptr) return;
+  journal_.gather(everyone);
+  if (!everyone && !team()->leads()) return;
+  others_ = {};
+  for (std::size_t i = 0; i < ids_.size(); ++i) {
+    if (results_[i] || kept_[i] != 0) continue;
+    const std::vector<std::byte>* bytes = journal_.find_gathered(ids_[i]);
+    if (bytes == nullptr) continue;
+    results_[i] = result_from_bytes<Result>(*bytes);
+    count(*results_[i]);
+  }
+  tell();
 }
 
 template <typename Result>

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "plastica/base/stop_flag.hpp"
+#include "plastica/base/team.hpp"
 #include "plastica/io/case_journal.hpp"
 
 namespace plastica::calibrate {
@@ -36,7 +37,8 @@ struct JournaledOptions {
 /// Fits that survive the interruption of their run, whatever they are of: each that has ended goes
 /// to a journal under an id, which is a name and a digest of all that decides its bits, and a later
 /// run takes from it those whose ids it has, too. The results have the same bits as those of a run
-/// without interruption.
+/// without interruption. Several processes may do them together, see `io::JournalPolicy::team`: the
+/// one that leads has the results of all.
 /// @tparam Result  FitResult or SceneFitResult
 template <typename Result>
 class JournaledFits {
@@ -55,8 +57,10 @@ class JournaledFits {
   /// How often this run was interrupted and resumed, this time included.
   int resumptions() const { return journal_.resumptions(); }
 
-  /// Whether all was fitted, of a shard all that is its own.
+  /// Whether all was fitted, of a shard all that is its own. Of a team only its leader knows.
   bool complete() const { return complete_; }
+  /// Whether the results are those of all fits here: false in a process that does not lead.
+  bool leads() const { return team() == nullptr || team()->leads(); }
   /// See `io::CaseJournal`.
   std::size_t damaged() const { return journal_.damaged(); }
   std::size_t merged_shards() const { return journal_.merged_shards(); }
@@ -101,7 +105,13 @@ class JournaledFits {
   void start_run();
   /// Keeps a fit that has ended, and tells so; may be called by several threads.
   void keep(std::size_t index, const Result& result);
+  /// Takes into `results_` the fits that other processes of a team have kept.
+  /// @param everyone  in all processes; false: in the one that leads
+  void gather(bool everyone);
+  /// Syncs what is kept of a run that was stopped.
   void end_run(bool complete);
+  /// The processes that compute the run together; null: there is one.
+  Team* team() const { return how_.journal.team; }
 
   JournaledOptions how_;
   std::vector<std::string> ids_;                ///< of the fits (n_fits)
@@ -112,8 +122,12 @@ class JournaledFits {
 
  private:
   void count(const Result& result);
+  void tell() const;
 
-  std::vector<bool> own_;  ///< (n_fits)
+  std::vector<bool> own_;       ///< (n_fits)
+  std::vector<char> kept_;      ///< whether a fit has been done in this process (n_fits)
+  BatchProgress before_;        ///< when the run began
+  Team::Counts others_{};       ///< done, failed, rejected: what other processes have told
   std::string run_id_;
   std::mutex mutex_;  ///< of the progress
   bool has_run_ = false;

@@ -111,7 +111,8 @@ JournaledSceneFits::JournaledSceneFits(std::span<const SceneFitCase> cases,
     }
   }
   seconds_.assign(fits_.size(), std::numeric_limits<double>::quiet_NaN());
-  kept_.resize(fits_.size());
+  stages_kept_.resize(fits_.size());
+  completed_.assign(fits_.size(), 0);
 }
 
 std::string JournaledSceneFits::make_run_id() const {
@@ -148,13 +149,13 @@ std::optional<SceneFitResult> JournaledSceneFits::fit(std::size_t index, bool co
   options.hooks = {};
   options.hooks.stop = how_.stop;
   options.hooks.find = [&](const std::string& name) -> const std::vector<std::byte>* {
-    const auto kept = kept_[index].find(name);
-    if (kept != kept_[index].end()) return &kept->second;
+    const auto kept = stages_kept_[index].find(name);
+    if (kept != stages_kept_[index].end()) return &kept->second;
     const std::vector<std::byte>* found = journal_.find(stage_of(id, name));
     return found != nullptr ? found : journal_.find(stage_of(ids_[index], name));
   };
   options.hooks.keep = [&](const std::string& name, std::span<const std::byte> bytes) {
-    if (completes_one(options_)) kept_[index][name].assign(bytes.begin(), bytes.end());
+    if (completes_one(options_)) stages_kept_[index][name].assign(bytes.begin(), bytes.end());
     journal_.keep(stage_of(id, name), bytes);
   };
   const bool alone = cases_.size() == 1;
@@ -177,10 +178,10 @@ std::optional<SceneFitResult> JournaledSceneFits::fit(std::size_t index, bool co
 /// @param complete  the advised law, which is to get what is made of it alone; empty: what is
 /// missing
 void JournaledSceneFits::fit_side_by_side(const std::vector<std::size_t>& of,
-                                          std::optional<Law> complete) {
+                                          std::optional<Law> complete, const NextIndex& next) {
   const bool several = of.size() > 1;
   threads_ = several ? 1 : how_.threads;
-  parallel_for(of.size(), {several ? how_.threads : 1, how_.stop}, [&](std::size_t k, int) {
+  parallel_for(of.size(), {several ? how_.threads : 1, how_.stop, next}, [&](std::size_t k, int) {
     for (std::size_t i = first_fit(of[k]); i < first_fit(of[k] + 1); ++i) {
       if (complete ? fits_[i].law != complete : results_[i].has_value()) continue;
       const auto begin = std::chrono::steady_clock::now();
@@ -189,7 +190,7 @@ void JournaledSceneFits::fit_side_by_side(const std::vector<std::size_t>& of,
       const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
       if (complete) {
         journal_.keep(complete_ids_[i], bytes_of(*result));
-        ++completed_;
+        completed_[i] = 1;
       } else {
         seconds_[i] = took.count();
         keep(i, *result);
@@ -210,6 +211,35 @@ Law JournaledSceneFits::advised() const {
   return laws.advised ? laws.laws[*laws.advised].fit.law : options_.laws.front();
 }
 
+/// Makes of the fits of the advised law what is made of them alone.
+void JournaledSceneFits::complete_advised() {
+  const Law law = advised();
+  std::vector<std::size_t> unfinished;
+  const auto take_found = [&](std::size_t i) {
+    const std::vector<std::byte>* bytes = journal_.find(complete_ids_[i]);
+    if (bytes == nullptr) return;
+    results_[i] = result_from_bytes<SceneFitResult>(*bytes);
+    completed_[i] = 1;
+  };
+  for (std::size_t i = 0; i < fits_.size(); ++i) {
+    if (fits_[i].law != law) continue;
+    take_found(i);
+    if (results_[i]->status == FitStatus::Failed) completed_[i] = 1;
+    if (completed_[i] == 0) unfinished.push_back(i);
+  }
+  std::vector<std::size_t> of;
+  of.reserve(unfinished.size());
+  for (const std::size_t i : unfinished) of.push_back(fits_[i].of);
+  share(team(), of.size(), how_.stop,
+        [&](const NextIndex& next) { fit_side_by_side(of, law, next); });
+  journal_.gather(false);
+  for (const std::size_t i : unfinished) {
+    if (completed_[i] == 0) take_found(i);
+  }
+  advised_is_complete_ = std::ranges::all_of(
+      unfinished, [&](std::size_t i) { return completed_[i] != 0; });
+}
+
 std::vector<SceneFitResult> JournaledSceneFits::run() {
   start_run();
   std::vector<std::size_t> missing;
@@ -221,24 +251,12 @@ std::vector<SceneFitResult> JournaledSceneFits::run() {
       missing.push_back(of);
     }
   }
-  fit_side_by_side(missing, std::nullopt);
-  if (completes_one(options_) && progress_.done == fits_.size()) {
-    const Law law = advised();
-    std::vector<std::size_t> unfinished;
-    for (std::size_t i = 0; i < fits_.size(); ++i) {
-      if (fits_[i].law != law) continue;
-      const std::vector<std::byte>* bytes = journal_.find(complete_ids_[i]);
-      if (bytes != nullptr) results_[i] = result_from_bytes<SceneFitResult>(*bytes);
-      if (bytes != nullptr || results_[i]->status == FitStatus::Failed) {
-        ++completed_;
-      } else {
-        unfinished.push_back(fits_[i].of);
-      }
-    }
-    fit_side_by_side(unfinished, law);
-  }
-  end_run(progress_.done == progress_.total &&
-          (!completes_one(options_) || completed_ == cases_.size()));
+  share(team(), missing.size(), how_.stop, [&](const NextIndex& next) {
+    fit_side_by_side(missing, std::nullopt, next);
+  });
+  gather(completes_one(options_));
+  if (completes_one(options_) && progress_.done == fits_.size()) complete_advised();
+  end_run(progress_.done == progress_.total && (!completes_one(options_) || advised_is_complete_));
   std::vector<SceneFitResult> results;
   for (std::optional<SceneFitResult>& result : results_) {
     results.push_back(result ? std::move(*result) : SceneFitResult{});

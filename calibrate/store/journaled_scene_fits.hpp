@@ -1,6 +1,5 @@
 #pragma once
 
-#include <atomic>
 #include <cstddef>
 #include <functional>
 #include <map>
@@ -61,7 +60,9 @@ class JournaledSceneFits : public JournaledFits<SceneFitResult> {
   /// Of cases, options, library version and instruction sets.
   std::string make_run_id() const;
   std::size_t first_fit(std::size_t of) const { return of * fits_.size() / cases_.size(); }
-  void fit_side_by_side(const std::vector<std::size_t>& of, std::optional<Law> complete);
+  void fit_side_by_side(const std::vector<std::size_t>& of, std::optional<Law> complete,
+                        const NextIndex& next);
+  void complete_advised();
   std::optional<SceneFitResult> fit(std::size_t index, bool complete);
   SceneFitResult fit_law(std::size_t index, bool complete, SceneFitOptions options) const;
   Law advised() const;
@@ -72,9 +73,10 @@ class JournaledSceneFits : public JournaledFits<SceneFitResult> {
   std::vector<Fit> fits_;
   std::vector<std::string> complete_ids_;  ///< of the same as those of the advised law
   std::vector<double> seconds_;
-  std::vector<Kept> kept_;  ///< (n_fits)
-  /// Fits of the advised law that have all that is made of it.
-  std::atomic<std::size_t> completed_ = 0;
+  std::vector<Kept> stages_kept_;  ///< (n_fits)
+  /// Whether a fit of the advised law has all that is made of it (n_fits).
+  std::vector<char> completed_;
+  bool advised_is_complete_ = false;
   int threads_ = 1;  ///< that each fit has
   std::size_t stages_ = 0;
 };

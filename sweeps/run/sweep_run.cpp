@@ -102,10 +102,41 @@ void SweepRun::take_earlier() {
 
 void SweepRun::take(std::size_t index, CaseResult result) {
   if (journal_) journal_->keep(ids_[index], bytes_of(result));
+  const std::lock_guard lock(mutex_);
+  count(index, result);
+  results_[index] = std::move(result);
+  tell();
+  if (team() == nullptr) return;
+  team()->tell({progress_.done - before_.done, progress_.failed - before_.failed, 0});
+}
+
+void SweepRun::count(std::size_t index, const CaseResult& result) {
   progress_.done += shared_by_[index];
   if (!usable(result.status)) progress_.failed += shared_by_[index];
-  results_[index] = std::move(result);
-  if (report_) report_(progress_);
+}
+
+void SweepRun::tell() const {
+  if (!report_) return;
+  SweepProgress all = progress_;
+  all.done += others_[0];
+  all.failed += others_[1];
+  report_(all);
+}
+
+/// Takes the cases that other processes of a team have kept, in the one that leads.
+void SweepRun::gather() {
+  if (team() == nullptr || !journal_) return;
+  journal_->gather(false);
+  if (!leads()) return;
+  others_ = {};
+  for (std::size_t i = 0; i < ids_.size(); ++i) {
+    if (owner_[i] != i || results_[i]) continue;
+    const auto* bytes = journal_->find_gathered(ids_[i]);
+    if (bytes == nullptr) continue;
+    results_[i] = result_from_bytes(*bytes);
+    count(i, *results_[i]);
+  }
+  tell();
 }
 
 /// The largest of them may meet.
@@ -120,7 +151,7 @@ void SweepRun::check_memory_of(const std::vector<std::size_t>& missing) const {
   check_memory(std::move(bytes), resolved_threads(threads_of(sweep_, options_.threads)), machine);
 }
 
-void SweepRun::run_missing(const std::vector<std::size_t>& missing) {
+void SweepRun::run_missing(const std::vector<std::size_t>& missing, const NextIndex& next) {
   const int threads = threads_of(sweep_, options_.threads);
   check_memory_of(missing);
   if (is_simulated(sweep_.quantity.kind)) {
@@ -132,11 +163,12 @@ void SweepRun::run_missing(const std::vector<std::size_t>& missing) {
     const auto finished = [&](std::size_t k, BatchRow&& row) {
       take(missing[k], result_of(row, sweep_.quantity));
     };
-    run_batch(missing.size(), make, finished, {threads, options_.stop});
+    run_batch(missing.size(), make, finished,
+              {.threads = threads, .stop = options_.stop, .next = next});
     return;
   }
   std::mutex taking;
-  parallel_for(missing.size(), {threads, options_.stop}, [&](std::size_t k, int) {
+  parallel_for(missing.size(), {threads, options_.stop, next}, [&](std::size_t k, int) {
     CaseResult result;
     try {
       result = measure(sweep_, cases_.setup(missing[k]), options_.stop);
@@ -159,11 +191,20 @@ std::vector<CaseResult> SweepRun::run() {
       if (own_[i]) missing.push_back(i);
       continue;
     }
-    progress_.done += shared_by_[i];
-    if (!usable(results_[i]->status)) progress_.failed += shared_by_[i];
+    count(i, *results_[i]);
   }
-  if (report_) report_(progress_);
-  run_missing(missing);
+  before_ = progress_;
+  if (team() != nullptr) {
+    team()->on_told([this](const Team::Counts& others) {
+      const std::lock_guard lock(mutex_);
+      others_ = others;
+      tell();
+    });
+  }
+  tell();
+  share(team(), missing.size(), options_.stop,
+        [&](const NextIndex& next) { run_missing(missing, next); });
+  gather();
   complete_ = progress_.done == progress_.total;
   if (!complete_ && journal_) journal_->sync();
 

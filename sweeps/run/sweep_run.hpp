@@ -3,12 +3,14 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <mutex>
 #include <optional>
 #include <string>
 #include <unordered_map>
 #include <vector>
 
 #include "plastica/base/stop_flag.hpp"
+#include "plastica/base/team.hpp"
 #include "plastica/io/case_journal.hpp"
 #include "sweeps/plan/sweep.hpp"
 #include "sweeps/run/case_result.hpp"
@@ -38,6 +40,8 @@ struct SweepRunOptions {
 
 /// Runs the cases of a sweep, each once, and survives interruption: every finished case goes to a
 /// journal. The results have the same bits as those of a run without interruption, but for times.
+/// Several processes may do them together, see `io::JournalPolicy::team`: the one that leads has the
+/// results of all.
 class SweepRun {
  public:
   /// Reads the journal, if one is there, and opens it for writing; computes nothing.
@@ -66,8 +70,11 @@ class SweepRun {
   /// called once. @throws io::StorageError if the journal cannot be written; InputError if cases
   /// that may run side by side do not fit into the machine's memory
   std::vector<CaseResult> run();
-  /// Whether `run` has results of all cases, of a shard all its own.
+  /// Whether `run` has results of all cases, of a shard all its own. Of a team only its leader
+  /// knows.
   bool complete() const { return complete_; }
+  /// Whether the results are those of all cases here: false in a process that does not lead.
+  bool leads() const { return team() == nullptr || team()->leads(); }
   /// Says in a shard's file that it has all of its cases.
   /// @throws std::logic_error if it is not complete; io::StorageError
   void end_shard();
@@ -76,9 +83,13 @@ class SweepRun {
 
  private:
   void take(std::size_t index, CaseResult result);
+  void count(std::size_t index, const CaseResult& result);
   void take_earlier();
   void deal();
-  void run_missing(const std::vector<std::size_t>& missing);
+  void run_missing(const std::vector<std::size_t>& missing, const NextIndex& next);
+  void gather();
+  void tell() const;
+  Team* team() const { return options_.journal.team; }
   void check_memory_of(const std::vector<std::size_t>& missing) const;
 
   const Sweep& sweep_;
@@ -92,6 +103,9 @@ class SweepRun {
   std::vector<std::optional<CaseResult>> results_;  ///< of owners (n_cases)
   std::size_t resumed_ = 0;
   SweepProgress progress_;
+  SweepProgress before_;   ///< when the run began
+  Team::Counts others_{};  ///< done, failed: what other processes have told
+  std::mutex mutex_;       ///< of the progress
   std::function<void(const SweepProgress&)> report_;
   bool complete_ = false;
 };

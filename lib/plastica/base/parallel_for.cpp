@@ -94,7 +94,8 @@ void try_threads(int threads) {
 /// Hands out indices and keeps the exception of the smallest one.
 class Queue {
  public:
-  Queue(std::size_t count, const std::atomic<bool>* stop) : count_(count), stop_(stop) {}
+  Queue(std::size_t count, const ParallelOptions& options)
+      : count_(count), stop_(options.stop), given_(options.next) {}
 
   void work(int worker, const std::function<void(std::size_t, int)>& body) {
     // The caller's own stack has carried it so far.
@@ -107,9 +108,11 @@ class Queue {
       failed_ = true;
     }
     while (!failed_ && !(stop_ != nullptr && *stop_)) {
-      const std::size_t index = next_++;
-      if (index >= count_) return;
+      std::size_t index = 0;
       try {
+        const std::optional<std::size_t> next = next_index();
+        if (!next) return;
+        index = *next;
         body(index, worker);
       } catch (...) {
         const std::lock_guard lock(mutex_);
@@ -127,8 +130,15 @@ class Queue {
   }
 
  private:
+  std::optional<std::size_t> next_index() {
+    if (given_) return given_();
+    const std::size_t index = next_++;
+    return index < count_ ? std::optional(index) : std::nullopt;
+  }
+
   std::size_t count_;
   const std::atomic<bool>* stop_;
+  const NextIndex& given_;
   std::atomic<std::size_t> next_{0};
   std::atomic<bool> failed_{false};
   std::mutex mutex_;
@@ -148,7 +158,7 @@ void parallel_for(std::size_t count, const ParallelOptions& options,
   if (count == 0) return;
   const int threads = static_cast<int>(
       std::min(count, static_cast<std::size_t>(resolved_threads(options.threads))));
-  Queue queue(count, options.stop);
+  Queue queue(count, options);
 #ifdef PLASTICA_THREADS_STD
   // ThreadSanitizer does not know GCC's OpenMP runtime; it does know these.
   std::vector<std::jthread> workers;

@@ -4,6 +4,8 @@
 #include <cstddef>
 #include <functional>
 
+#include "plastica/base/next_index.hpp"
+
 namespace plastica {
 
 struct ParallelOptions {
@@ -11,12 +13,15 @@ struct ParallelOptions {
   /// Once true, each worker begins no more than the index that it was about to begin; those under
   /// way are finished. May be null.
   const std::atomic<bool>* stop = nullptr;
+  /// Gives the indices, each below `count` at most once. Empty: all of them, in order.
+  NextIndex next{};
 };
 
 /// How many threads `threads` stands for: itself, or all of the machine's for 0.
 int resolved_threads(int threads);
 
-/// Calls `body(index, worker)` once for each index below `count`, in parallel.
+/// Calls `body(index, worker)` once for each index below `count`, or for those that
+/// `options.next` gives, in parallel.
 ///
 /// Indices are handed out in order, one at a time, to whichever worker is free; worker numbers
 /// (0 … threads-1) let a body keep one workspace a thread. A body that throws stops the handing

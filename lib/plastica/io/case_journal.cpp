@@ -1,11 +1,18 @@
 #include "plastica/io/case_journal.hpp"
 
+#include <unistd.h>
+
 #include <algorithm>
+#include <cerrno>
+#include <cstring>
 #include <stdexcept>
 #include <utility>
 
 #include "plastica/base/check.hpp"
+#include "plastica/base/team.hpp"
+#include "plastica/io/digest.hpp"
 #include "plastica/io/merge_shards.hpp"
+#include "plastica/io/team_journals.hpp"
 
 namespace plastica::io {
 namespace {
@@ -21,67 +28,33 @@ std::string text_of(const JournalRecord& record) {
   return {reinterpret_cast<const char*>(record.payload.data()), record.payload.size()};
 }
 
-/// What a journal says of its run beside the cases.
-struct Marks {
-  int resumptions = 0;
-  std::string instruction_set{};  ///< empty in journals of older versions
-  std::optional<ShardMark> shard{};
-  bool shard_ended = false;
-};
-
-/// Takes the marks out of a journal's records.
-Marks take_marks(std::vector<JournalRecord>& records, const std::string& path) {
-  Marks marks;
-  std::erase_if(records, [&](const JournalRecord& record) {
-    if (record.id == kResumption) {
-      ++marks.resumptions;
-    } else if (record.id == kInstructionSet) {
-      marks.instruction_set = text_of(record);
-    } else if (record.id == kShardMark) {
-      marks.shard = shard_mark_from_bytes(record.payload, path);
-    } else if (record.id == kShardEnd) {
-      marks.shard_ended = true;
-    } else {
-      return false;
-    }
-    return true;
-  });
-  return marks;
-}
-
-/// Whether to go on from a journal that was found; else it is to be written afresh.
-/// @throws InputError if it may not be overwritten; StorageError if another run has it
-bool shall_go_on(const JournalContent& found, const Marks& marks, const JournalPolicy& policy,
-                 std::string_view noun) {
+/// Whether a journal may be gone on from, as far as its state tells. @param force  to start afresh
+/// @throws InputError if it is in the way; StorageError if another run has it
+bool is_usable(const FoundJournal& found, bool force) {
   const auto refuse = [&](std::string_view rule) {
-    throw InputError({policy.path, 0}, "", "", rule);
+    throw InputError({found.path, 0}, "", "", rule);
   };
-  switch (found.state) {
+  switch (found.content.state) {
     case JournalState::Absent: return false;
     case JournalState::NotAJournal:
       refuse("is in the place of the journal but is none: move it, or name another output");
       return false;
     case JournalState::OtherRun:
     case JournalState::OtherVersion:
-      if (!policy.force) {
+      if (!force) {
         refuse(
             "is the journal of an interrupted run of another version: use --force to start afresh");
       }
       return false;
-    case JournalState::InUse: throw StorageError(policy.path, "is in use by another run");
+    case JournalState::InUse: throw StorageError(found.path, "is in use by another run");
     case JournalState::Usable: break;
   }
-  if (policy.resume) return true;
-  if (found.records.empty() && found.damaged > 0 && !policy.force) {
-    refuse("is a damaged journal: use --resume to go on or --force to start afresh");
-  }
-  if (!found.records.empty() && !policy.force) {
-    const std::string what = marks.shard ? words_of(marks.shard->shard) + " already"
-                                         : std::string("the journal of an interrupted run");
-    refuse("is " + what + ", with " + std::to_string(found.records.size()) + " finished " +
-           std::string(noun) + ": use --resume to go on or --force to start afresh");
-  }
-  return false;
+  return true;
+}
+
+void remove_file(const std::string& path) {
+  if (::unlink(path.c_str()) == 0 || errno == ENOENT) return;
+  throw StorageError(path, std::string("cannot be removed: ") + std::strerror(errno));
 }
 
 /// The first of each group of cases that stay together.
@@ -95,43 +68,174 @@ std::vector<std::string> first_of_each(std::span<const std::string> ids, std::si
 
 std::string journal_path(const std::string& output) { return output + ".journal"; }
 
+/// What a journal says of its run beside the cases.
+struct CaseJournal::Marks {
+  int resumptions = 0;
+  std::string instruction_set{};  ///< empty in journals of older versions
+  std::optional<ShardMark> shard{};
+  bool shard_ended = false;
+
+  /// Takes the marks out of a journal's records.
+  void take_out_of(FoundJournal& found) {
+    std::erase_if(found.content.records, [&](const JournalRecord& record) {
+      if (record.id == kResumption) {
+        ++resumptions;
+      } else if (record.id == kInstructionSet) {
+        instruction_set = text_of(record);
+      } else if (record.id == kShardMark) {
+        shard = shard_mark_from_bytes(record.payload, found.path);
+      } else if (record.id == kShardEnd) {
+        shard_ended = true;
+      } else {
+        return false;
+      }
+      return true;
+    });
+  }
+
+  /// Whether to go on from the journals that were found; else they are to be written afresh.
+  /// @throws InputError if they may not be overwritten; StorageError if another run has one
+  bool shall_go_on(std::span<const FoundJournal> found, const JournalPolicy& policy,
+                   std::string_view noun) const {
+    std::size_t usable = 0;
+    std::size_t records = 0;
+    bool damaged = false;
+    bool other = false;
+    for (const FoundJournal& one : found) {
+      if (is_usable(one, policy.force)) {
+        ++usable;
+      } else if (one.content.state != JournalState::Absent) {
+        other = true;
+      }
+      records += one.content.records.size();
+      damaged = damaged || one.content.damaged > 0;
+    }
+    if (usable == 0 || other) return false;
+    if (policy.resume) return true;
+    const auto refuse = [&](std::string_view rule) {
+      throw InputError({policy.path, 0}, "", "", rule);
+    };
+    if (records == 0 && damaged && !policy.force) {
+      refuse("is a damaged journal: use --resume to go on or --force to start afresh");
+    }
+    if (records > 0 && !policy.force) {
+      const std::string what = shard ? words_of(shard->shard) + " already"
+                                     : std::string("the journal of an interrupted run");
+      refuse("is " + what + ", with " + std::to_string(records) + " finished " +
+             std::string(noun) + ": use --resume to go on or --force to start afresh");
+    }
+    return false;
+  }
+};
+
 CaseJournal::CaseJournal(const JournalPolicy& policy, std::uint64_t kind, std::string_view noun)
-    : path_(policy.path), instruction_set_(policy.instruction_set), shard_(policy.shard) {
+    : path_(policy.path),
+      kind_(kind),
+      instruction_set_(policy.instruction_set),
+      team_(policy.team),
+      shard_(policy.shard) {
   if (policy.merged != nullptr) {
     take_merged(*policy.merged, kind);
-    return;
+  } else if (team_ != nullptr && !team_->leads()) {
+    follow();
+  } else {
+    lead(policy, noun);
   }
-  JournalContent content = read_journal(policy.path, kind);
-  const Marks marks = take_marks(content.records, policy.path);
-  if (!shall_go_on(content, marks, policy, noun)) {
-    journal_.emplace(Journal::create(policy.path, kind));
-    if (!policy.instruction_set.empty()) {
-      journal_->append(kInstructionSet, std::as_bytes(std::span(policy.instruction_set)));
-    }
-    return;
+}
+
+/// Opens the journal of the run.
+void CaseJournal::lead(const JournalPolicy& policy, std::string_view noun) {
+  std::vector<FoundJournal> found = read_team_journals(path_, kind_);
+  Marks marks;
+  for (FoundJournal& one : found) marks.take_out_of(one);
+  if (marks.shall_go_on(found, policy, noun)) {
+    go_on(std::move(found), marks);
+  } else {
+    journal_.emplace(Journal::create(path_, kind_));
+    for (const FoundJournal& other : std::span(found).subspan(1)) remove_file(other.path);
+    mark_instruction_set();
   }
-  dropped_bytes_ = content.dropped_bytes;
+  if (team_ == nullptr) return;
+  team_->meet();  // the others read it, and nobody writes
+  team_->agree(digest_of_found(), "journal: they need one folder");
+}
+
+/// Goes on from what earlier runs have left. What other processes of theirs have kept goes to the
+/// journal of this one, so that what is kept later is later in the files, too.
+void CaseJournal::go_on(std::vector<FoundJournal> found, const Marks& marks) {
+  FoundJournal& own = found.front();
   found_shard_ = marks.shard;
-  damaged_ = content.damaged;
   shard_ended_ = marks.shard_ended;
-  journal_.emplace(Journal::resume(policy.path, kind, content));
-  if (content.records.empty() && !marks.shard) return;
-  if (marks.instruction_set != policy.instruction_set) {
-    other_instruction_set_ = marks.instruction_set;
+  std::size_t records = 0;
+  for (const FoundJournal& one : found) {
+    dropped_bytes_ += one.content.dropped_bytes;
+    damaged_ += one.content.damaged;
+    records += one.content.records.size();
   }
-  empty_ = false;
-  if (!shard_ended_) journal_->append(kResumption, {});
-  resumptions_ = marks.resumptions + 1;
-  // A case that stands there twice was run again on purpose.
-  for (JournalRecord& record : content.records) {
+  journal_.emplace(Journal::resume(path_, kind_, own.content));
+  if (own.content.state == JournalState::Absent) mark_instruction_set();
+  if (records > 0 || marks.shard) {
+    if (marks.instruction_set != instruction_set_) other_instruction_set_ = marks.instruction_set;
+    empty_ = false;
+    if (!shard_ended_) journal_->append(kResumption, {});
+    resumptions_ = marks.resumptions + 1;
+  }
+  for (const FoundJournal& other : std::span(found).subspan(1)) {
+    for (const JournalRecord& record : other.content.records) {
+      journal_->append(record.id, record.payload);
+    }
+    journal_->sync();
+    remove_file(other.path);
+  }
+  for (FoundJournal& one : found) take_records(std::move(one.content.records));
+}
+
+/// Opens the journal of a process that does not lead.
+void CaseJournal::follow() {
+  team_->meet();
+  FoundJournal run{path_, read_open_journal(path_, kind_)};
+  if (run.content.state == JournalState::Usable) {
+    Marks marks;
+    marks.take_out_of(run);
+    take_records(std::move(run.content.records));
+  }
+  team_->agree(digest_of_found(), {});
+  if (run.content.state != JournalState::Usable) {
+    throw StorageError(path_, "is not to be seen by process " + std::to_string(team_->rank()) +
+                                  ": all processes need one folder");
+  }
+  journal_.emplace(Journal::create(team_journal_path(path_, team_->rank()), kind_));
+  mark_instruction_set();
+}
+
+void CaseJournal::mark_instruction_set() {
+  if (instruction_set_.empty()) return;
+  journal_->append(kInstructionSet, std::as_bytes(std::span(instruction_set_)));
+}
+
+/// A case that stands there twice was run again on purpose.
+void CaseJournal::take_records(std::vector<JournalRecord> records) {
+  for (JournalRecord& record : records) {
     found_.insert_or_assign(std::move(record.id), std::move(record.payload));
   }
+}
+
+/// In whatever order they are.
+std::uint64_t CaseJournal::digest_of_found() const {
+  std::uint64_t sum = 0;
+  for (const auto& [id, payload] : found_) sum += Digest().text(id).bytes(payload).value();
+  return sum;
 }
 
 std::vector<bool> CaseJournal::begin(const std::string& run, std::span<const std::string> ids,
                                      std::size_t together) {
   if (merged_) check_merged(run, ids, together);
   if (shard_ || found_shard_) return begin_shard(run, ids, together);
+  if (team_ != nullptr) {
+    team_->agree(Digest().text(instruction_set_).value(),
+                 "instruction set: give --isa avx2, or baseline");
+    team_->agree(Digest().text(run).value(), "inputs, options or version");
+  }
   return std::vector<bool>(ids.size(), true);
 }
 
@@ -231,8 +335,31 @@ void CaseJournal::sync() {
   if (journal_) journal_->sync();
 }
 
+void CaseJournal::gather(bool everyone) {
+  if (team_ == nullptr) return;
+  sync();
+  team_->meet();
+  for (std::size_t rank = 0; rank < team_->size(); ++rank) {
+    if (rank == team_->rank() || (!everyone && !team_->leads())) continue;
+    const std::string path = team_journal_path(path_, rank);
+    JournalContent content = read_open_journal(path, kind_);
+    if (content.state != JournalState::Usable) throw StorageError(path, "is gone, or damaged");
+    for (const JournalRecord& record : content.records) gathered_.insert(record.id);
+    take_records(std::move(content.records));
+  }
+  team_->meet();
+}
+
+const std::vector<std::byte>* CaseJournal::find_gathered(std::string_view id) const {
+  return gathered_.contains(std::string(id)) ? find(id) : nullptr;
+}
+
 void CaseJournal::finish() {
-  if (!journal_) return;
+  if (!journal_ || (team_ != nullptr && !team_->leads())) return;
+  // The run's own goes last: what stands beside none would be in the way of the next run.
+  for (std::size_t rank = 1; team_ != nullptr && rank < team_->size(); ++rank) {
+    remove_file(team_journal_path(path_, rank));
+  }
   journal_->remove();
   journal_.reset();
 }

@@ -8,10 +8,15 @@
 #include <string>
 #include <string_view>
 #include <unordered_map>
+#include <unordered_set>
 #include <vector>
 
 #include "plastica/io/journal.hpp"
 #include "plastica/io/shard.hpp"
+
+namespace plastica {
+class Team;
+}
 
 namespace plastica::io {
 
@@ -19,6 +24,7 @@ namespace plastica::io {
 std::string journal_path(const std::string& output);
 
 struct MergedShards;
+struct FoundJournal;
 
 /// Which shard of a run is computed, and by which command.
 struct ShardOfRun {
@@ -37,12 +43,17 @@ struct JournalPolicy {
   /// All cases of the run, which are taken in place of a journal: nothing is computed, and what
   /// stands at `path` is left alone. Null: there are none.
   const MergedShards* merged = nullptr;
+  /// The processes that compute the run together, each with a journal of its own, see
+  /// `team_journal_path`. Then all that throws, throws TeamLeft, too. Null: there is one.
+  Team* team = nullptr;
 };
 
 /// The finished cases of a batch that survives its interruption: those that an earlier run has left
-/// in the journal, and a place for the next ones. A journal without any case in it is never left
-/// behind.
+/// in the journal, be it one process or several, and a place for the next ones. A journal without
+/// any case in it is never left behind.
 class CaseJournal {
+  struct Marks;
+
  public:
   /// Reads the journal, if one is there, and opens it for writing.
   /// @param kind  says what its records are: a digest of their name and version
@@ -92,20 +103,37 @@ class CaseJournal {
   void keep(std::string_view id, std::span<const std::byte> payload);
   /// Forces all cases to the disk now. @throws StorageError
   void sync();
-  /// Deletes the journal, once all cases are stored elsewhere. @throws StorageError
+  /// Lets `find` and `find_gathered` know what the other processes of a team have kept. To be called
+  /// by all of them, which keep nothing meanwhile.
+  /// @param everyone  in all processes; false: in process 0
+  /// @throws StorageError
+  void gather(bool everyone);
+  /// What another process of the team has kept of a case, in this run; null if nothing.
+  const std::vector<std::byte>* find_gathered(std::string_view id) const;
+  /// Deletes the journal, and those of a team, once all cases are stored elsewhere.
+  /// Does nothing in other processes than process 0. @throws StorageError
   void finish();
 
  private:
+  void lead(const JournalPolicy& policy, std::string_view noun);
+  void go_on(std::vector<FoundJournal> found, const Marks& marks);
+  void follow();
+  void mark_instruction_set();
+  void take_records(std::vector<JournalRecord> records);
+  std::uint64_t digest_of_found() const;
   void take_merged(const MergedShards& merged, std::uint64_t kind);
   void check_merged(const std::string& run, std::span<const std::string> ids,
                     std::size_t together) const;
   std::vector<bool> begin_shard(const std::string& run, std::span<const std::string> ids,
                                 std::size_t together);
 
-  std::string path_;
+  std::string path_;  ///< of the journal of the run, that of process 0
+  std::uint64_t kind_ = 0;
   std::string instruction_set_;
+  Team* team_ = nullptr;
   std::optional<ShardOfRun> shard_;
   std::unordered_map<std::string, std::vector<std::byte>> found_;
+  std::unordered_set<std::string> gathered_;  ///< ids of those that other processes have kept
   std::optional<ShardMark> found_shard_;  ///< what the file that was found is a shard of
   std::optional<ShardMark> merged_;       ///< of the run whose shards have all cases
   bool shard_ended_ = false;

@@ -20,6 +20,29 @@ std::vector<const char*> pointers_to(std::span<const std::string> texts) {
   return pointers;
 }
 
+/// The width in which texts are stored side by side, padded with zero bytes, so that they deflate;
+/// 0: they are few, or one is far longer than the others, and each has its own place.
+std::size_t width_of(std::span<const std::string> texts) {
+  constexpr std::size_t kSmall = 4096;
+  constexpr std::size_t kMostPadding = 8;  // bytes stored for one of text, before they are deflated
+  std::size_t longest = 1;                 // the least that HDF5 has
+  std::size_t sum = texts.size();
+  for (const std::string& text : texts) {
+    longest = std::max(longest, text.size());
+    sum += text.size();
+  }
+  const std::size_t bytes = longest * texts.size();
+  return bytes > kSmall && bytes / kMostPadding <= sum ? longest : 0;
+}
+
+std::vector<char> padded(std::span<const std::string> texts, std::size_t width) {
+  std::vector<char> bytes(width * texts.size(), '\0');
+  for (std::size_t i = 0; i < texts.size(); ++i) {
+    std::ranges::copy(texts[i], bytes.begin() + static_cast<std::ptrdiff_t>(i * width));
+  }
+  return bytes;
+}
+
 /// Chunks of about 256 KiB: whole rows, in one dimension or two.
 void set_chunks(hid_t creation, std::vector<hsize_t> extents, std::size_t element_bytes) {
   constexpr std::size_t kChunkBytes = std::size_t{1} << 18U;
@@ -148,8 +171,16 @@ void Hdf5Group::write_text(std::string_view path, const std::string& text) {
 
 void Hdf5Group::write_texts(std::string_view path, std::span<const std::string> texts) {
   for (const std::string& text : texts) check_text(file_, full_path(path), text);
-  const Hdf5Handle type(h5::new_text_type());
   const std::size_t shape[] = {texts.size()};
+  if (const std::size_t width = width_of(texts); width > 0) {
+    const Hdf5Handle type(H5Tcopy(H5T_C_S1));
+    H5Tset_size(type.get(), width);
+    H5Tset_cset(type.get(), H5T_CSET_UTF8);
+    H5Tset_strpad(type.get(), H5T_STR_NULLPAD);
+    write_raw(path, type.get(), padded(texts, width).data(), shape, {.units = {}, .deflate = 4});
+    return;
+  }
+  const Hdf5Handle type(h5::new_text_type());
   write_raw(path, type.get(), pointers_to(texts).data(), shape, {});
 }
 

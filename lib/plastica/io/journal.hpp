@@ -50,6 +50,9 @@ JournalContent read_journal(const std::string& path, std::uint64_t run_digest);
 /// The same of whatever run, and through links: of a file that will not be written.
 JournalContent read_any_journal(const std::string& path);
 
+/// The same while another process of the run has it open, which writes no record meanwhile.
+JournalContent read_open_journal(const std::string& path, std::uint64_t run_digest);
+
 /// Whether another run is writing a journal. What cannot be looked at is in nobody's use.
 bool is_in_use(const std::string& path);
 

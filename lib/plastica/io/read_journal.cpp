@@ -22,6 +22,7 @@ using journal_layout::kHeaderBytes;
 using journal_layout::kRecordHeadBytes;
 
 enum class Links { Refused, Followed };
+enum class Locked { Refused, Read };
 
 /// Refuses what is no file. @throws InputError
 void check_place(const std::string& path, Links links) {
@@ -38,7 +39,8 @@ void check_place(const std::string& path, Links links) {
 
 /// All bytes of a file.
 /// @return Absent if there is none; InUse if another run has it, and then nothing is read
-JournalState read_all(const std::string& path, Links links, std::vector<std::byte>& bytes) {
+JournalState read_all(const std::string& path, Links links, Locked locked,
+                      std::vector<std::byte>& bytes) {
   check_place(path, links);
   const int no_links = links == Links::Refused ? O_NOFOLLOW : 0;
   const FileDescriptor file(::open(path.c_str(), O_RDONLY | no_links | O_NONBLOCK | O_CLOEXEC));
@@ -47,7 +49,8 @@ JournalState read_all(const std::string& path, Links links, std::vector<std::byt
     throw StorageError(path, std::string("cannot be read: ") + std::strerror(errno));
   }
   // Given back when the file is closed, before it is opened for writing.
-  if (::flock(file.get(), LOCK_SH | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
+  if (locked == Locked::Refused && ::flock(file.get(), LOCK_SH | LOCK_NB) != 0 &&
+      errno == EWOULDBLOCK) {
     return JournalState::InUse;
   }
   constexpr std::size_t kBlock = std::size_t{1} << 18U;
@@ -118,10 +121,11 @@ void read_records(std::span<const std::byte> bytes, JournalContent& content) {
 }
 
 /// @param run_digest  empty: of whatever run
-JournalContent read(const std::string& path, std::optional<std::uint64_t> run_digest, Links links) {
+JournalContent read(const std::string& path, std::optional<std::uint64_t> run_digest, Links links,
+                    Locked locked = Locked::Refused) {
   JournalContent content;
   std::vector<std::byte> bytes;
-  content.state = read_all(path, links, bytes);
+  content.state = read_all(path, links, locked, bytes);
   if (content.state != JournalState::Usable) return content;
 
   const std::size_t magic_bytes = std::min(bytes.size(), kJournalMagic.size());
@@ -155,6 +159,10 @@ JournalContent read(const std::string& path, std::optional<std::uint64_t> run_di
 
 JournalContent read_journal(const std::string& path, std::uint64_t run_digest) {
   return read(path, run_digest, Links::Refused);
+}
+
+JournalContent read_open_journal(const std::string& path, std::uint64_t run_digest) {
+  return read(path, run_digest, Links::Refused, Locked::Read);
 }
 
 bool is_in_use(const std::string& path) {

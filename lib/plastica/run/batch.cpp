@@ -181,7 +181,9 @@ void run_batch(std::size_t cases, const std::function<BatchCase(std::size_t)>& m
   };
   const ParallelOptions how{options.threads, options.stop};
   std::vector<LanePool> pools(static_cast<std::size_t>(resolved_threads(options.threads)));
-  parallel_for(cases, how, [&](std::size_t i, int worker) {
+  ParallelOptions dealt = how;
+  dealt.next = options.next;
+  parallel_for(cases, dealt, [&](std::size_t i, int worker) {
     std::optional<BatchCase> one;
     BatchRow rejected;
     try {

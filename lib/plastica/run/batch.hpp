@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "plastica/base/next_index.hpp"
 #include "plastica/base/stop_flag.hpp"
 #include "plastica/run/simulate.hpp"
 
@@ -40,6 +41,9 @@ struct BatchOptions {
   StopFlag stop = nullptr;
   /// Called after each case with the number finished, from any thread, one call at a time.
   std::function<void(std::size_t finished)> progress{};
+  /// Which cases are to be run, see `ParallelOptions`; of cases that are laid out when they are
+  /// begun. Empty: all.
+  NextIndex next{};
 };
 
 /// How a batch runs a case of a model: "side by side with up to 31 others of its shape", or "one by

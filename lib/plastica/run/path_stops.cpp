@@ -27,6 +27,9 @@ PathStops path_stops(const Scene& scene, const SolverOptions& options) {
     duration = corners.empty() ? 0.0 : *std::max_element(corners.begin(), corners.end());
   }
   if (duration == 0.0) duration = 1.0;  // loads that are there from the beginning
+  // A sine of 90 deg turns at the beginning, but for rounding: at 2e-18 s.
+  const double least = 1e-9 * duration;
+  std::erase_if(corners, [least](double corner) { return corner < least; });
   for (const Cut& cut : scene.cuts) corners.push_back(cut.time);
 
   const int steps = options.steps;
@@ -42,7 +45,6 @@ PathStops path_stops(const Scene& scene, const SolverOptions& options) {
   double last = 0.0;
   for (const double corner : corners) {
     if (corner <= 0.0 || corner >= duration) continue;
-    const double least = 1e-9 * duration;
     while (next != stops.end() && next->first < corner - least) ++next;
     const bool on_sample = next != stops.end() && std::abs(next->first - corner) < least;
     if (on_sample || (!between.empty() && corner - last < least)) continue;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <filesystem>
 #include <limits>
 #include <numeric>
 
@@ -103,6 +104,32 @@ TEST(Hdf5, GivesBackTablesAndRaggedRows) {
   EXPECT_TRUE(rows.row(1).empty());
   EXPECT_EQ(rows.row(2)[0], 3.0);
   EXPECT_EQ(file.root().text_attribute("history/values", "units"), "Pa");
+}
+
+// Long columns of texts are stored side by side, of one width.
+TEST(Hdf5, GivesBackColumnsOfTexts) {
+  const ScratchFolder folder;
+  const std::string path = folder.file("a.h5");
+  Strings words(20'000, "gauss-newton");
+  words[1] = "";
+  words[19'999] = "20 °C, ä";
+  Strings one_is_long(20'000, "x");
+  one_is_long[7] = std::string(100'000, 'y') + " 20 °C";
+  const Strings empty(20'000);
+  const std::pair<const char*, const Strings*> columns[] = {
+      {"words", &words}, {"one_is_long", &one_is_long}, {"empty", &empty}};
+  {
+    Hdf5File file = Hdf5File::create(path);
+    for (const auto& [name, texts] : columns) file.root().write_texts(name, *texts);
+    file.commit();
+  }
+  const Hdf5File file = Hdf5File::open(path);
+  for (const auto& [name, texts] : columns) {
+    EXPECT_EQ(file.root().kind(name), Hdf5Kind::Text);
+    EXPECT_EQ(file.root().read_texts(name), *texts) << name;
+  }
+  // One place each took 16 bytes and more a word.
+  EXPECT_LT(std::filesystem::file_size(path), 1'500'000U);
 }
 
 TEST(Hdf5, GivesBackTextsAndAttributes) {

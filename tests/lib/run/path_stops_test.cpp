@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <numbers>
+
 #include "tests/support/motion_scene.hpp"
 #include "tests/support/tolerance.hpp"
 
@@ -54,6 +56,25 @@ TEST(FixedSteps, AreCountedBetweenSamplesCornersAndCuts) {
   EXPECT_EQ(steps.count, 3 + 1 + 2 + 3 + 2 + 2);
   EXPECT_NEAR(steps.longest, 0.007 / 2.0, 1e-15);
   EXPECT_NEAR(steps.samples, 0.01, 1e-15);
+}
+
+// cos(2 pi t / T) turns at 0, T/2, T: rounding puts the first at 2e-18 s.
+TEST(FixedSteps, DoNotBeginWithATurnThatRoundingHasMade) {
+  Scene scene = testing::cantilever_scene(4);
+  Load load;
+  load.force = {0.0, 1.0, 0.0};
+  load.history = History::sine(0.04, 2.0, 0.5 * std::numbers::pi);
+  scene.loads = {load};
+  SolverOptions options;
+  options.analysis = Analysis::Statics;
+  options.duration = 0.08;
+  options.steps = 4;
+  const PathStops stops = path_stops(scene, options);
+  ASSERT_EQ(stops.time.size(), 4U);
+  for (std::size_t k = 0; k < 4; ++k) {
+    EXPECT_NEAR(stops.time[k], 0.02 * static_cast<double>(k + 1), 1e-15);
+  }
+  EXPECT_EQ(stops.recorded, std::vector<bool>(4, true));
 }
 
 TEST(FixedSteps, AreThoseThatAMotionTakes) {

@@ -1,0 +1,96 @@
+#include "cli/run_team.hpp"
+
+#include <chrono>
+#include <optional>
+#include <thread>
+#include <utility>
+
+#include "cli/exit_code.hpp"
+#include "cli/launched.hpp"
+#include "cli/run_files.hpp"
+#include "cli/tell.hpp"
+#include "cli/terminal_line.hpp"
+#include "plastica/base/check.hpp"
+#include "plastica/io/case_journal.hpp"
+#include "plastica/io/team_journals.hpp"
+
+namespace plastica::cli {
+
+Team* RunTeam::join() {
+  const std::optional<Launched> process = launched();
+  if (!process) return nullptr;
+  const bool first = process->rank == 0;
+  if (!first) be_silent(true);
+  const auto refuse = [&](const std::string& rule) {
+    if (!first) throw TeamLeft();
+    throw InputError({}, "processes", std::to_string(process->count), rule);
+  };
+  std::unique_ptr<MpiWire> wire = join_mpi();
+  if (wire == nullptr) {
+    refuse(
+        "were started, and plastica is built without MPI: give --shard auto and merge, or build "
+        "with -DPLASTICA_MPI=ON");
+  }
+  if (wire->size() != process->count) {
+    refuse(
+        "were started and do not find one another: start them by the mpirun of the MPI that "
+        "plastica is built with");
+  }
+  wire_ = wire.get();
+  team_ = std::make_unique<Team>(std::move(wire));
+  be_silent(!team_->leads());
+  TerminalLine::set_style(team_->leads() ? TerminalLine::Style::Lines
+                                         : TerminalLine::Style::Silent);
+  return team_.get();
+}
+
+void RunTeam::watch(StopFlag stop, const std::string& output) {
+  if (wire_ == nullptr) return;
+  const auto say = [this, output] {
+    if (team_->leads()) {
+      tell_interrupted(output);
+      return;
+    }
+    // Where those before this one were killed, nobody else says so.
+    std::this_thread::sleep_for(std::chrono::milliseconds(100));
+    for (std::size_t rank = 0; rank < team_->rank(); ++rank) {
+      if (io::is_in_use(io::team_journal_path(io::journal_path(output), rank))) return;
+    }
+    be_silent(false);
+    tell_interrupted(output);
+  };
+  wire_->watch({stop, say});
+}
+
+Team* join_team(RunTeam* launched, int& threads) {
+  if (launched == nullptr) return nullptr;
+  Team* team = launched->join();
+  if (threads == 0) threads = launched->threads();
+  return team;
+}
+
+int RunTeam::end(int code, const std::string& error) {
+  const bool failed = !error.empty();
+  if (team_ == nullptr) {
+    if (failed) tell("plastica: {}\n", error);
+    return code;
+  }
+  const bool leads = team_->leads();
+  const std::string who =
+      leads ? "" : "process " + std::to_string(team_->rank() + 1) + " of " +
+                       std::to_string(team_->size()) + ": ";
+  const bool says = team_->leave(failed);
+  if (failed && says) {
+    be_silent(false);
+    tell("plastica: {}{}\n", who, error);
+  }
+  return leads || (failed && says) ? code : 0;
+}
+
+int RunTeam::end_after_another(int code) {
+  if (team_ == nullptr) return kBadInput;  // they did not even find one another
+  team_->leave(false);
+  return team_->leads() ? code : 0;
+}
+
+}  // namespace plastica::cli
