@@ -1,8 +1,9 @@
 #include "cli/run_team.hpp"
 
-#include <chrono>
+#include <fcntl.h>
+#include <sys/file.h>
+
 #include <optional>
-#include <thread>
 #include <utility>
 
 #include "cli/exit_code.hpp"
@@ -12,9 +13,21 @@
 #include "cli/terminal_line.hpp"
 #include "plastica/base/check.hpp"
 #include "plastica/io/case_journal.hpp"
-#include "plastica/io/team_journals.hpp"
+#include "plastica/io/file_descriptor.hpp"
 
 namespace plastica::cli {
+
+namespace {
+
+/// Whether process 0 has ended and this process is the first to see it, to which it holds for the
+/// rest of its life.
+bool takes_the_place_of_the_first(const std::string& journal) {
+  static std::optional<io::FileDescriptor> held;
+  held.emplace(::open(journal.c_str(), O_RDWR | O_NONBLOCK | O_NOFOLLOW | O_CLOEXEC));
+  return held->get() >= 0 && ::flock(held->get(), LOCK_EX | LOCK_NB) == 0;
+}
+
+}  // namespace
 
 Team* RunTeam::join() {
   const std::optional<Launched> process = launched();
@@ -51,11 +64,8 @@ void RunTeam::watch(StopFlag stop, const std::string& output) {
       tell_interrupted(output);
       return;
     }
-    // Where those before this one were killed, nobody else says so.
-    std::this_thread::sleep_for(std::chrono::milliseconds(100));
-    for (std::size_t rank = 0; rank < team_->rank(); ++rank) {
-      if (io::is_in_use(io::team_journal_path(io::journal_path(output), rank))) return;
-    }
+    // Where the first was killed, it has let go of its journal: whoever gets that says so.
+    if (!takes_the_place_of_the_first(io::journal_path(output))) return;
     be_silent(false);
     tell_interrupted(output);
   };

@@ -7,6 +7,7 @@ usage: mpi_test.py PLASTICA MPIRUN
 import math
 import os
 import random
+import re
 import signal
 import subprocess
 import sys
@@ -147,7 +148,8 @@ class Team(unittest.TestCase):
             output = f"team-{size}.h5"
             team = self.run_team(size, "calibrate", "fit.toml", "-o", output)
             self.assertEqual(team.returncode, 1, team.stderr)
-            self.assertEqual(team.stdout, alone.stdout)
+            # For a lone process mpirun makes a terminal, which gets colours.
+            self.assertEqual(re.sub("\x1b\\[[0-9]*m", "", team.stdout), alone.stdout)
             self.expect_same("one.h5", output)
             self.assertEqual(self.journals(), [])
 
@@ -194,14 +196,16 @@ class Team(unittest.TestCase):
 
     def process_of(self, team, rank):
         """The process of a rank, once each has a journal, so that the run is under way."""
+        begun = time.time()
         end = time.monotonic() + 60
         while time.monotonic() < end and team.poll() is None:
             for process in self.children(team.pid):
                 environment = self.environment_of(process)
                 if f"OMPI_COMM_WORLD_RANK={rank}" not in environment:
                     continue
-                name = "out.h5.journal" + (f".{rank}" if rank else "")
-                if os.path.exists(self.path(name)):
+                name = self.path("out.h5.journal" + (f".{rank}" if rank else ""))
+                # Not that of an earlier run.
+                if os.path.exists(name) and os.path.getmtime(name) > begun:
                     return process
             time.sleep(0.01)
         return None
@@ -289,10 +293,9 @@ class Team(unittest.TestCase):
         self.write("fit.toml", BARS)
         alone = self.run_alone("calibrate", "fit.toml", "-o", "one.h5")
         self.assertIn(alone.returncode, (0, 1), alone.stderr)
-        for size in (2, 3):
-            team = self.run_team(size, "calibrate", "fit.toml", "-o", f"team-{size}.h5")
-            self.assertEqual(team.returncode, alone.returncode, team.stderr)
-            self.expect_same("one.h5", f"team-{size}.h5")
+        team = self.run_team(3, "calibrate", "fit.toml", "-o", "team.h5")
+        self.assertEqual(team.returncode, alone.returncode, team.stderr)
+        self.expect_same("one.h5", "team.h5")
         self.assertEqual(self.journals(), [])
 
 

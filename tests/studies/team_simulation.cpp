@@ -33,8 +33,9 @@ std::vector<Part> parts_of(std::size_t count, std::size_t processes, Dealing dea
 TeamRun simulate_team(std::span<const double> seconds, std::size_t processes, Dealing dealing,
                       const TeamCosts& costs) {
   const std::vector<Part> parts = parts_of(seconds.size(), processes, dealing);
+  const std::size_t machines = (processes + costs.per_machine - 1) / costs.per_machine;
   const double begin = costs.start + costs.read +
-                       costs.read_bytes * static_cast<double>(processes) / costs.server_rate;
+                       costs.read_bytes * static_cast<double>(machines) / costs.server_rate;
   TeamRun run;
   double desk = begin;  // when process 0 has answered all so far
   double end = begin;

@@ -11,9 +11,11 @@ namespace plastica::testing {
 /// What a run costs beside its fits or cases [s], unless it says otherwise.
 struct TeamCosts {
   double start = 0.0;  ///< of each process, all at once
-  /// For each process to read all inputs, and the bytes of them, which all get from one file server.
+  /// For each process to read all inputs, and the bytes of them, which each machine gets from one
+  /// file server.
   double read = 0.0;
   double read_bytes = 0.0;
+  std::size_t per_machine = 1;  ///< processes
   double server_rate = 1e300;  ///< of the file server [bytes/s]
   /// From a question to its answer where process 0 is not busy with others, and what it is busy for
   /// with each.
