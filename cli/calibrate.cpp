@@ -214,7 +214,8 @@ void add_calibrate(CLI::App& app, const Invocation& invocation, Action& action) 
       "  plastica calibrate curve.csv --laws ideal,linear,voce\n"
       "  plastica calibrate fit.toml --profile --bootstrap 400\n"
       "  plastica calibrate a.csv b.csv --strain Strain --stress Stress:MPa \\\n"
-      "    --fix youngs_modulus=\"200 GPa\"");
+      "    --fix youngs_modulus=\"200 GPa\"\n"
+      "  mpirun -np 64 plastica calibrate fit.toml     # share a run (built with MPI)");
   arguments->command_line = invocation.command_line;
   arguments->merged = invocation.merged;
   arguments->launched = invocation.team;

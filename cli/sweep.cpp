@@ -239,6 +239,7 @@ void add_sweep(CLI::App& app, const Invocation& invocation, Action& action) {
   sub->footer(
       "Example:\n"
       "  plastica sweep sweep.toml -o sweep.h5\n"
+      "  mpirun -np 64 plastica sweep sweep.toml       # share a run (built with MPI)\n"
       "Exit code 1 if no case has a usable result, 130 after Ctrl-C: --resume goes on.");
   arguments->command_line = invocation.command_line;
   arguments->merged = invocation.merged;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <iterator>
 #include <map>
+#include <utility>
 
 namespace plastica::io::csv_text {
 namespace {
@@ -75,14 +76,24 @@ bool shows_decimal(const std::vector<Line>& sample, const Dialect& dialect) {
   return false;
 }
 
+/// Whether a separator cuts any line. A blank stands for tabs, too.
+bool cuts(const std::vector<Line>& sample, char separator) {
+  return std::ranges::any_of(sample, [=](const Line& line) {
+    return line.text.find(separator) != std::string_view::npos ||
+           (separator == ' ' && line.text.find('\t') != std::string_view::npos);
+  });
+}
+
 Dialect dialect_of(const std::vector<Line>& lines, const CsvOptions& options) {
   const std::vector<Line> sample = sample_of(lines);
   Dialect best;
   Evidence most;
   bool first = true;
+  bool has_whole_lines = false;  // all separators that cut nothing give the same cells: the lines
   // In the order of preference when the numbers are equal: "1,5;2,5" has two either way.
   for (const char separator : {'\t', ';', ',', ' '}) {
     if (options.separator && *options.separator != separator) continue;
+    if (!cuts(sample, separator) && std::exchange(has_whole_lines, true)) continue;
     for (const char decimal : {'.', ','}) {
       if (options.decimal && *options.decimal != decimal) continue;
       const NumberFormat format{decimal, options.decimal.has_value()};
@@ -341,18 +352,21 @@ void refuse_ambiguous(const std::vector<Line>& lines, const Layout& layout,
   };
   std::vector<Column> columns(layout.dialect.width);
   Cells cells;
+  const auto is_clear = [](const Column& column) { return column.is_clear; };
+  const auto of_whole = [](char c) { return c == '+' || c == '-' || (c >= '0' && c <= '9'); };
   for (std::size_t i = layout.first_data; i < lines.size(); ++i) {
+    if (std::ranges::all_of(columns, is_clear)) return;
     if (!split(lines[i].text, layout.dialect.separator, cells)) continue;
     for (std::size_t k = 0; k < std::min(cells.size(), columns.size()); ++k) {
+      Column& column = columns[k];
+      if (column.is_clear) continue;
       const Number number = read_number(cells[k], layout.dialect.format);
       if (number.kind != CellKind::Number) continue;
-      Column& column = columns[k];
-      const bool is_whole = cells[k].find_first_not_of("+-0123456789") == std::string_view::npos;
       if (is_ambiguous(cells[k])) {
         if (!column.cell.empty()) continue;
         column.line = i;
         column.cell = cells[k];
-      } else if (is_whole && std::abs(number.value) < 1000.0) {
+      } else if (std::ranges::all_of(cells[k], of_whole) && std::abs(number.value) < 1000.0) {
         column.has_whole = true;
       } else {
         column.is_clear = true;

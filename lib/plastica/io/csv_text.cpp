@@ -112,9 +112,12 @@ std::vector<char> decoded(std::string_view bytes, const std::string& file) {
 std::vector<Line> lines_of(std::string_view text) {
   std::vector<Line> lines;
   int number = 0;
+  const auto ends_line = [](char c) { return c == '\n' || c == '\r'; };
   while (!text.empty()) {
     ++number;
-    const std::size_t end = std::min(text.find_first_of("\r\n"), text.size());
+    // A loop of its own: find_first_of calls a function for each character.
+    const auto end =
+        static_cast<std::size_t>(std::find_if(text.begin(), text.end(), ends_line) - text.begin());
     const std::string_view line = text.substr(0, end);
     if (line.find_first_not_of(" \t;,") != std::string_view::npos) lines.push_back({line, number});
     text.remove_prefix(end);
