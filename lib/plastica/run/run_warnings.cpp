@@ -8,6 +8,7 @@
 
 #include "plastica/model/yield_warnings.hpp"
 #include "plastica/run/axial_warning.hpp"
+#include "plastica/run/likely_mistakes.hpp"
 #include "plastica/run/peak_warning.hpp"
 #include "plastica/run/rounding_warning.hpp"
 #include "plastica/run/scene_warnings.hpp"
@@ -36,15 +37,16 @@ bool leaves_plane(const Response& response) {
 
 std::vector<std::string> run_warnings(const Scene& scene, const SolverOptions& solver,
                                       const Model& model, const Response& response) {
-  std::vector<std::string> all = scene_warnings(model);
+  std::vector<std::string> all = likely_mistakes(scene, model, response);
   const auto add = [&](std::optional<std::string> warning) {
     if (warning) all.push_back(std::move(*warning));
   };
-  if (has_yielded(response)) add(first_yield_warning(model));
-  if (leaves_plane(response)) add(model_detail::tipping_warning(scene));
   const auto add_all = [&](const std::vector<std::string>& some) {
     std::ranges::copy(some, std::back_inserter(all));
   };
+  add_all(scene_warnings(model));
+  if (has_yielded(response)) add(first_yield_warning(model));
+  if (leaves_plane(response)) add(model_detail::tipping_warning(scene));
   add_all(axial_warnings(scene, solver, response));
   add_all(rounding_warnings(scene, response));
   add_all(peak_warnings(response));
