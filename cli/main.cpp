@@ -155,8 +155,8 @@ int main(int argc, char** argv) {
   std::string what;  // has failed
   try {
     code = run({argv + 1, argv + argc}, nullptr, &team);
-  } catch (const plastica::TeamLeft&) {
-    return team.end_after_another(code);
+  } catch (const plastica::TeamLeft& left) {
+    return team.end_after_another(left.failed());
   } catch (const plastica::InputError& error) {
     code = plastica::cli::kBadInput;
     what = error.what();

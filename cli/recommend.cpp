@@ -121,6 +121,7 @@ int recommend(const RecommendArguments& arguments) {
     write_scene(arguments, record, *choice.next, arguments.next);
   }
   fmt::print("{}", sweeps::recommendation_text(record, cost, wish, choice));
+  for (const std::string& warning : record.warnings) say("warning: {}\n", warning);
   if (!choice.chosen) return kNotAcceptable;
   return kDone;
 }

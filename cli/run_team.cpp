@@ -35,7 +35,7 @@ Team* RunTeam::join() {
   const bool first = process->rank == 0;
   if (!first) be_silent(true);
   const auto refuse = [&](const std::string& rule) {
-    if (!first) throw TeamLeft();
+    if (!first) throw TeamLeft(true);
     throw InputError({}, "processes", std::to_string(process->count), rule);
   };
   std::unique_ptr<MpiWire> wire = join_mpi();
@@ -97,10 +97,16 @@ int RunTeam::end(int code, const std::string& error) {
   return leads || (failed && says) ? code : 0;
 }
 
-int RunTeam::end_after_another(int code) {
+int RunTeam::end_after_another(bool failed) {
   if (team_ == nullptr) return kBadInput;  // they did not even find one another
   team_->leave(false);
-  return team_->leads() ? code : 0;
+  if (team_->has_shared()) {
+    tell("plastica: what is finished is kept: --resume goes on\n");
+  } else if (!failed) {
+    tell("plastica: interrupted\n");
+  }
+  if (!team_->leads()) return kDone;
+  return failed ? kMachineFailed : kInterrupted;
 }
 
 }  // namespace plastica::cli

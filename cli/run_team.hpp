@@ -29,8 +29,8 @@ class RunTeam {
   /// Ends the program's part in the team. @param error  what has failed; empty: nothing
   /// @return the exit code
   int end(int code, const std::string& error);
-  /// The same where another process has failed.
-  int end_after_another(int code);
+  /// The same where another process has left it. @param failed  see `TeamLeft`
+  int end_after_another(bool failed);
 
  private:
   MpiWire* wire_ = nullptr;  ///< of the team

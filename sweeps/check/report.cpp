@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <set>
 
 #include "plastica/report/format.hpp"
 #include "plastica/report/xml_text.hpp"
@@ -63,6 +64,7 @@ std::string check_report(const CheckedFile& checked, CheckLines lines) {
     if (all) width = std::max(width, report::width_of(report::printable(claim.name)));
   }
   std::string text;
+  std::set<std::string> said;
   if (all) text = fmt::format("{}\n", without_words(report::printable(checked.file.path)));
   for (std::size_t k = 0; k < checked.file.claims.size(); ++k) {
     const Claim& claim = checked.file.claims[k];
@@ -75,6 +77,11 @@ std::string check_report(const CheckedFile& checked, CheckLines lines) {
                                   : failing(checked.file, claim, verdict) + "; " + place_of(claim);
     text += fmt::format("  {}  {}  {}\n", verdict.holds ? "PASS" : "FAIL", name,
                         without_words(report::printable(found)));
+    for (const std::string& warning : verdict.warnings) {
+      // Of several claims on a scene, or a sweep, once.
+      if (!said.insert(warning).second) continue;
+      text += "        warning: " + without_words(report::printable(warning)) + "\n";
+    }
   }
   return text;
 }

@@ -51,18 +51,24 @@ class CheckRuns {
   ClaimVerdict verdict(const Claim& claim) const {
     switch (claim.subject) {
       case ClaimSubject::Scene:
-        return timed(judge(claim, scenes_[claim.of]), scene_seconds_[claim.of]);
+        return judged(claim, scenes_[claim.of], scene_seconds_[claim.of]);
       case ClaimSubject::Fit:
         return timed(judge(claim, fits_[claim.of]), fit_seconds_[claim.of] / sharers(claim));
       case ClaimSubject::Sweep:
       case ClaimSubject::Scan: break;
     }
-    return timed(judge(claim, sweeps_[claim.of]), sweep_seconds_[claim.of] / sharers(claim));
+    return judged(claim, sweeps_[claim.of], sweep_seconds_[claim.of] / sharers(claim));
   }
 
  private:
   static ClaimVerdict timed(ClaimVerdict verdict, double seconds) {
     verdict.seconds = seconds;
+    return verdict;
+  }
+
+  static ClaimVerdict judged(const Claim& claim, const SweepRecord& record, double seconds) {
+    ClaimVerdict verdict = timed(judge(claim, record), seconds);
+    verdict.warnings = record.warnings;
     return verdict;
   }
 

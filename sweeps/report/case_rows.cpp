@@ -223,6 +223,9 @@ std::vector<std::string> head_lines(const SweepRecord& record) {
   for (const std::string& note : record.comparison.notes) {
     lines.push_back("error     " + report::printable(note));
   }
+  for (const std::string& warning : record.warnings) {
+    lines.push_back("warning   " + report::printable(warning));
+  }
   return lines;
 }
 

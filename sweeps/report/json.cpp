@@ -125,6 +125,7 @@ std::string sweep_json(const SweepRecord& record) {
       {"error_scale", number(record.error_scale)},
       {"refined", record.refined ? Json(record.axes[*record.refined].field->path) : Json(nullptr)},
       {"error_notes", record.comparison.notes},
+      {"warnings", record.warnings},
       {"timed_runs", record.timed_runs},
       {"statuses", statuses_of(record)},
       {"axes", axes_of(record)},

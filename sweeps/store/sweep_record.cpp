@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "plastica/model/check_value.hpp"
+#include "sweeps/run/case_warnings.hpp"
 
 namespace plastica::sweeps {
 
@@ -45,6 +46,7 @@ SweepRecord make_record(const Sweep& sweep, const CaseTable& cases, std::vector<
   record.groups = refinement_groups(sweep, cases);
   record.comparison = compare(sweep, cases, record.groups, results, record.ids);
   record.results = std::move(results);
+  record.warnings = case_warnings(sweep, cases);
   record.inputs = sweep.inputs;
   return record;
 }

@@ -121,6 +121,7 @@ void write_comparison(Hdf5Group& root, const SweepRecord& record) {
   root.write_texts("cases/coarser_in", comparison.coarser_in);
   root.write("cases/reference_error", numbers_of(comparison.reference_error), {"1", kDeflate});
   root.write_texts("sweep/error_notes", comparison.notes);
+  root.write_texts("sweep/warnings", record.warnings);
   io::Ragged<std::uint64_t> cases;
   io::Ragged<double> sizes;
   std::vector<std::string> labels;
@@ -309,6 +310,7 @@ SweepRecord read_store(const std::string& path, int& version) {
   } else {
     read_what_errors_lack(root, record);
   }
+  if (root.exists("sweep/warnings")) record.warnings = root.read_texts("sweep/warnings");
   record.inputs = io::read_inputs(root);
   record.meta = io::read_meta(root);
   return record;

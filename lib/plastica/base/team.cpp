@@ -31,7 +31,7 @@ TeamWire::Words Team::gather(bool leaves, bool fails, bool stopped, std::uint64_
     ended_ = true;
     if (!leaves) {
       // The failed one leaves with this meeting; the others leave from here.
-      throw TeamLeft();
+      throw TeamLeft(heard[kFailed] != 0);
     }
   }
   return heard;
@@ -43,7 +43,7 @@ void Team::agree(std::uint64_t digest, std::string_view what) {
   const TeamWire::Words heard = gather(false, false, false, digest);
   if (heard[kDigest] == ~heard[kInverse]) return;
   ended_ = true;  // all of them leave here
-  if (!leads()) throw TeamLeft();
+  if (!leads()) throw TeamLeft(true);
   throw InputError({}, "processes", std::to_string(size()),
                    "do not have the same " + std::string(what));
 }
@@ -65,7 +65,7 @@ bool Team::share(std::size_t count, StopFlag stop,
   parts_ = GuidedParts(count, size());
   part_ = {};
   wire_->open_counter();
-  sharing_ = true;
+  sharing_ = has_shared_ = true;
   work([this, stop] { return next(stop); });
   if (leads() && is_raised(stop)) wire_->close_counter();
   wire_->end_counter(is_raised(stop));

@@ -16,10 +16,17 @@
 
 namespace plastica {
 
-/// Thrown where another process of the team has left it: it failed, and says why.
+/// Thrown where another process of the team has left it.
 class TeamLeft : public std::runtime_error {
  public:
-  TeamLeft() : std::runtime_error("another process of the run has failed") {}
+  /// @param failed  whether it has failed, and says why; else it was stopped
+  explicit TeamLeft(bool failed)
+      : std::runtime_error("another process of the run has left it"), failed_(failed) {}
+
+  bool failed() const { return failed_; }
+
+ private:
+  bool failed_;
 };
 
 /// The processes that compute one run together. All of them read the same inputs; each computes
@@ -49,6 +56,9 @@ class Team {
   /// @throws TeamLeft, and what `work` throws
   bool share(std::size_t count, StopFlag stop, const std::function<void(const NextIndex&)>& work);
 
+  /// Whether work has ever been shared.
+  bool has_shared() const { return has_shared_; }
+
   /// See `TeamWire`; while work is shared.
   void tell(const Counts& own) { wire_->tell(own); }
   void on_told(std::function<void(const Counts& others)> heard) { wire_->on_told(std::move(heard)); }
@@ -66,6 +76,7 @@ class Team {
   GuidedParts parts_;
   GuidedParts::Part part_;
   bool sharing_ = false;  ///< the counter is open
+  bool has_shared_ = false;
   bool ended_ = false;    ///< the others wait for nobody any more
 };
 

@@ -16,6 +16,7 @@
 #include "plastica/model/yield_warnings.hpp"
 #include "plastica/run/chain_model.hpp"
 #include "plastica/run/joint_warnings.hpp"
+#include "plastica/run/sample_warning.hpp"
 #include "plastica/run/shear_warning.hpp"
 #include "plastica/run/warning_facts.hpp"
 
@@ -187,6 +188,58 @@ std::optional<std::string> missed_corners(const Facts& facts) {
          "out; solver.steps says how many samples there are";
 }
 
+/// Histories that grow in proportion to time while another, longer one decides when the path ends.
+std::optional<std::string> grown_ramps(const Facts& facts) {
+  if (facts.options.analysis == Analysis::Dynamics || facts.options.duration > 0.0) return {};
+  const double end = facts.model.chain->stops.back();
+  if (!(end > 1.0 + 1e-9)) return {};
+  const auto say = [&](const std::string& what) {
+    return what + " follows a ramp, and the path ends at " + figure(end) +
+           " s, with the longest history: there it is " + figure(end) +
+           " times what the scene says; history = \"constant\" or rows of a history keep it";
+  };
+  if (facts.scene.gravity != std::array<double, 3>{} && facts.scene.gravity_history.continues) {
+    return say("gravity");
+  }
+  for (std::size_t i = 0; i < facts.scene.loads.size(); ++i) {
+    if (facts.scene.loads[i].history.continues) return say(model_detail::item_name("load", i));
+  }
+  return {};
+}
+
+/// A fully plastic cap scales the stress of the outermost fibre by Z/W times the elastic lever, its
+/// slope of hardening, too; once all fibres flow the section has E_t I.
+std::optional<std::string> steep_hardening(const Facts& facts) {
+  const Scene& scene = facts.scene;
+  const bool scales = scene.yield_cap == YieldCap::FullyPlastic && !is_ideal(scene) &&
+                      scene.yield_model != YieldModel::Elastic &&
+                      scene.yield_model != YieldModel::Fibre;
+  const double factor = shape_factor(facts);
+  if (!scales || factor < 1.05) return {};
+  return "joints with rules.yield_cap = \"fully_plastic\" harden " + figure(factor) +
+         " times as steeply as the section does once all of it flows: they bend too little; "
+         "\"fibre\" for rules.yield_model follows the section";
+}
+
+std::optional<std::string> covered_region(const Facts& facts) {
+  const auto& regions = facts.scene.regions;
+  const std::vector<double>& ends = facts.layout.ends;
+  for (std::size_t later = 1; later < regions.size(); ++later) {
+    for (std::size_t i = 0; i < later; ++i) {
+      const double from = std::max(fraction_of(regions[i].from, ends),
+                                   fraction_of(regions[later].from, ends));
+      const double to =
+          std::min(fraction_of(regions[i].to, ends), fraction_of(regions[later].to, ends));
+      if (!(to > from + 1e-9)) continue;
+      return model_detail::item_name("region", later) + " lies over " +
+             model_detail::item_name("region", i) + " from " + figure(from) + " to " + figure(to) +
+             " of the length: there it holds alone, with the beam's own section or material where "
+             "it says none";
+    }
+  }
+  return {};
+}
+
 /// Loads whose work depends on the path: the tangent at an equilibrium is not symmetric.
 std::optional<std::string> no_potential(const Facts& facts) {
   if (facts.options.analysis == Analysis::Dynamics) return {};
@@ -231,10 +284,12 @@ std::vector<std::string> scene_warnings(const Model& model) {
   std::vector<std::string> warnings;
   for (const auto find :
        {shear_warning, hinge_warning, cap, thin_wall, per_axis, warping, softening, inner_places,
-        cut_corners, inner_clamp_warning, rigid_stretch_warning, missed_corners, no_potential}) {
+        cut_corners, inner_clamp_warning, rigid_stretch_warning, missed_corners, grown_ramps,
+        steep_hardening, covered_region, no_potential}) {
     if (auto warning = find(facts)) warnings.push_back(std::move(*warning));
   }
   if (facts.options.analysis == Analysis::Dynamics) {
+    if (auto warning = sample_warning(facts)) warnings.push_back(std::move(*warning));
     for (std::string& warning : model_detail::motion_warnings(
              facts.scene, facts.options, facts.level, facts.section, facts.layout.ends)) {
       warnings.push_back(std::move(warning));

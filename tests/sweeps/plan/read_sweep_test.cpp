@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "plastica/model/numbered_place.hpp"
+#include "tests/lib/io/scratch_folder.hpp"
 #include "tests/support/message.hpp"
 #include "tests/sweeps/sweep_text.hpp"
 
@@ -152,6 +153,37 @@ TEST(ReadSweep, RefusesPlacesThatMoveWithTheSegments) {
   EXPECT_FALSE(numbered_place(scene, solver).has_value());
   scene.loads[0].at = {0.0, 5};
   EXPECT_EQ(numbered_place(scene, solver).value_or(""), "load.at");
+}
+
+// Joints of a beam twice as long would be half as stiff; lengths that are given stay.
+TEST(ReadSweep, RefusesLengthsThatGivenLengthsOfJointsDoNotFollow) {
+  const io::ScratchFolder folder;
+  folder.write("scene.toml",
+               "beam = { length = '1 m', segments = 4, joint_lengths = ['0.25 m', '0.25 m', "
+               "'0.25 m'], section = { shape = 'rectangle', width = '20 mm', height = '20 mm' } }\n"
+               "material.name = 'S355'\n"
+               "[[support]]\nat = 'start'\nkind = 'clamp'\n"
+               "[[load]]\nat = 'end'\nforce = ['0 N', '1 N', '0 N']\n"
+               "[[probe]]\nname = 'tip'\nkind = 'displacement'\nat = 'end'\ncomponent = 'y'\n");
+  const auto refusal = [&](const std::string& rest) {
+    return testing::message_of([&] {
+      parse_sweep("scene = 'scene.toml'\n" + rest + "\n[error]\nprobe = 'tip'\n",
+                  folder.file("sweep.toml"));
+    });
+  };
+  const std::string rule =
+      "changes the beam's length, and the scene's beam.joint_lengths stay: leave these out, or "
+      "vary scale.size";
+  const auto axis = [](const std::string& field, const std::string& values) {
+    return "[[axis]]\nfield = '" + field + "'\nvalues = " + values;
+  };
+  EXPECT_TRUE(refusal(axis("beam.length", "['1 m', '2 m']")).ends_with("beam.length: " + rule));
+  EXPECT_TRUE(refusal(axis("beam.slenderness", "[10, 50]")).ends_with(rule));
+  EXPECT_TRUE(refusal("[set]\nbeam.length = '2 m'\n" + axis("material.youngs_modulus",
+                                                           "['70 GPa', '210 GPa']"))
+                  .ends_with("set: " + rule));
+  EXPECT_EQ(refusal(axis("scale.size", "[1, 2]")), "no error");
+  EXPECT_EQ(refusal(axis("beam.length", "['1 m']")), "no error");
 }
 
 TEST(ReadSweep, SetsFieldsForAllCases) {

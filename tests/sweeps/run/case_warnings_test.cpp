@@ -1,0 +1,80 @@
+#include "sweeps/run/case_warnings.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <string>
+
+#include "tests/lib/io/scratch_folder.hpp"
+#include "tests/sweeps/sweep_text.hpp"
+
+namespace plastica::sweeps {
+namespace {
+
+using Texts = std::vector<std::string>;
+
+/// The warnings of a sweep of a clamped bar, 20 mm high and 10 mm wide unless it says otherwise.
+Texts warnings_of(const std::string& more, const std::string& rest,
+                  const std::string& section = "width = '10 mm', height = '20 mm'") {
+  const io::ScratchFolder folder;
+  folder.write("scene.toml",
+               "beam = { length = '1 m', segments = 16, section = { shape = 'rectangle', " +
+                   section +
+                   " } }\n"
+                   "material.name = 'S355'\nrules.yield_model = 'elastic'\n"
+                   "[[support]]\nat = 'start'\nkind = 'clamp'\n"
+                   "[[probe]]\nname = 'tip'\nkind = 'displacement'\n" +
+                   more);
+  const Sweep sweep = parse_sweep("scene = 'scene.toml'\n" + rest, folder.file("sweep.toml"));
+  return case_warnings(sweep, CaseTable(sweep));
+}
+
+const std::string kLoad = "[[load]]\nat = 'end'\nforce = ['0 N', '-10 N', '0 N']\n";
+const std::string kTip = "[error]\nprobe = 'tip'\n";
+
+bool has(const Texts& texts, const std::string& words) {
+  return std::ranges::any_of(
+      texts, [&](const std::string& text) { return text.find(words) != text.npos; });
+}
+
+TEST(CaseWarnings, AreNoneOfAPlainSweep) {
+  EXPECT_EQ(warnings_of(kLoad, segments_axis("[4, 8]") + kTip), Texts{});
+}
+
+// Between three samples the load is at its peak.
+TEST(CaseWarnings, AreThoseOfTheScenes) {
+  const std::string peak = kLoad + "history = { turning_points = [1, 0] }\n";
+  const std::string samples = "[[axis]]\nfield = 'solver.steps'\nvalues = [3, 5, 4]\n";
+  const Texts warnings = warnings_of(peak, samples + kTip);
+  ASSERT_EQ(warnings.size(), 1U);  // alike but for numbers
+  EXPECT_TRUE(warnings[0].starts_with("of some cases: histories turn between two samples"));
+  EXPECT_TRUE(has(warnings_of(peak, "[set]\nsolver.steps = 3\n" + segments_axis("[4, 8]") + kTip),
+                  "histories turn between two samples"));
+}
+
+// The bar swings half as fast about its weak axis.
+TEST(CaseWarnings, NameTheLowerFrequencyOutOfThePlane) {
+  const std::string frequency = segments_axis("[64]") + "[error]\nquantity = 'natural_frequency'\n";
+  const Texts warnings = warnings_of(kLoad, frequency);
+  EXPECT_TRUE(has(warnings, "in space the unloaded beam has 8.35 Hz in place of 16.7 Hz"));
+  EXPECT_FALSE(has(warnings_of(kLoad, frequency, "width = '20 mm', height = '10 mm'"), "in space"));
+  EXPECT_FALSE(
+      has(warnings_of(kLoad, "[set]\nsolver.level = 'spatial'\n" + frequency), "in space"));
+  const std::string torque = "[[load]]\nat = 'end'\nmoment = ['0 N m', '0 N m', '1 N m']\n";
+  EXPECT_TRUE(has(warnings_of(torque, frequency), "that of twisting alone"));
+}
+
+TEST(CaseWarnings, SayWhereARecordIsTooShortForAFrequency) {
+  const auto lasting = [](const std::string& duration) {
+    return warnings_of(
+        "[solver]\nanalysis = 'dynamics'\ntime_step = '0.5 ms'\nsteps = 100\n"
+        "duration = '" +
+            duration + "'\n" + kLoad + "history = 'constant'\n",
+        segments_axis("[16]") + kTip + "take = 'frequency'\n");
+  };
+  EXPECT_TRUE(has(lasting("0.1 s"), "the motion lasts 1.67 periods"));
+  EXPECT_EQ(lasting("0.2 s"), Texts{});
+}
+
+}  // namespace
+}  // namespace plastica::sweeps
