@@ -223,7 +223,10 @@ void add_calibrate(CLI::App& app, const Invocation& invocation, Action& action) 
     arguments->bare_option = first_given(*sub, kBareGroup);
     action = [arguments, sub] {
       arguments->shard = shard_of(*sub);
-      if (!arguments->shard) arguments->team = join_team(arguments->launched, arguments->threads);
+      if (!arguments->shard) {
+        arguments->team =
+            join_team(arguments->launched, arguments->command_line, arguments->threads);
+      }
       expect_inputs(*arguments);
       return has_scenes(*arguments) ? calibrate_scenes(*arguments) : calibrate_files(*arguments);
     };

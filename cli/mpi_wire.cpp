@@ -6,12 +6,16 @@
 #include <algorithm>
 #include <atomic>
 #include <chrono>
+#include <cstdio>
 #include <mutex>
 #include <stdexcept>
 #include <string>
+#include <system_error>
 #include <thread>
 #include <utility>
 #include <vector>
+
+#include "cli/exit_code.hpp"
 
 namespace plastica::cli {
 namespace {
@@ -24,8 +28,8 @@ using std::chrono::steady_clock;
 // and then.
 constexpr microseconds kShortWait{20};
 constexpr microseconds kLongWait{1000};
-/// How often process 0 is told how far another is.
-constexpr milliseconds kTellInterval{200};
+/// How often process 0 hears how far another is.
+constexpr milliseconds kReportInterval{200};
 
 /// Waits twice as long each time, up to `kLongWait`.
 class Patience {
@@ -47,10 +51,11 @@ void check(int code, const char* call) {
 
 // Messages between process 0 and another.
 enum Tag : int {
-  kAsk,     ///< to 0: the next number, and counts
-  kAnswer,  ///< from 0: a number, or `kClosed`
-  kCounts,  ///< to 0: counts
-  kEnd,     ///< to 0: counts, and whether it was stopped
+  kAsk,        ///< to 0: the next number, and counts
+  kAskClosed,  ///< to 0: whether the counter is closed, and counts
+  kAnswer,     ///< from 0: a number, or `kClosed`
+  kCounts,     ///< to 0: counts
+  kEnd,        ///< to 0: counts, and whether it was stopped
 };
 
 constexpr std::uint64_t kClosed = ~std::uint64_t{0};
@@ -92,8 +97,7 @@ class Wire final : public MpiWire {
 
   ~Wire() override {
     if (desk_.joinable()) {
-      // Only a defect leads here: the others would wait for ever.
-      MPI_Abort(all_, 3);
+      give_up("left a team whose work is shared");  // a defect
     }
     MPI_Comm_free(&all_);
     MPI_Finalize();
@@ -108,7 +112,7 @@ class Wire final : public MpiWire {
 
   void watch(StopWatch watch) override {
     watch_ = std::move(watch);
-    has_told_stop_ = false;
+    has_said_stop_ = false;
   }
 
   Words largest(const Words& own) override {
@@ -125,9 +129,14 @@ class Wire final : public MpiWire {
     next_ = 0;
     closed_ = false;
     counts_ = {};
-    told_.assign(size(), {});
-    last_told_ = steady_clock::now();
-    if (rank_ == 0) desk_ = std::thread([this] { serve(); });
+    reported_.assign(size(), {});
+    last_reported_ = last_asked_ = steady_clock::now();
+    if (rank_ != 0) return;
+    try {
+      desk_ = std::thread([this] { serve(); });
+    } catch (const std::system_error&) {
+      give_up("cannot make a thread");
+    }
   }
 
   std::optional<std::uint64_t> count_up() override {
@@ -136,15 +145,17 @@ class Wire final : public MpiWire {
       return next_++;
     }
     const std::lock_guard lock(mpi_);
-    send(kAsk, 0);
-    Message answer{};
-    MPI_Request request = MPI_REQUEST_NULL;
-    check(MPI_Irecv(answer.data(), static_cast<int>(answer.size()), MPI_UINT64_T, 0, kAnswer, all_,
-                    &request),
-          "MPI_Irecv");
-    wait_for(request);
-    if (answer[3] == kClosed) return {};
-    return answer[3];
+    const std::uint64_t number = ask(kAsk);
+    if (number == kClosed) return {};
+    return number;
+  }
+
+  bool is_closed() override {
+    if (rank_ == 0 || closed_) return closed_;
+    if (steady_clock::now() - last_asked_ < kReportInterval) return false;
+    const std::lock_guard lock(mpi_);
+    closed_ = ask(kAskClosed) == kClosed;
+    return closed_;
   }
 
   void close_counter() override { closed_ = true; }
@@ -156,19 +167,31 @@ class Wire final : public MpiWire {
       return;
     }
     if (desk_.joinable()) desk_.join();
-    if (desk_failed_) std::rethrow_exception(std::exchange(desk_failed_, nullptr));
   }
 
-  void tell(const Counts& own) override {
+  void report(const Counts& own) override {
     if (rank_ == 0) return;
     const std::lock_guard lock(mpi_);
     counts_ = own;
-    if (steady_clock::now() - last_told_ >= kTellInterval) send(kCounts, 0);
+    if (steady_clock::now() - last_reported_ >= kReportInterval) send(kCounts, 0);
   }
 
-  void on_told(std::function<void(const Counts&)> heard) override { heard_ = std::move(heard); }
+  void on_report(std::function<void(const Counts&)> heard) override { heard_ = std::move(heard); }
 
  private:
+  /// Asks process 0. @return its word
+  std::uint64_t ask(Tag question) {
+    send(question, 0);
+    Message answer{};
+    MPI_Request request = MPI_REQUEST_NULL;
+    check(MPI_Irecv(answer.data(), static_cast<int>(answer.size()), MPI_UINT64_T, 0, kAnswer, all_,
+                    &request),
+          "MPI_Irecv");
+    wait_for(request);
+    last_asked_ = steady_clock::now();
+    return answer[3];
+  }
+
   /// To process 0, with the counts.
   void send(Tag tag, std::uint64_t word) {
     const Message message{counts_[0], counts_[1], counts_[2], word};
@@ -177,20 +200,21 @@ class Wire final : public MpiWire {
                     &request),
           "MPI_Isend");
     wait_for(request);
-    last_told_ = steady_clock::now();
+    last_reported_ = steady_clock::now();
   }
 
   void wait_for(MPI_Request request) {
     Patience patience;
     for (int done = 0; done == 0;) {
       check(MPI_Test(&request, &done, MPI_STATUS_IGNORE), "MPI_Test");
+      if (done != 0) return;  // nobody is missed
       look_for_stop();
-      if (done == 0) patience.wait();
+      patience.wait();
     }
   }
 
   void look_for_stop() {
-    if (is_raised(watch_.stop) && !has_told_stop_.exchange(true)) watch_.raised();
+    if (!has_said_stop_ && is_raised(watch_.stop) && watch_.raised()) has_said_stop_ = true;
   }
 
   /// What process 0 does beside its own work until all others have ended.
@@ -210,10 +234,16 @@ class Wire final : public MpiWire {
         patience.reset();
         if (take(status)) ++ended;
       }
-    } catch (...) {
-      desk_failed_ = std::current_exception();
-      closed_ = true;
+    } catch (const std::exception& error) {
+      give_up(error.what());
     }
+  }
+
+  /// Ends all processes: those that wait for this one would wait for ever. What they have finished
+  /// is in their journals.
+  void give_up(const char* what) const {
+    std::fprintf(stderr, "plastica: %s\n", what);
+    MPI_Abort(all_, kMachineFailed);
   }
 
   /// Takes a message and answers it. @return whether the other has ended
@@ -222,12 +252,13 @@ class Wire final : public MpiWire {
     check(MPI_Recv(message.data(), static_cast<int>(message.size()), MPI_UINT64_T,
                    status.MPI_SOURCE, status.MPI_TAG, all_, MPI_STATUS_IGNORE),
           "MPI_Recv");
-    Counts& told = told_[static_cast<std::size_t>(status.MPI_SOURCE)];
+    Counts& reported = reported_[static_cast<std::size_t>(status.MPI_SOURCE)];
     const Counts now{message[0], message[1], message[2]};
-    const bool news = now != told;
-    told = now;
-    if (status.MPI_TAG == kAsk) {
-      const std::uint64_t number = closed_ ? kClosed : next_++;
+    const bool news = now != reported;
+    reported = now;
+    if (status.MPI_TAG == kAsk || status.MPI_TAG == kAskClosed) {
+      const bool takes = status.MPI_TAG == kAsk;
+      const std::uint64_t number = closed_ ? kClosed : takes ? next_++ : 0;
       const Message answer{0, 0, 0, number};
       check(MPI_Send(answer.data(), static_cast<int>(answer.size()), MPI_UINT64_T,
                      status.MPI_SOURCE, kAnswer, all_),
@@ -237,7 +268,7 @@ class Wire final : public MpiWire {
     if (ends && message[3] != 0) closed_ = true;
     if (news && heard_) {
       Counts sum{};
-      for (const Counts& one : told_) {
+      for (const Counts& one : reported_) {
         for (std::size_t k = 0; k < sum.size(); ++k) sum[k] += one[k];
       }
       heard_(sum);
@@ -250,15 +281,15 @@ class Wire final : public MpiWire {
   int size_ = 1;
   int threads_ = 1;
   StopWatch watch_;
-  std::atomic<bool> has_told_stop_ = false;
+  std::atomic<bool> has_said_stop_ = false;
   std::mutex mpi_;  ///< of MPI, while work is shared, in other processes than 0
   std::thread desk_;
-  std::exception_ptr desk_failed_;
   std::atomic<std::uint64_t> next_ = 0;
   std::atomic<bool> closed_ = false;
-  Counts counts_{};            ///< of this process
-  std::vector<Counts> told_;   ///< of each, in process 0
-  steady_clock::time_point last_told_;
+  Counts counts_{};               ///< of this process
+  std::vector<Counts> reported_;  ///< of each, in process 0
+  steady_clock::time_point last_reported_;
+  steady_clock::time_point last_asked_;
   std::function<void(const Counts&)> heard_;
 };
 

@@ -11,7 +11,9 @@ namespace plastica::cli {
 /// What tells the processes of a team of a signal, while they wait for one another.
 struct StopWatch {
   StopFlag stop = nullptr;
-  std::function<void()> raised{};  ///< called once in each process, from any thread
+  /// Says so, where it is for this process to say; called from any thread, one call at a time,
+  /// until it returns true.
+  std::function<bool()> raised{};
 };
 
 /// The processes that an MPI launcher has started. Of processes of one machine at least: its

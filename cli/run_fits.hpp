@@ -115,7 +115,7 @@ inline calibrate::JournaledOptions journaling(const CalibrateArguments& argument
   calibrate::JournaledOptions how;
   how.journal = policy_of(output, arguments.shard, arguments.resume, arguments.force,
                           meta.instruction_set, arguments.merged, arguments.team);
-  if (arguments.launched != nullptr) arguments.launched->watch(stop, output);
+  if (arguments.launched != nullptr) arguments.launched->watch(stop, how.journal.path, output);
   how.threads = arguments.threads;
   how.stop = stop;
   return how;

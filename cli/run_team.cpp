@@ -3,6 +3,8 @@
 #include <fcntl.h>
 #include <sys/file.h>
 
+#include <chrono>
+#include <memory>
 #include <optional>
 #include <utility>
 
@@ -13,23 +15,38 @@
 #include "cli/terminal_line.hpp"
 #include "plastica/base/check.hpp"
 #include "plastica/io/case_journal.hpp"
+#include "plastica/io/digest.hpp"
 #include "plastica/io/file_descriptor.hpp"
+#include "plastica/io/team_journals.hpp"
 
 namespace plastica::cli {
 
 namespace {
 
-/// Whether process 0 has ended and this process is the first to see it, to which it holds for the
-/// rest of its life.
-bool takes_the_place_of_the_first(const std::string& journal) {
-  static std::optional<io::FileDescriptor> held;
-  held.emplace(::open(journal.c_str(), O_RDWR | O_NONBLOCK | O_NOFOLLOW | O_CLOEXEC));
-  return held->get() >= 0 && ::flock(held->get(), LOCK_EX | LOCK_NB) == 0;
-}
+/// Whether process 0 has ended, and this process has its lock now, which it keeps: of several that
+/// see it one alone says so.
+class PlaceOfTheFirst {
+ public:
+  /// To be asked again and again while process 0 is waited for: where it ends in order, it lets go
+  /// of its journal a moment before this process hears of it.
+  bool is_taken(const std::string& journal) {
+    constexpr std::chrono::milliseconds kMoment{300};
+    if (!since_) {
+      held_.emplace(::open(journal.c_str(), O_RDWR | O_NONBLOCK | O_NOFOLLOW | O_CLOEXEC));
+      if (held_->get() < 0 || ::flock(held_->get(), LOCK_EX | LOCK_NB) != 0) return false;
+      since_ = std::chrono::steady_clock::now();
+    }
+    return std::chrono::steady_clock::now() - *since_ >= kMoment;
+  }
+
+ private:
+  std::optional<io::FileDescriptor> held_;
+  std::optional<std::chrono::steady_clock::time_point> since_;
+};
 
 }  // namespace
 
-Team* RunTeam::join() {
+Team* RunTeam::join(const std::string& command_line) {
   const std::optional<Launched> process = launched();
   if (!process) return nullptr;
   const bool first = process->rank == 0;
@@ -52,29 +69,33 @@ Team* RunTeam::join() {
   wire_ = wire.get();
   team_ = std::make_unique<Team>(std::move(wire));
   be_silent(!team_->leads());
+  team_->agree(io::Digest().text(command_line).value(),
+               "command line: they are parts of one run; a run that is to be alone must not see "
+               "the launcher's variables (env -u OMPI_COMM_WORLD_SIZE -u PMI_SIZE)");
   TerminalLine::set_style(team_->leads() ? TerminalLine::Style::Lines
                                          : TerminalLine::Style::Silent);
   return team_.get();
 }
 
-void RunTeam::watch(StopFlag stop, const std::string& output) {
+void RunTeam::watch(StopFlag stop, const std::string& journal, const std::string& output) {
   if (wire_ == nullptr) return;
-  const auto say = [this, output] {
-    if (team_->leads()) {
-      tell_interrupted(output);
-      return;
+  const auto say = [this, journal, output, place = std::make_shared<PlaceOfTheFirst>()] {
+    // Where the first was killed, it has let go of its journal: whoever gets that says so. Before
+    // this process has a journal, the first may not have its own.
+    if (!team_->leads()) {
+      if (!io::is_in_use(io::team_journal_path(journal, team_->rank()))) return false;
+      if (!place->is_taken(journal)) return false;
+      be_silent(false);
     }
-    // Where the first was killed, it has let go of its journal: whoever gets that says so.
-    if (!takes_the_place_of_the_first(io::journal_path(output))) return;
-    be_silent(false);
     tell_interrupted(output);
+    return true;
   };
   wire_->watch({stop, say});
 }
 
-Team* join_team(RunTeam* launched, int& threads) {
+Team* join_team(RunTeam* launched, const std::string& command_line, int& threads) {
   if (launched == nullptr) return nullptr;
-  Team* team = launched->join();
+  Team* team = launched->join(command_line);
   if (threads == 0) threads = launched->threads();
   return team;
 }
@@ -86,9 +107,8 @@ int RunTeam::end(int code, const std::string& error) {
     return code;
   }
   const bool leads = team_->leads();
-  const std::string who =
-      leads ? "" : "process " + std::to_string(team_->rank() + 1) + " of " +
-                       std::to_string(team_->size()) + ": ";
+  const std::string who = leads ? "" : "process " + std::to_string(team_->rank()) + ": ";
+  wire_->watch({});  // the first lets go of its journal, and lives
   const bool says = team_->leave(failed);
   if (failed && says) {
     be_silent(false);
@@ -99,6 +119,7 @@ int RunTeam::end(int code, const std::string& error) {
 
 int RunTeam::end_after_another(bool failed) {
   if (team_ == nullptr) return kBadInput;  // they did not even find one another
+  wire_->watch({});
   team_->leave(false);
   if (team_->has_shared()) {
     tell("plastica: what is finished is kept: --resume goes on\n");

@@ -18,13 +18,16 @@ class RunTeam {
   /// can be shared. All but the one that leads are silent from now on.
   /// @return null where this process was started alone
   /// @throws InputError if they do not find one another, or the program is built without MPI
-  Team* join();
+  /// @param command_line  must be that of all others
+  Team* join(const std::string& command_line);
   /// How many threads this process may have where the command line says no number, see `MpiWire`;
   /// 0: as many as the machine has.
   int threads() const { return wire_ != nullptr ? wire_->threads() : 0; }
   /// Says that the run was interrupted while the processes wait for one another, which may be for
   /// ever where one was killed.
-  void watch(StopFlag stop, const std::string& output);
+  /// @param journal  of the run
+  /// @param output   see `tell_interrupted`
+  void watch(StopFlag stop, const std::string& journal, const std::string& output);
 
   /// Ends the program's part in the team. @param error  what has failed; empty: nothing
   /// @return the exit code
@@ -39,7 +42,8 @@ class RunTeam {
 
 /// Lets other processes join a run, if there are any.
 /// @param launched  null: there are none
+/// @param command_line  see `RunTeam::join`
 /// @param threads   0: takes what is this process's part of the machine
-Team* join_team(RunTeam* launched, int& threads);
+Team* join_team(RunTeam* launched, const std::string& command_line, int& threads);
 
 }  // namespace plastica::cli

@@ -141,6 +141,10 @@ int sweep_file(const SweepArguments& arguments) {
   sweeps::Sweep sweep = sweeps::read_sweep_file(arguments.file);
   tell_notes(sweep.notes);
   take_isa(arguments.isa, sweep.setup.solver);
+  if (arguments.team != nullptr && sweep.timed_runs > 0) {
+    throw InputError({sweep.path, 0}, "cost.timed_runs", std::to_string(sweep.timed_runs),
+                     "times cases, and processes slow one another: run it without mpirun");
+  }
   sweeps::check_reference(sweep, sweeps::CaseTable(sweep));
   if (arguments.dry_run) {
     print_dry_run(sweep, output);
@@ -156,7 +160,8 @@ int sweep_file(const SweepArguments& arguments) {
   const std::optional<io::ShardOfRun>& shard = arguments.shard;
   how.journal = policy_of(output, shard, arguments.resume || arguments.rerun_failed,
                           arguments.force, meta.instruction_set, arguments.merged, arguments.team);
-  if (arguments.launched != nullptr) arguments.launched->watch(&interrupt.flag(), output);
+  if (arguments.launched != nullptr)
+    arguments.launched->watch(&interrupt.flag(), how.journal.path, "");
   if (!shard) how.earlier = results_before(arguments, output);
   how.rerun_failed = arguments.rerun_failed;
   how.threads = arguments.threads;
@@ -247,7 +252,10 @@ void add_sweep(CLI::App& app, const Invocation& invocation, Action& action) {
   sub->callback([&action, arguments, sub] {
     action = [arguments, sub] {
       arguments->shard = shard_of(*sub);
-      if (!arguments->shard) arguments->team = join_team(arguments->launched, arguments->threads);
+      if (!arguments->shard) {
+        arguments->team =
+            join_team(arguments->launched, arguments->command_line, arguments->threads);
+      }
       return sweep_file(*arguments);
     };
   });

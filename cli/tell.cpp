@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cstdio>
 #include <new>
 #include <string_view>
@@ -14,7 +15,7 @@ namespace plastica::cli {
 
 namespace {
 
-bool is_silent = false;
+std::atomic<bool> is_silent = false;
 
 /// The lines with all control characters but their ends made harmless.
 std::string shown(std::string_view lines) {

@@ -99,9 +99,9 @@ std::vector<FitResult> JournaledBatch::run() {
   const auto finished = [&](std::size_t k, const FitResult& result) { keep(missing[k], result); };
   std::vector<FitResult> fitted;
   share(team(), to_fit.size(), how_.stop, [&](const NextIndex& next) {
-    fitted = fit_cases(
-        targets_, to_fit, options_,
-        {.threads = how_.threads, .stop = how_.stop, .finished = finished, .next = next});
+    fitted =
+        fit_cases(targets_, to_fit, options_,
+                  {.threads = how_.threads, .stop = how_.stop, .finished = finished, .next = next});
   });
   gather(false);
   end_run(progress_.done == progress_.total);

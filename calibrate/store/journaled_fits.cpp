@@ -49,7 +49,7 @@ void JournaledFits<Result>::start_run() {
   if (std::exchange(has_run_, true)) throw std::logic_error("JournaledFits: it has run already");
   kept_.assign(ids_.size(), 0);
   if (team() != nullptr) {
-    team()->on_told([this](const Team::Counts& others) {
+    team()->on_report([this](const Team::Counts& others) {
       const std::lock_guard lock(mutex_);
       others_ = others;
       tell();
@@ -76,8 +76,8 @@ void JournaledFits<Result>::keep(std::size_t index, const Result& result) {
   count(result);
   tell();
   if (team() == nullptr) return;
-  team()->tell({progress_.done - before_.done, progress_.failed - before_.failed,
-                progress_.rejected - before_.rejected});
+  team()->report({progress_.done - before_.done, progress_.failed - before_.failed,
+                  progress_.rejected - before_.rejected});
 }
 
 template <typename Result>

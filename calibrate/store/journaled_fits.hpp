@@ -124,10 +124,10 @@ class JournaledFits {
   void count(const Result& result);
   void tell() const;
 
-  std::vector<bool> own_;       ///< (n_fits)
-  std::vector<char> kept_;      ///< whether a fit has been done in this process (n_fits)
-  BatchProgress before_;        ///< when the run began
-  Team::Counts others_{};       ///< done, failed, rejected: what other processes have told
+  std::vector<bool> own_;   ///< (n_fits)
+  std::vector<char> kept_;  ///< whether a fit has been done in this process (n_fits)
+  BatchProgress before_;    ///< when the run began
+  Team::Counts others_{};   ///< done, failed, rejected: what other processes have told
   std::string run_id_;
   std::mutex mutex_;  ///< of the progress
   bool has_run_ = false;

@@ -236,8 +236,8 @@ void JournaledSceneFits::complete_advised() {
   for (const std::size_t i : unfinished) {
     if (completed_[i] == 0) take_found(i);
   }
-  advised_is_complete_ = std::ranges::all_of(
-      unfinished, [&](std::size_t i) { return completed_[i] != 0; });
+  advised_is_complete_ =
+      std::ranges::all_of(unfinished, [&](std::size_t i) { return completed_[i] != 0; });
 }
 
 std::vector<SceneFitResult> JournaledSceneFits::run() {
@@ -251,9 +251,8 @@ std::vector<SceneFitResult> JournaledSceneFits::run() {
       missing.push_back(of);
     }
   }
-  share(team(), missing.size(), how_.stop, [&](const NextIndex& next) {
-    fit_side_by_side(missing, std::nullopt, next);
-  });
+  share(team(), missing.size(), how_.stop,
+        [&](const NextIndex& next) { fit_side_by_side(missing, std::nullopt, next); });
   gather(completes_one(options_));
   if (completes_one(options_) && progress_.done == fits_.size()) complete_advised();
   end_run(progress_.done == progress_.total && (!completes_one(options_) || advised_is_complete_));

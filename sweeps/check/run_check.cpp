@@ -50,8 +50,7 @@ class CheckRuns {
 
   ClaimVerdict verdict(const Claim& claim) const {
     switch (claim.subject) {
-      case ClaimSubject::Scene:
-        return judged(claim, scenes_[claim.of], scene_seconds_[claim.of]);
+      case ClaimSubject::Scene: return judged(claim, scenes_[claim.of], scene_seconds_[claim.of]);
       case ClaimSubject::Fit:
         return timed(judge(claim, fits_[claim.of]), fit_seconds_[claim.of] / sharers(claim));
       case ClaimSubject::Sweep:

@@ -87,27 +87,24 @@ void check_places(const Sweep& sweep) {
   }
 }
 
-/// Lengths of joints that the scene gives would stay those of its own beam, and the beam would be as
-/// stiff as before.
+/// Lengths of joints that the scene gives would stay those of its own beam, and the beam would be
+/// as stiff as before.
 void check_joint_lengths(const Sweep& sweep) {
-  const auto refuse = [](const SourceLocation& where, std::string_view field) {
-    throw InputError(where, field, "",
-                     "changes the beam's length, and the scene's beam.joint_lengths stay: leave "
-                     "these out, or vary scale.size");
-  };
   const Beam& own = sweep.scene.setup.scene.beam;
   if (own.joint_lengths.empty()) return;
   const auto stay = [&](const Beam& beam) {
     return beam.length != own.length && beam.joint_lengths == own.joint_lengths;
   };
-  if (stay(sweep.setup.scene.beam)) refuse({sweep.path, 0}, "set");
   for (const Axis& axis : sweep.axes) {
     const bool moves = std::ranges::any_of(axis.values, [&](const FieldValue& value) {
       Setup setup = sweep.scene.setup;
       axis.field->set(setup, value);
       return stay(setup.scene.beam);
     });
-    if (moves) refuse(axis.where, axis.field->path);
+    if (!moves) continue;
+    throw InputError(axis.where, axis.field->path, "",
+                     "changes the beam's length, and the scene's beam.joint_lengths stay: leave "
+                     "these out, or vary scale.size");
   }
 }
 

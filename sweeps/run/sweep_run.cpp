@@ -107,7 +107,7 @@ void SweepRun::take(std::size_t index, CaseResult result) {
   results_[index] = std::move(result);
   tell();
   if (team() == nullptr) return;
-  team()->tell({progress_.done - before_.done, progress_.failed - before_.failed, 0});
+  team()->report({progress_.done - before_.done, progress_.failed - before_.failed, 0});
 }
 
 void SweepRun::count(std::size_t index, const CaseResult& result) {
@@ -195,7 +195,7 @@ std::vector<CaseResult> SweepRun::run() {
   }
   before_ = progress_;
   if (team() != nullptr) {
-    team()->on_told([this](const Team::Counts& others) {
+    team()->on_report([this](const Team::Counts& others) {
       const std::lock_guard lock(mutex_);
       others_ = others;
       tell();

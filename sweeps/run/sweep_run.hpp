@@ -40,8 +40,8 @@ struct SweepRunOptions {
 
 /// Runs the cases of a sweep, each once, and survives interruption: every finished case goes to a
 /// journal. The results have the same bits as those of a run without interruption, but for times.
-/// Several processes may do them together, see `io::JournalPolicy::team`: the one that leads has the
-/// results of all.
+/// Several processes may do them together, see `io::JournalPolicy::team`: the one that leads has
+/// the results of all.
 class SweepRun {
  public:
   /// Reads the journal, if one is there, and opens it for writing; computes nothing.

@@ -20,8 +20,9 @@ std::vector<Part> parts_of(std::size_t count, std::size_t processes, Dealing dea
     for (std::size_t k = 0; k < guided.size(); ++k) parts.push_back(guided[k]);
     return parts;
   }
-  const std::size_t size =
-      dealing == Dealing::Single ? 1 : std::max<std::size_t>(1, (count + processes - 1) / processes);
+  const std::size_t size = dealing == Dealing::Single
+                               ? 1
+                               : std::max<std::size_t>(1, (count + processes - 1) / processes);
   for (std::size_t begin = 0; begin < count; begin += size) {
     parts.push_back({begin, std::min(count, begin + size)});
   }

@@ -4,8 +4,8 @@
 #include <span>
 #include <vector>
 
-/// What a team of processes would take for a run, by simulation of its events: for machines that are
-/// not there.
+/// What a team of processes would take for a run, by simulation of its events: for machines that
+/// are not there.
 namespace plastica::testing {
 
 /// What a run costs beside its fits or cases [s], unless it says otherwise.
@@ -16,7 +16,7 @@ struct TeamCosts {
   double read = 0.0;
   double read_bytes = 0.0;
   std::size_t per_machine = 1;  ///< processes
-  double server_rate = 1e300;  ///< of the file server [bytes/s]
+  double server_rate = 1e300;   ///< of the file server [bytes/s]
   /// From a question to its answer where process 0 is not busy with others, and what it is busy for
   /// with each.
   double ask = 0.0;

@@ -15,8 +15,8 @@
 
 namespace plastica {
 
-/// A team whose processes are threads of this one: what `Team` does, without MPI. None of them counts
-/// further ahead of another than by one, so that each gets its part however fast it is.
+/// A team whose processes are threads of this one: what `Team` does, without MPI. None of them
+/// counts further ahead of another than by one, so that each gets its part however fast it is.
 class ThreadWire : public TeamWire {
  public:
   /// What its members share.
@@ -35,7 +35,7 @@ class ThreadWire : public TeamWire {
     static constexpr std::size_t kEnded = ~std::size_t{0};
     std::vector<std::size_t> taken;  ///< by each member, or `kEnded`
     std::condition_variable somebody_took;
-    std::vector<Counts> told;
+    std::vector<Counts> reported;
     std::function<void(const Counts&)> listener;
   };
 
@@ -68,7 +68,7 @@ class ThreadWire : public TeamWire {
       common_->next = 0;
       common_->closed = false;
       common_->taken.assign(common_->size, 0);
-      common_->told.assign(common_->size, {});
+      common_->reported.assign(common_->size, {});
     }
     largest({});  // nobody counts before all have opened it
   }
@@ -81,6 +81,10 @@ class ThreadWire : public TeamWire {
     ++common_->taken[rank_];
     common_->somebody_took.notify_all();
     return common_->next++;
+  }
+  bool is_closed() override {
+    const std::lock_guard lock(common_->mutex);
+    return common_->closed;
   }
   void close_counter() override {
     const std::lock_guard lock(common_->mutex);
@@ -96,21 +100,18 @@ class ThreadWire : public TeamWire {
     }
     largest({});
   }
-  void tell(const Counts& own) override {
+  void report(const Counts& own) override {
+    if (rank_ == 0) return;
+    const std::lock_guard lock(common_->mutex);
+    common_->reported[rank_] = own;
     Counts others{};
-    std::function<void(const Counts&)> listener;
-    {
-      const std::lock_guard lock(common_->mutex);
-      if (rank_ == 0) return;
-      common_->told[rank_] = own;
-      for (const Counts& one : common_->told) {
-        for (std::size_t k = 0; k < others.size(); ++k) others[k] += one[k];
-      }
-      listener = common_->listener;
+    for (const Counts& one : common_->reported) {
+      for (std::size_t k = 0; k < others.size(); ++k) others[k] += one[k];
     }
-    if (listener) listener(others);
+    if (common_->listener) common_->listener(others);
   }
-  void on_told(std::function<void(const Counts&)> heard) override {
+  void on_report(std::function<void(const Counts&)> heard) override {
+    const std::lock_guard lock(common_->mutex);
     if (rank_ == 0) common_->listener = std::move(heard);
   }
 

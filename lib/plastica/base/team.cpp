@@ -14,7 +14,7 @@ enum Word : std::size_t {
   kStopped,  ///< 1: it was stopped
   kDigest,
   kInverse,  ///< the digest's complement: with it the smallest is heard, too
-  kFailed,   ///< size - rank of a process that has failed, so that the first is heard; 0: it has not
+  kFailed,  ///< size - rank of a process that has failed, so that the first is heard; 0: it has not
 };
 
 }  // namespace
@@ -50,8 +50,8 @@ void Team::agree(std::uint64_t digest, std::string_view what) {
 
 std::optional<std::size_t> Team::next(StopFlag stop) {
   const std::lock_guard lock(mutex_);
+  if (is_raised(stop) || wire_->is_closed()) return {};
   if (part_.begin == part_.end) {
-    if (is_raised(stop)) return {};
     const std::optional<std::uint64_t> number = wire_->count_up();
     if (!number || *number >= parts_.size()) return {};
     part_ = parts_[static_cast<std::size_t>(*number)];
@@ -65,21 +65,26 @@ bool Team::share(std::size_t count, StopFlag stop,
   parts_ = GuidedParts(count, size());
   part_ = {};
   wire_->open_counter();
-  sharing_ = has_shared_ = true;
-  work([this, stop] { return next(stop); });
-  if (leads() && is_raised(stop)) wire_->close_counter();
-  wire_->end_counter(is_raised(stop));
-  sharing_ = false;
+  has_shared_ = true;
+  try {
+    work([this, stop] { return next(stop); });
+  } catch (...) {
+    // Before what listens to reports is gone.
+    end_sharing(true);
+    throw;
+  }
+  end_sharing(is_raised(stop));
   return gather(false, false, is_raised(stop), 0)[kStopped] != 0;
+}
+
+void Team::end_sharing(bool stopped) {
+  if (leads() && stopped) wire_->close_counter();
+  wire_->end_counter(stopped);
+  wire_->on_report({});
 }
 
 bool Team::leave(bool failed) {
   if (ended_) return failed && leads();
-  if (sharing_) {
-    if (leads()) wire_->close_counter();
-    wire_->end_counter(true);
-    sharing_ = false;
-  }
   const TeamWire::Words heard = gather(true, failed, false, 0);
   return failed && heard[kFailed] == size() - rank();
 }

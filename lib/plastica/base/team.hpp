@@ -60,8 +60,10 @@ class Team {
   bool has_shared() const { return has_shared_; }
 
   /// See `TeamWire`; while work is shared.
-  void tell(const Counts& own) { wire_->tell(own); }
-  void on_told(std::function<void(const Counts& others)> heard) { wire_->on_told(std::move(heard)); }
+  void report(const Counts& own) { wire_->report(own); }
+  void on_report(std::function<void(const Counts& others)> heard) {
+    wire_->on_report(std::move(heard));
+  }
 
   /// To be called by each process last, whether it has failed or not. Waits for all.
   /// @return whether this one has failed and none before it: it says why
@@ -69,15 +71,15 @@ class Team {
 
  private:
   std::optional<std::size_t> next(StopFlag stop);
+  void end_sharing(bool stopped);
   TeamWire::Words gather(bool leaves, bool fails, bool stopped, std::uint64_t digest);
 
   std::unique_ptr<TeamWire> wire_;
   std::mutex mutex_;  ///< of the part
   GuidedParts parts_;
   GuidedParts::Part part_;
-  bool sharing_ = false;  ///< the counter is open
   bool has_shared_ = false;
-  bool ended_ = false;    ///< the others wait for nobody any more
+  bool ended_ = false;  ///< the others wait for nobody any more
 };
 
 /// Has `work` do 0 … count-1, with the others of a team where there is one.

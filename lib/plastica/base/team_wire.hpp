@@ -31,6 +31,9 @@ class TeamWire {
   /// The next number, which no other process gets; nothing once the counter is closed. One call at
   /// a time in each process.
   virtual std::optional<std::uint64_t> count_up() = 0;
+  /// Whether the counter is closed, as this process knows; others than process 0 learn it soon. One
+  /// call at a time in each process.
+  virtual bool is_closed() = 0;
   /// Lets `count_up` of all processes give nothing from now on. Of process 0 alone.
   virtual void close_counter() = 0;
   /// Ends the handing out; to be called by all. Process 0 waits for the others, and closes the
@@ -39,10 +42,10 @@ class TeamWire {
 
   /// Tells process 0 what this one has counted, soon. By any thread, between the opening and the
   /// end of the counter.
-  virtual void tell(const Counts& own) = 0;
+  virtual void report(const Counts& own) = 0;
   /// Sets what is called in process 0, by a thread of its own, with the sum of what the others have
-  /// told.
-  virtual void on_told(std::function<void(const Counts& others)> heard) = 0;
+  /// reported.
+  virtual void on_report(std::function<void(const Counts& others)> heard) = 0;
 };
 
 }  // namespace plastica

@@ -121,8 +121,8 @@ struct CaseJournal::Marks {
     if (records > 0 && !policy.force) {
       const std::string what = shard ? words_of(shard->shard) + " already"
                                      : std::string("the journal of an interrupted run");
-      refuse("is " + what + ", with " + std::to_string(records) + " finished " +
-             std::string(noun) + ": use --resume to go on or --force to start afresh");
+      refuse("is " + what + ", with " + std::to_string(records) + " finished " + std::string(noun) +
+             ": use --resume to go on or --force to start afresh");
     }
     return false;
   }
@@ -136,10 +136,17 @@ CaseJournal::CaseJournal(const JournalPolicy& policy, std::uint64_t kind, std::s
       shard_(policy.shard) {
   if (policy.merged != nullptr) {
     take_merged(*policy.merged, kind);
-  } else if (team_ != nullptr && !team_->leads()) {
-    follow();
-  } else {
-    lead(policy, noun);
+    return;
+  }
+  try {
+    if (team_ != nullptr && !team_->leads()) {
+      follow();
+    } else {
+      lead(policy, noun);
+    }
+  } catch (...) {
+    remove_if_empty();  // no destructor follows
+    throw;
   }
 }
 
@@ -220,7 +227,7 @@ void CaseJournal::take_records(std::vector<JournalRecord> records) {
   }
 }
 
-/// In whatever order they are.
+/// The same for every order of the records.
 std::uint64_t CaseJournal::digest_of_found() const {
   std::uint64_t sum = 0;
   for (const auto& [id, payload] : found_) sum += Digest().text(id).bytes(payload).value();
@@ -305,7 +312,9 @@ void CaseJournal::end_shard() {
   journal_->sync();
 }
 
-CaseJournal::~CaseJournal() {
+CaseJournal::~CaseJournal() { remove_if_empty(); }
+
+void CaseJournal::remove_if_empty() {
   if (!journal_ || !empty_) return;
   try {
     journal_->remove();
@@ -343,7 +352,10 @@ void CaseJournal::gather(bool everyone) {
     if (rank == team_->rank() || (!everyone && !team_->leads())) continue;
     const std::string path = team_journal_path(path_, rank);
     JournalContent content = read_open_journal(path, kind_);
-    if (content.state != JournalState::Usable) throw StorageError(path, "is gone, or damaged");
+    if (content.state != JournalState::Usable) throw StorageError(path, "is gone");
+    if (content.damaged > 0 || content.dropped_bytes > 0) {
+      throw StorageError(path, "is damaged: --resume runs again what it has lost");
+    }
     for (const JournalRecord& record : content.records) gathered_.insert(record.id);
     take_records(std::move(content.records));
   }

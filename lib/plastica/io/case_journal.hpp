@@ -103,8 +103,8 @@ class CaseJournal {
   void keep(std::string_view id, std::span<const std::byte> payload);
   /// Forces all cases to the disk now. @throws StorageError
   void sync();
-  /// Lets `find` and `find_gathered` know what the other processes of a team have kept. To be called
-  /// by all of them, which keep nothing meanwhile.
+  /// Lets `find` and `find_gathered` know what the other processes of a team have kept. To be
+  /// called by all of them, which keep nothing meanwhile.
   /// @param everyone  in all processes; false: in process 0
   /// @throws StorageError
   void gather(bool everyone);
@@ -119,6 +119,7 @@ class CaseJournal {
   void go_on(std::vector<FoundJournal> found, const Marks& marks);
   void follow();
   void mark_instruction_set();
+  void remove_if_empty();
   void take_records(std::vector<JournalRecord> records);
   std::uint64_t digest_of_found() const;
   void take_merged(const MergedShards& merged, std::uint64_t kind);
@@ -134,8 +135,8 @@ class CaseJournal {
   std::optional<ShardOfRun> shard_;
   std::unordered_map<std::string, std::vector<std::byte>> found_;
   std::unordered_set<std::string> gathered_;  ///< ids of those that other processes have kept
-  std::optional<ShardMark> found_shard_;  ///< what the file that was found is a shard of
-  std::optional<ShardMark> merged_;       ///< of the run whose shards have all cases
+  std::optional<ShardMark> found_shard_;      ///< what the file that was found is a shard of
+  std::optional<ShardMark> merged_;           ///< of the run whose shards have all cases
   bool shard_ended_ = false;
   std::optional<Journal> journal_;
   std::uint64_t dropped_bytes_ = 0;

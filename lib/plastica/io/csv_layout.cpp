@@ -76,11 +76,13 @@ bool shows_decimal(const std::vector<Line>& sample, const Dialect& dialect) {
   return false;
 }
 
-/// Whether a separator cuts any line. A blank stands for tabs, too.
+/// Whether a separator cuts any line. A blank stands for tabs, too, and the end of a quote cuts
+/// there.
 bool cuts(const std::vector<Line>& sample, char separator) {
+  const auto cuts_at_blank = [](char c) { return c == '\t' || c == '"'; };
   return std::ranges::any_of(sample, [=](const Line& line) {
     return line.text.find(separator) != std::string_view::npos ||
-           (separator == ' ' && line.text.find('\t') != std::string_view::npos);
+           (separator == ' ' && std::ranges::any_of(line.text, cuts_at_blank));
   });
 }
 

@@ -9,7 +9,7 @@
 /// Not installed.
 namespace plastica {
 
-/// What a scene says and nobody means: numbers that no material has, as after a wrong unit, and
+/// What is likely to be a mistake in a scene: numbers that no solid has, as after a wrong unit, and
 /// what has no effect.
 /// @param model     of the scene, as it ran
 /// @param response  of that run

@@ -226,8 +226,8 @@ std::optional<std::string> covered_region(const Facts& facts) {
   const std::vector<double>& ends = facts.layout.ends;
   for (std::size_t later = 1; later < regions.size(); ++later) {
     for (std::size_t i = 0; i < later; ++i) {
-      const double from = std::max(fraction_of(regions[i].from, ends),
-                                   fraction_of(regions[later].from, ends));
+      const double from =
+          std::max(fraction_of(regions[i].from, ends), fraction_of(regions[later].from, ends));
       const double to =
           std::min(fraction_of(regions[i].to, ends), fraction_of(regions[later].to, ends));
       if (!(to > from + 1e-9)) continue;

@@ -5,6 +5,7 @@
 #include <mutex>
 #include <optional>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include "calibrate/fit/fit.hpp"
@@ -81,9 +82,9 @@ TEST_F(TeamBatch, GivesTheSameBitsAsOneProcess) {
 // With another number of processes each time, or one without a team.
 TEST_F(TeamBatch, GoesOnAfterAStopWithAnyNumberOfProcesses) {
   std::size_t done = 0;
-  for (const std::size_t size : {3, 2, 0, 4}) {
+  for (const std::size_t size : {3, 2, 0}) {  // of 13 at most 2 each of a process
     const Ran ran = run(size, true, 1);
-    if (ran.complete) break;
+    EXPECT_FALSE(ran.complete) << size;
     EXPECT_GE(ran.resumed, done) << size;
     done = ran.resumed;
   }
@@ -142,11 +143,15 @@ TEST_F(TeamBatch, RefusesProcessesThatReadOtherCurves) {
 TEST_F(TeamBatch, TellsItsLeaderHowFarAllAre) {
   std::mutex mutex;
   std::size_t most = 0;
+  bool heard_of_others = false;
   rethrow(run_team(3, [&](Team& team) {
-    const auto progress = [&, leads = team.leads()](const BatchProgress& p) {
+    const auto progress = [&, leads = team.leads(),
+                           own = std::this_thread::get_id()](const BatchProgress& p) {
       const std::lock_guard lock(mutex);
       EXPECT_LE(p.done, p.total);
-      if (leads) most = std::max(most, p.done);
+      if (!leads) return;
+      most = std::max(most, p.done);
+      heard_of_others = heard_of_others || std::this_thread::get_id() != own;
     };
     JournaledBatch batch(
         targets_, options_,
@@ -154,6 +159,7 @@ TEST_F(TeamBatch, TellsItsLeaderHowFarAllAre) {
     batch.run();
   }));
   EXPECT_EQ(most, targets_.size());
+  EXPECT_TRUE(heard_of_others);  // before the results of all are there
 }
 
 }  // namespace

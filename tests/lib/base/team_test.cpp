@@ -4,8 +4,12 @@
 
 #include <array>
 #include <atomic>
+#include <chrono>
+#include <functional>
+#include <mutex>
 #include <stdexcept>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include "plastica/base/check.hpp"
@@ -174,15 +178,55 @@ TEST(Team, LetsTheFirstThatFailedSpeak) {
   EXPECT_EQ(speaks, (std::array{false, true, false}));
 }
 
+// What listens may be gone when an exception has left the leader's work.
+TEST(Team, TellsNobodyOnceTheLeadersWorkHasFailed) {
+  std::atomic<bool> has_left = false;
+  std::atomic<int> too_late = 0;
+  const Ends ends = run_team(3, [&](Team& team) {
+    team.on_report([&](const Team::Counts&) { too_late += has_left ? 1 : 0; });
+    try {
+      team.share(100, nullptr, [&](const NextIndex& next) {
+        std::uint64_t done = 0;
+        while (next()) {
+          if (team.leads()) throw std::runtime_error("a full disk");
+          team.report({++done, 0, 0});
+        }
+        std::this_thread::sleep_for(std::chrono::milliseconds(5));
+        team.report({++done, 0, 0});  // of what was under way
+      });
+    } catch (const std::runtime_error&) {
+      if (team.leads()) has_left = true;
+      throw;
+    }
+  });
+  EXPECT_EQ(too_late, 0);
+  EXPECT_TRUE(ends[0] && ends[1] && ends[2]);
+}
+
+// The first part of a process is a quarter of all that there is to do.
+TEST(Team, EndsItsPartsWhereAnotherIsStopped) {
+  std::atomic<std::size_t> done = 0;
+  rethrow(run_team(2, [&](Team& team) {
+    const std::atomic<bool> stop = team.rank() == 1;
+    team.share(4000, &stop, [&](const NextIndex& next) {
+      while (next()) {
+        ++done;
+        std::this_thread::sleep_for(std::chrono::milliseconds(1));
+      }
+    });
+  }));
+  EXPECT_LT(done, 500U);
+}
+
 TEST(Team, TellsItsLeaderWhatTheOthersHaveCounted) {
   std::mutex mutex;
   Team::Counts last{};
   rethrow(run_team(3, [&](Team& team) {
-    team.on_told([&](const Team::Counts& others) {
+    team.on_report([&](const Team::Counts& others) {
       const std::lock_guard lock(mutex);
       last = {std::max(last[0], others[0]), std::max(last[1], others[1]), 0};
     });
-    team.share(100, nullptr, [&](const NextIndex&) { team.tell({team.rank() * 10, 1, 0}); });
+    team.share(100, nullptr, [&](const NextIndex&) { team.report({team.rank() * 10, 1, 0}); });
   }));
   EXPECT_EQ(last, (Team::Counts{30, 2, 0}));
 }

@@ -1,0 +1,104 @@
+#include "plastica/run/scene_warnings.hpp"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <functional>
+#include <numbers>
+#include <string>
+
+#include "tests/lib/run/warnings_of.hpp"
+
+namespace plastica {
+namespace {
+
+using testing::cantilever;
+
+/// The lowest frequency of a clamped bar is 3.516/(2 pi) sqrt(E I/(rho A))/L^2.
+TEST(PathWarnings, SayWhereSamplesMissTheBeamsSwing) {
+  const auto sampled = [](double in_period) {
+    Scene scene = cantilever();
+    SolverOptions options;
+    options.analysis = Analysis::Dynamics;
+    options.time_step = 1e-4;
+    options.steps = 20;
+    const Material& m = scene.material;
+    const SectionProperties p = section_properties(scene.section, m.poisson_ratio);
+    const double length = scene.beam.length;
+    const double frequency =
+        3.516 / (2.0 * std::numbers::pi) *
+        std::sqrt(m.youngs_modulus * p.second_moment_x / (m.density * p.area)) / (length * length);
+    options.duration = options.steps / (in_period * frequency);
+    return scene_warnings(prepare(scene, options));
+  };
+  EXPECT_TRUE(warns(sampled(1.5), "are not those of the motion"));
+  EXPECT_FALSE(warns(sampled(2.1), "are not those of the motion"));
+  EXPECT_TRUE(warns(sampled(3.0), "extremes lack up to 50 % of such a swing"));  // 1 - cos(60 deg)
+  EXPECT_FALSE(warns(sampled(4.2), "samples every"));
+}
+
+TEST(PathWarnings, SayWhereARampGrowsWithALongerHistory) {
+  const auto with = [](const std::function<void(Scene&)>& change) {
+    return warnings_of([&](Scene& s) {
+      s.loads[0].history = History::turning_points({1.0, -1.0, 0.0});
+      change(s);
+    });
+  };
+  EXPECT_TRUE(warns(with([](Scene& s) {
+                      s.gravity = {0.0, -9.81, 0.0};
+                    }),
+                    "gravity follows a ramp, and the path ends at 3 s"));
+  EXPECT_TRUE(warns(with([](Scene& s) {
+                      s.loads.push_back({.force = {0.0, 1.0, 0.0}});
+                    }),
+                    "load[2] follows a ramp"));
+  EXPECT_FALSE(warns(with([](Scene&) {}), "follows a ramp"));
+  EXPECT_FALSE(warns(with([](Scene& s) {
+                       s.gravity = {0.0, -9.81, 0.0};
+                       s.gravity_history = History::constant();
+                     }),
+                     "follows a ramp"));
+  EXPECT_FALSE(warns(warnings_of([](Scene& s) {
+                       s.gravity = {0.0, -9.81, 0.0};
+                     }),
+                     "follows a ramp"));
+}
+
+// Z/W of a rectangle is 3/2.
+TEST(PathWarnings, SayThatFullyPlasticJointsHardenTooSteeply) {
+  const auto of = [](YieldCap yield_cap, HardeningLaw law, YieldModel model) {
+    return warns(warnings_of([=](Scene& s) {
+                   s.yield_cap = yield_cap;
+                   s.yield_model = model;
+                   s.material.hardening.law = law;
+                   s.material.hardening.tangent_modulus = 1e9;
+                 }),
+                 "harden 1.5 times as steeply");
+  };
+  using enum YieldCap;
+  EXPECT_TRUE(of(FullyPlastic, HardeningLaw::Linear, YieldModel::Interaction));
+  EXPECT_FALSE(of(FullyPlastic, HardeningLaw::Ideal, YieldModel::Interaction));
+  EXPECT_FALSE(of(FirstYield, HardeningLaw::Linear, YieldModel::Interaction));
+}
+
+TEST(PathWarnings, SayWhereARegionCoversAnother) {
+  const auto with = [](double from) {
+    return warnings_of([=](Scene& s) {
+      Region one;
+      one.from = {0.0, {}};
+      one.to = {0.5, {}};
+      one.section = s.section;
+      one.material = s.material;
+      Region other = one;
+      other.from = {from, {}};
+      other.to = {1.0, {}};
+      s.regions = {one, other};
+    });
+  };
+  EXPECT_TRUE(warns(with(0.25), "region[2] lies over region[1] from 0.25 to 0.5 of the length"));
+  EXPECT_FALSE(warns(with(0.5), "lies over"));
+}
+
+}  // namespace
+}  // namespace plastica
