@@ -55,7 +55,10 @@ Team* RunTeam::join(const std::string& command_line) {
     if (!first) throw TeamLeft(true);
     throw InputError({}, "processes", std::to_string(process->count), rule);
   };
-  std::unique_ptr<MpiWire> wire = join_mpi();
+  std::unique_ptr<MpiWire> wire;
+#ifdef PLASTICA_HAS_MPI
+  wire = join_mpi();
+#endif
   if (wire == nullptr) {
     refuse(
         "were started, and plastica is built without MPI: give --shard auto and merge, or build "
