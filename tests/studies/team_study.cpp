@@ -39,7 +39,7 @@ TEST(TeamSimulation, OfOneProcessIsTheSum) {
 // Alike fits, without other costs: as many rounds as the fullest process has fits.
 TEST(TeamSimulation, OfAlikeFitsTakesWholeRounds) {
   const std::vector<double> seconds(100, 2.0);
-  for (const std::size_t processes : {1, 2, 3, 7, 64, 100, 200}) {
+  for (const std::size_t processes : {1U, 2U, 3U, 7U, 64U, 100U, 200U}) {
     const double rounds = std::ceil(100.0 / static_cast<double>(processes));
     for (const Dealing dealing : {Dealing::Single, Dealing::Equal}) {
       EXPECT_NEAR(simulate_team(seconds, processes, dealing, {}).whole, 2.0 * rounds, 1e-9);
@@ -65,7 +65,7 @@ TEST(TeamSimulation, IsBoundByTheAnswersOfProcessZero) {
 TEST(TeamSimulation, KeepsTheBoundsOfListScheduling) {
   std::mt19937_64 random(5);
   std::lognormal_distribution<double> draw(0.0, 1.5);
-  for (const std::size_t processes : {2, 5, 16, 50}) {
+  for (const std::size_t processes : {2U, 5U, 16U, 50U}) {
     std::vector<double> seconds(400);
     for (double& one : seconds) one = draw(random);
     const double sum = std::accumulate(seconds.begin(), seconds.end(), 0.0);
@@ -128,7 +128,7 @@ TEST(TeamStudy, GuidedPartsAreAsGoodAsSingleOnesWithATenthOfTheQuestions) {
     const std::vector<double> seconds = times_of(work);
     const TeamCosts costs = costs_of(work);
     if (prints) std::printf("%s\n", work.name);
-    for (const std::size_t processes : {1, 2, 4, 16, 64, 256, 1024, 4096}) {
+    for (const std::size_t processes : {1U, 2U, 4U, 16U, 64U, 256U, 1024U, 4096U}) {
       std::array<TeamRun, 3> runs;
       for (std::size_t k = 0; k < 3; ++k) {
         runs[k] = simulate_team(seconds, processes, kDealings[k], costs);

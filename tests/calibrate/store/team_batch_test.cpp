@@ -71,7 +71,7 @@ class TeamBatch : public ::testing::Test {
 };
 
 TEST_F(TeamBatch, GivesTheSameBitsAsOneProcess) {
-  for (const std::size_t size : {1, 2, 3, 8, 20}) {  // more than there are fits, too
+  for (const std::size_t size : {1U, 2U, 3U, 8U, 20U}) {  // more than there are fits, too
     const Ran ran = run(size, false);
     EXPECT_TRUE(ran.complete) << size;
     EXPECT_TRUE(same_bits(ran.results, reference_)) << size;
@@ -82,13 +82,13 @@ TEST_F(TeamBatch, GivesTheSameBitsAsOneProcess) {
 // With another number of processes each time, or one without a team.
 TEST_F(TeamBatch, GoesOnAfterAStopWithAnyNumberOfProcesses) {
   std::size_t done = 0;
-  for (const std::size_t size : {3, 2, 0}) {  // of 13 at most 2 each of a process
+  for (const std::size_t size : {3U, 2U, 0U}) {  // of 13 at most 2 each of a process
     const Ran ran = run(size, true, 1);
     EXPECT_FALSE(ran.complete) << size;
     EXPECT_GE(ran.resumed, done) << size;
     done = ran.resumed;
   }
-  for (const std::size_t size : {2, 0}) {
+  for (const std::size_t size : {2U, 0U}) {
     const Ran ran = run(size, true, 0, size == 0);  // kept, and found complete by the next
     EXPECT_TRUE(same_bits(ran.results, reference_)) << size;
     if (size == 0) {

@@ -13,14 +13,15 @@
 #include <vector>
 
 #include "plastica/base/check.hpp"
+#include "plastica/base/parallel_for.hpp"
 #include "tests/support/thread_team.hpp"
 
 namespace plastica {
 namespace {
 
 TEST(GuidedParts, HoldEachNumberOnceLargePartsFirst) {
-  for (const std::size_t count : {0, 1, 2, 7, 64, 1000, 12345}) {
-    for (const std::size_t workers : {1, 2, 3, 64, 4096}) {
+  for (const std::size_t count : {0U, 1U, 2U, 7U, 64U, 1000U, 12345U}) {
+    for (const std::size_t workers : {1U, 2U, 3U, 64U, 4096U}) {
       const GuidedParts parts(count, workers);
       std::size_t next = 0;
       std::size_t last_size = count + 1;
@@ -56,8 +57,8 @@ TEST(GuidedParts, AreFew) {
 }
 
 TEST(Team, DoesEachNumberOnceInWhicheverMember) {
-  for (const std::size_t size : {1, 2, 5}) {
-    for (const std::size_t count : {0, 1, 3, 1000}) {
+  for (const std::size_t size : {1U, 2U, 5U}) {
+    for (const std::size_t count : {0U, 1U, 3U, 1000U}) {
       std::vector<std::atomic<int>> done(count);
       std::vector<std::atomic<int>> once(count);
       const Ends ends = run_team(size, [&](Team& team) {
@@ -85,7 +86,7 @@ TEST(Team, HandsOutToThreadsOfEachMember) {
 }
 
 TEST(Team, StopsWhereOneOfThemIsStopped) {
-  for (const std::size_t stopped : {0, 2}) {
+  for (const std::size_t stopped : {0U, 2U}) {
     std::atomic<std::size_t> done = 0;
     std::array<bool, 3> heard{};
     rethrow(run_team(3, [&](Team& team) {
@@ -157,7 +158,7 @@ TEST(Team, RefusesWhatIsNotTheSameInAll) {
     return [other](Team& team) { team.agree(team.rank() == other ? 3 : 7, "inputs"); };
   };
   const std::string refused = "processes = 3: do not have the same inputs";
-  for (const std::size_t other : {0, 1, 2}) {
+  for (const std::size_t other : {0U, 1U, 2U}) {
     EXPECT_EQ(ends_of(digest_of(other)), (Texts{refused, "left", "left"})) << other;
   }
   EXPECT_EQ(ends_of(digest_of(3)), (Texts{"", "", ""}));

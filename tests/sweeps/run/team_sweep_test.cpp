@@ -74,7 +74,7 @@ class TeamSweep : public ::testing::Test {
 };
 
 TEST_F(TeamSweep, GivesTheSameBitsAsOneProcess) {
-  for (const std::size_t size : {1, 2, 3, 12}) expect_reference(run(size, false));
+  for (const std::size_t size : {1U, 2U, 3U, 12U}) expect_reference(run(size, false));
 }
 
 TEST_F(TeamSweep, GoesOnAfterAStopWithAnyNumberOfProcesses) {
