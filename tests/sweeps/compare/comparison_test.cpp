@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 #include <utility>
 
 #include "sweeps/compare/convergence.hpp"
@@ -170,6 +171,38 @@ TEST(Compare, TakesAStoredCurveUpToTheCasesEnd) {
   made.results[0].last_time = 3.5;
   EXPECT_EQ(made.compared().reason[0], "the reference does not reach over the case's times");
   EXPECT_FALSE(made.compared().error[0].has_value());
+}
+
+// A sine of eight periods, exact in the case; straight lines between n rows a period are off by
+// (2 pi/n)^2 sqrt(1/120) of its rms.
+TEST(Compare, SaysWhatTheRowsOfAStoredCurveLeaveOut) {
+  const auto made_of = [](int rows, int samples) {
+    Made made(
+        segments_axis("[4, 8]") + "[error]\nprobe = 'tip'\ntake = 'curve'\nagainst = 'finest'\n",
+        {kNone, kNone});
+    const auto sine = [](int n, std::vector<double>& time, std::vector<double>& curve) {
+      time.clear();
+      curve.clear();
+      for (int k = 0; k <= 8 * n; ++k) {
+        time.push_back(static_cast<double>(k) / n);
+        curve.push_back(std::sin(2.0 * std::numbers::pi * time.back()));
+      }
+    };
+    made.sweep.against = {.kind = AgainstKind::File};
+    sine(rows, made.sweep.against.time, made.sweep.against.curve);
+    sine(samples, made.results[0].time, made.results[0].curve);
+    return made.compared();
+  };
+  const Comparison coarse = made_of(16, 160);
+  const double exact = std::pow(2.0 * std::numbers::pi / 16.0, 2) / std::sqrt(120.0);
+  EXPECT_NEAR(coarse.error[0].value_or(0.0), exact, 0.05 * exact);
+  ASSERT_EQ(coarse.notes.size(), 1U);
+  EXPECT_TRUE(
+      coarse.notes[0].starts_with("the reference is drawn straight between its 129 rows, "
+                                  "which leaves out about 1.4 %"))
+      << coarse.notes[0];
+  EXPECT_TRUE(made_of(16, 16).notes.empty());  // at its rows it is what it is
+  EXPECT_TRUE(made_of(160, 100).notes.empty());
 }
 
 TEST(Compare, HasNoErrorOfARunThatEndedBeforeItsClosedForm) {
