@@ -40,7 +40,12 @@ std::optional<std::string> slower_out_of_plane(const Model& model, const Setup& 
     return unloaded_frequencies(setup.scene, solver, mode).back();
   };
   const double own = of(model.level);
-  const double all = of(Level::Spatial);
+  double all = own;
+  try {
+    all = of(Level::Spatial);
+  } catch (const InputError&) {
+    return std::nullopt;  // the scene is one of its plane alone
+  }
   if (!(all < own * (1.0 - 1e-3))) return std::nullopt;
   using model_detail::figure;
   return fmt::format(

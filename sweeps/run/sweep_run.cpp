@@ -167,7 +167,6 @@ void SweepRun::run_missing(const std::vector<std::size_t>& missing, const NextIn
               {.threads = threads, .stop = options_.stop, .next = next});
     return;
   }
-  std::mutex taking;
   parallel_for(missing.size(), {threads, options_.stop, next}, [&](std::size_t k, int) {
     CaseResult result;
     try {
@@ -177,7 +176,6 @@ void SweepRun::run_missing(const std::vector<std::size_t>& missing, const NextIn
     } catch (const InputError& error) {
       result = rejected(error.what());
     }
-    const std::lock_guard lock(taking);
     take(missing[k], std::move(result));
   });
 }

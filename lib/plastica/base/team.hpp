@@ -32,7 +32,7 @@ class TeamLeft : public std::runtime_error {
 /// The processes that compute one run together. All of them read the same inputs; each computes
 /// what it gets when it is free. Process 0 leads: it computes, too, and it alone writes the result.
 ///
-/// All processes make the same calls in the same order, but for `next` and `tell`. Whichever fails
+/// All processes make the same calls in the same order, but for `report`. Whichever fails
 /// leaves, and the others throw TeamLeft from where they would wait for it next.
 class Team {
  public:

@@ -12,8 +12,9 @@ namespace plastica::run_detail {
 
 std::optional<double> lowest_frequency(const Model& model) {
   constexpr int kRigid = 6;  // modes of motion of a body that nothing holds
-  const std::vector<double> all =
-      unloaded_frequencies(model, std::min(chain_freedoms(model), kRigid + 1));
+  const int freedoms = chain_freedoms(model);
+  if (freedoms == 0) return std::nullopt;  // supports hold all of its segments
+  const std::vector<double> all = unloaded_frequencies(model, std::min(freedoms, kRigid + 1));
   const auto first = std::ranges::find_if(all, [](double frequency) { return frequency > 0.0; });
   return first == all.end() ? std::nullopt : std::optional(*first);
 }

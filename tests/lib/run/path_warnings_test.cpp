@@ -38,6 +38,20 @@ TEST(PathWarnings, SayWhereSamplesMissTheBeamsSwing) {
   EXPECT_FALSE(warns(sampled(4.2), "samples every"));
 }
 
+// Two segments, each clamped at its outer end: nothing can move, and there is no frequency.
+TEST(PathWarnings, SayNothingOfSamplesWhereSupportsHoldEverySegment) {
+  Scene scene = testing::cantilever();
+  scene.beam.segments = 2;
+  scene.end_rule = EndRule::Equal;
+  scene.supports.push_back({.at = {1.0, {}}, .kind = SupportKind::Clamp});
+  scene.loads[0].force = {};
+  scene.loads[0].moment = {0.0, 0.0, 1.0};
+  SolverOptions options;
+  options.analysis = Analysis::Dynamics;
+  options.duration = 1.0;
+  EXPECT_FALSE(warns(scene_warnings(prepare(scene, options)), "samples every"));
+}
+
 TEST(PathWarnings, SayWhereARampGrowsWithALongerHistory) {
   const auto with = [](const std::function<void(Scene&)>& change) {
     return warnings_of([&](Scene& s) {
