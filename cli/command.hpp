@@ -46,6 +46,7 @@ void add_diff(CLI::App& app, Action& action);
 void add_merge(CLI::App& app, const RunAgain& run, Action& action);
 void add_show(CLI::App& app, Action& action);
 void add_plot(CLI::App& app, Action& action);
+void add_report(CLI::App& app, Action& action);
 void add_export(CLI::App& app, Action& action);
 void add_fields(CLI::App& app, Action& action);
 

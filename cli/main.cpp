@@ -61,6 +61,7 @@ void add_commands(CLI::App& app, const plastica::cli::Invocation& invocation,
   plastica::cli::add_diff(app, action);
   plastica::cli::add_show(app, action);
   plastica::cli::add_plot(app, action);
+  plastica::cli::add_report(app, action);
   plastica::cli::add_export(app, action);
   plastica::cli::add_fields(app, action);
 }

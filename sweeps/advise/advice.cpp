@@ -134,6 +134,10 @@ Advice advise(const Setup& setup, const AdviceOptions& options) {
   Advice advice = filled_advice(runs, found.candidate, found.finest, within);
   advice.end = found.end;
   advice.cut_short = found.cut_short;
+  const Trial& trial = found.candidate.trial;
+  if (found.end != AdviceEnd::Interrupted && runs.has(trial)) {
+    advice.warnings = runs.warnings_of(trial);
+  }
   return advice;
 }
 

@@ -101,6 +101,7 @@ struct Advice {
   TriedSetting own;                          ///< the scene's file as it is, if it was run
   std::vector<TriedSetting> tried;           ///< all that ran to an end that can be used
   std::vector<std::string> left_out;         ///< probes that are given, or errors themselves
+  std::vector<std::string> warnings{};       ///< of the setting, see `run_warnings`
   int runs = 0;
   double total_seconds = 0.0;   ///< CPU time of all runs
   std::int64_t total_work = 0;  ///< of all runs

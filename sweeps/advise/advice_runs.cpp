@@ -8,6 +8,7 @@
 
 #include "plastica/base/parallel_for.hpp"
 #include "sweeps/advise/grading.hpp"
+#include "sweeps/run/case_warnings.hpp"
 
 namespace plastica::sweeps {
 namespace {
@@ -217,6 +218,12 @@ double AdviceRuns::expected_work(const Trial& from, const Trial& to) const {
 
 double AdviceRuns::expected_cost(const Trial& from, const Trial& to) const {
   return expected_work(from, to) * kernel_cost(setup_of(to)) / kernel_cost(setup_of(from));
+}
+
+std::vector<std::string> AdviceRuns::warnings_of(const Trial& trial) const {
+  // Twice what it took, which it does not take but for rounding in the limit.
+  const LimitedRun again = run(trial, {2.0 * cost(trial), false});
+  return warnings_of_run(setup_of(trial), again.row.response);
 }
 
 double AdviceRuns::expected_seconds(const Trial& trial) const {

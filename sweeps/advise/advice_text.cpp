@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstddef>
 
+#include "plastica/report/format.hpp"
 #include "sweeps/plan/sweep.hpp"
 
 namespace plastica::sweeps {
@@ -183,6 +184,9 @@ std::string advice_text(const Advice& advice, const AdviceOptions& options,
   text += '\n';
   for (const std::string& probe : advice.left_out) {
     text += fmt::format("note: {} is not looked at: it is given, or an error itself\n", probe);
+  }
+  for (const std::string& warning : advice.warnings) {
+    text += "warning: " + report::printable(warning) + "\n";
   }
   return text;
 }

@@ -10,6 +10,7 @@
 #include "plastica/base/parallel_for.hpp"
 #include "plastica/run/batch.hpp"
 #include "sweeps/check/judge_fits.hpp"
+#include "sweeps/run/case_warnings.hpp"
 #include "sweeps/run/measure.hpp"
 #include "sweeps/run/sweep_run.hpp"
 
@@ -117,6 +118,7 @@ class CheckRuns {
     const auto rows = run_batch(one, {.threads = 1, .stop = options_.stop});
     for (const std::size_t k : claims) {
       results[k] = result_of(rows.front(), file_.scenes[k].quantity);
+      results[k].warnings = warnings_of_run(first.setup, rows.front().response);
     }
   }
 

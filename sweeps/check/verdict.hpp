@@ -18,7 +18,7 @@ struct ClaimVerdict {
   std::string at{};      ///< whose it is: "at beam.segments = 5"; empty: nothing else is there
   std::string found{};   ///< what was found that is no number: "completed", "265 … 290 MPa"
   std::string beside{};  ///< what else is to be said: "tip, end -0.75 m, reference -0.735 m"
-  std::vector<std::string> warnings{};  ///< of the scenes that it is about, see `case_warnings`
+  std::vector<std::string> warnings{};  ///< of the cases that it is about, see `case_warnings`
   /// What the claim took: the time of what it is about, shared by all claims about that [s].
   double seconds = 0.0;
 };

@@ -7,6 +7,7 @@
 
 #include "plastica/model/check_value.hpp"
 #include "plastica/run/natural_frequencies.hpp"
+#include "plastica/run/run_warnings.hpp"
 #include "plastica/run/sample_warning.hpp"
 #include "plastica/run/scene_warnings.hpp"
 #include "plastica/run/simulate.hpp"
@@ -15,15 +16,6 @@ namespace plastica::sweeps {
 namespace {
 
 constexpr std::size_t kMostCases = 16;
-
-std::vector<std::size_t> looked_at(std::size_t cases) {
-  std::vector<std::size_t> chosen;
-  const std::size_t count = std::min(cases, kMostCases);
-  for (std::size_t k = 0; k < count; ++k) {
-    chosen.push_back(count == 1 ? 0 : k * (cases - 1) / (count - 1));
-  }
-  return chosen;
-}
 
 /// Alike: but for numbers.
 std::string without_numbers(std::string text) {
@@ -69,10 +61,15 @@ std::optional<std::string> too_short(const Model& model, const Quantity& quantit
       figure(*lowest * duration), figure(*lowest), figure(2.0 / duration));
 }
 
+/// What the run has shown, and what its quantity adds.
 /// @throws InputError of a case that cannot be run
-std::vector<std::string> warnings_of(const Setup& setup, const Quantity& quantity) {
+std::vector<std::string> warnings_of(const Setup& setup, const Quantity& quantity,
+                                     const CaseResult& result) {
+  if (quantity.kind == QuantityKind::Fit) return result.warnings;
   const Model model = prepare(setup.scene, setup.solver);
-  std::vector<std::string> warnings = scene_warnings(model);
+  // A run without any has none of these; they are looked for where it kept none.
+  std::vector<std::string> warnings =
+      result.warnings.empty() ? scene_warnings(model) : result.warnings;
   const bool is_frequency = quantity.kind == QuantityKind::NaturalFrequency ||
                             quantity.kind == QuantityKind::LoadedFrequency;
   if (is_frequency && model.chain) {
@@ -85,20 +82,62 @@ std::vector<std::string> warnings_of(const Setup& setup, const Quantity& quantit
   return warnings;
 }
 
+/// A warning of one case or more, alike but for numbers.
+struct Said {
+  std::string text;  ///< of the last case that has it
+  std::size_t last = 0;
+  std::size_t cases = 0;
+  bool is_same = true;  ///< in all cases that have it
+};
+
+/// The values of the axes that take more than one: "beam.segments 8, solver.steps 10".
+std::string place_of(const Sweep& sweep, const CaseTable& cases, std::size_t index) {
+  const auto position = cases.position(index);
+  std::string place;
+  for (std::size_t a = 0; a < sweep.axes.size(); ++a) {
+    const Axis& axis = sweep.axes[a];
+    if (axis.values.size() < 2) continue;
+    if (!place.empty()) place += ", ";
+    place += axis.field->path;
+    place += ' ';
+    place += value_text(*axis.field, axis.values[position[a]]);
+  }
+  return place;
+}
+
+/// Which cases a warning is of, and whose numbers it has; empty where that goes without saying.
+std::string whose(const Said& said, std::size_t looked, bool of_all, const std::string& place) {
+  if (said.cases == looked && said.is_same) return "";
+  if (said.cases == looked) return fmt::format("of all cases, at {}: ", place);
+  return fmt::format("of {} of {} cases{}, at {}: ", said.cases, looked,
+                     of_all ? "" : " that were looked at", place);
+}
+
 }  // namespace
 
-std::vector<std::string> case_warnings(const Sweep& sweep, const CaseTable& cases) {
-  struct Said {
-    std::string text;  ///< of the last case that has it
-    std::size_t cases = 0;
-  };
+std::vector<std::size_t> watched_cases(std::size_t cases) {
+  std::vector<std::size_t> chosen;
+  const std::size_t count = std::min(cases, kMostCases);
+  chosen.reserve(count);
+  for (std::size_t k = 0; k < count; ++k) {
+    chosen.push_back(count == 1 ? 0 : k * (cases - 1) / (count - 1));
+  }
+  return chosen;
+}
+
+std::vector<std::string> warnings_of_run(const Setup& setup, const Response& response) {
+  if (response.status == Status::Rejected || response.status == Status::NotRun) return {};
+  return run_warnings(setup.scene, setup.solver, prepare(setup.scene, setup.solver), response);
+}
+
+std::vector<std::string> case_warnings(const Sweep& sweep, const CaseTable& cases,
+                                       std::span<const CaseResult> results) {
   std::vector<Said> all;
   std::size_t looked = 0;
-  if (sweep.quantity.kind == QuantityKind::Fit) return {};  // a fit says its own
-  for (const std::size_t i : looked_at(cases.size())) {
+  for (const std::size_t i : watched_cases(cases.size())) {
     std::vector<std::string> warnings;
     try {
-      warnings = warnings_of(cases.setup(i), sweep.quantity);
+      warnings = warnings_of(cases.setup(i), sweep.quantity, results[i]);
     } catch (const InputError&) {
       continue;  // its row says why
     }
@@ -107,15 +146,18 @@ std::vector<std::string> case_warnings(const Sweep& sweep, const CaseTable& case
       const std::string words = without_numbers(text);
       auto said = std::ranges::find_if(
           all, [&](const Said& one) { return without_numbers(one.text) == words; });
-      if (said == all.end()) said = all.insert(all.end(), Said{});
+      if (said == all.end()) said = all.insert(all.end(), Said{text, i, 0, true});
+      said->is_same = said->is_same && said->text == text;
       said->text = std::move(text);
+      said->last = i;
       ++said->cases;
     }
   }
   std::vector<std::string> texts;
   texts.reserve(all.size());
-  for (Said& said : all) {
-    texts.push_back(said.cases == looked ? std::move(said.text) : "of some cases: " + said.text);
+  for (const Said& said : all) {
+    const bool of_all = cases.size() <= kMostCases;
+    texts.push_back(whose(said, looked, of_all, place_of(sweep, cases, said.last)) + said.text);
   }
   return texts;
 }

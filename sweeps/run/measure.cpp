@@ -7,6 +7,7 @@
 
 #include "plastica/run/natural_frequencies.hpp"
 #include "plastica/run/simulate.hpp"
+#include "sweeps/run/case_warnings.hpp"
 
 namespace plastica::sweeps {
 
@@ -57,6 +58,7 @@ CaseResult mode_about_load(const Sweep& sweep, const Setup& setup) {
   SolverOptions solver = setup.solver;
   solver.buckling = sweep.quantity.mode;
   const Response response = simulate(setup.scene, solver);
+  result.warnings = warnings_of_run(setup, response);
   result.status = response.status;
   // A straight column needs no iteration to stay straight; its modes are work, too.
   result.iterations = std::max(1, response.counters.iterations);
@@ -87,6 +89,7 @@ CaseResult fit(const Sweep& sweep, const Setup& setup, StopFlag stop) {
   result.value = parameter.value;
   if (std::isfinite(parameter.standard_error)) result.standard_error = parameter.standard_error;
   if (parameter.at_bound()) result.reason = "the parameter is at its bound";
+  result.warnings = fitted.warnings;
   return result;
 }
 

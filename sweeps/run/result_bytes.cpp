@@ -15,7 +15,7 @@ template <class Result, class Coder>
 void traverse(Result& r, Coder& code) {
   code(r.status, r.reason, r.level, r.value, r.time, r.curve, r.segments, r.iterations, r.cutbacks,
        r.last_time, r.last_value, r.energy_balance_error, r.standard_error, r.break_joint,
-       r.break_place, r.seconds);
+       r.break_place, r.seconds, r.warnings);
 }
 
 }  // namespace

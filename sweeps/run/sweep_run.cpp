@@ -11,6 +11,7 @@
 #include "plastica/io/digest.hpp"
 #include "plastica/run/batch.hpp"
 #include "plastica/run/response_size.hpp"
+#include "sweeps/run/case_warnings.hpp"
 #include "sweeps/run/measure.hpp"
 #include "sweeps/run/result_bytes.hpp"
 
@@ -35,6 +36,7 @@ SweepRun::SweepRun(const Sweep& sweep, SweepRunOptions options)
       ids_(cases_.size()),
       owner_(cases_.size()),
       shared_by_(cases_.size(), 0),
+      watched_(cases_.size(), false),
       results_(cases_.size()) {
   if (!options_.journal.path.empty()) {
     journal_.emplace(options_.journal, journal_kind(), "cases");
@@ -46,6 +48,7 @@ SweepRun::SweepRun(const Sweep& sweep, SweepRunOptions options)
     owner_[i] = first.emplace(ids_[i], i).first->second;
     ++shared_by_[owner_[i]];
   }
+  for (const std::size_t i : watched_cases(ids_.size())) watched_[owner_[i]] = true;
   deal();
   take_earlier();
   const std::size_t there = options_.earlier.size() + (journal_ ? journal_->found() : 0);
@@ -161,7 +164,10 @@ void SweepRun::run_missing(const std::vector<std::size_t>& missing, const NextIn
           ids_[missing[k]], std::move(setup.scene), setup.solver, {}, sweep_.timed_runs};
     };
     const auto finished = [&](std::size_t k, BatchRow&& row) {
-      take(missing[k], result_of(row, sweep_.quantity));
+      const std::size_t i = missing[k];
+      CaseResult result = result_of(row, sweep_.quantity);
+      if (watched_[i]) result.warnings = warnings_of_run(cases_.setup(i), row.response);
+      take(i, std::move(result));
     };
     run_batch(missing.size(), make, finished,
               {.threads = threads, .stop = options_.stop, .next = next});
@@ -176,6 +182,7 @@ void SweepRun::run_missing(const std::vector<std::size_t>& missing, const NextIn
     } catch (const InputError& error) {
       result = rejected(error.what());
     }
+    if (!watched_[missing[k]]) result.warnings.clear();
     take(missing[k], std::move(result));
   });
 }

@@ -98,6 +98,7 @@ class SweepRun {
   std::vector<std::string> ids_;
   std::vector<std::size_t> owner_;      ///< first case of the same id (n_cases)
   std::vector<std::size_t> shared_by_;  ///< how many cases have the id of an owner (n_cases)
+  std::vector<bool> watched_;           ///< whether an owner's warnings are kept (n_cases)
   std::vector<bool> own_;               ///< whether a case is to be done here (n_cases)
   std::optional<io::CaseJournal> journal_;
   std::vector<std::optional<CaseResult>> results_;  ///< of owners (n_cases)

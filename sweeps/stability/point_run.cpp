@@ -8,6 +8,7 @@
 #include "plastica/run/simulate.hpp"
 #include "sweeps/advise/discretization.hpp"
 #include "sweeps/advise/grading.hpp"
+#include "sweeps/run/case_warnings.hpp"
 #include "sweeps/run/limited_run.hpp"
 
 namespace plastica::sweeps::stability {
@@ -115,6 +116,7 @@ JudgedRun PointRunner::run(const Setup& setup) const {
     const bool limit = run.verdict.validity == Validity::Failed && usable(run.outcome.status);
     if (limit) run.verdict = {};  // of an elastic beam that snaps: an answer, if it converges
     if (!row.reason.empty()) run.verdict.reason = row.reason;
+    if (&setup == &setup_) run.warnings = warnings_of_run(setup, row.response);
     if (run.verdict.validity == Validity::Valid) compare_with_finer(setup, run);
   } catch (const InputError& error) {
     run.outcome.status = Status::Rejected;

@@ -20,6 +20,7 @@ struct JudgedRun {
   double energy_balance_error = 0.0;
   double segment_steps = 0.0;
   double seconds = 0.0;
+  std::vector<std::string> warnings{};  ///< of the scene's own run alone, see `run_warnings`
 };
 
 /// Runs setups that differ from a scene, and judges them.

@@ -249,6 +249,7 @@ SceneScan scan_scene(const std::string& name, const Setup& setup,
   const JudgedRun own = runner.run_own();
   if (is_raised(options.stop)) return scan;
   scan.own = own.verdict;
+  scan.warnings = own.warnings;
   if (own.compared) {
     scan.deviation = own.deviation;
     scan.quantity = own.quantity;

@@ -65,6 +65,7 @@ struct SceneScan {
   /// nothing is finer.
   std::optional<double> deviation{};
   std::string quantity{};
+  std::vector<std::string> warnings{};  ///< of the scene as it is, see `run_warnings`
   std::vector<ScannedField> fields;
   std::vector<StabilityRow> rows;  ///< every point that was run
   bool complete = false;           ///< false after a stop

@@ -42,7 +42,11 @@ std::string own_text(const SceneScan& scan) {
     text += fmt::format(": {:.3g} % off a finer run", 100.0 * *scan.deviation);
     if (!scan.quantity.empty()) text += " (" + scan.quantity + ")";
   }
-  return text + "\n";
+  text += '\n';
+  for (const std::string& warning : scan.warnings) {
+    text += report::wrapped("  warning     ", report::printable(warning), 100) + "\n";
+  }
+  return text;
 }
 
 void add_field(const ScannedField& one, const SceneScanOptions& options, report::Table& table) {

@@ -2,6 +2,7 @@
 #include <optional>
 #include <span>
 #include <type_traits>
+#include <utility>
 
 #include "sweeps/store/sweep_layout.hpp"
 #include "sweeps/store/sweep_rules.hpp"
@@ -143,6 +144,35 @@ void traverse_breaks(Columns& column) {
   column("break_place", "1", &CaseResult::break_place);
 }
 
+/// The warnings of cases, which few have: a row each, with the number of its case.
+void write_case_warnings(Hdf5Group& cases, const std::vector<CaseResult>& results) {
+  std::vector<std::uint64_t> whose;
+  std::vector<std::string> texts;
+  for (std::size_t i = 0; i < results.size(); ++i) {
+    whose.insert(whose.end(), results[i].warnings.size(), i);
+    texts.insert(texts.end(), results[i].warnings.begin(), results[i].warnings.end());
+  }
+  cases.write("warned", whose, {{}, kDeflate});
+  cases.write_texts("warning", texts);
+}
+
+/// Files of before have none.
+void read_case_warnings(const Hdf5Group& cases, std::vector<CaseResult>& results) {
+  if (!cases.exists("warned")) return;
+  const auto whose = cases.read<std::uint64_t>("warned");
+  std::vector<std::string> texts = cases.read_texts("warning");
+  if (texts.size() != whose.size()) {
+    io::refuse_value(cases, "warning", std::to_string(texts.size()),
+                     "must have as many rows as warned");
+  }
+  for (std::size_t k = 0; k < whose.size(); ++k) {
+    if (whose[k] >= results.size()) {
+      io::refuse_value(cases, "warned", std::to_string(whose[k]), "must be the number of a case");
+    }
+    results[whose[k]].warnings.push_back(std::move(texts[k]));
+  }
+}
+
 std::vector<double> row_of(const io::Ragged<double>& rows, std::size_t i) {
   const auto row = rows.row(i);
   return {row.begin(), row.end()};
@@ -169,6 +199,7 @@ void write_results(Hdf5Group& root, const SweepRecord& record) {
   Writer writer(cases, record.results);
   traverse(writer, record.quantity.unit);
   traverse_breaks(writer);
+  write_case_warnings(cases, record.results);
   std::vector<std::int64_t> work;
   for (const CaseResult& result : record.results) work.push_back(result.segment_iterations());
   cases.write("segment_iterations", work, {"1", kDeflate});
@@ -194,6 +225,7 @@ void read_results(const Hdf5Group& root, SweepRecord& record) {
   Reader reader(cases, record.results);
   traverse(reader, record.quantity.unit);
   if (cases.exists("break_joint")) traverse_breaks(reader);
+  read_case_warnings(cases, record.results);
   for (const CaseResult& result : record.results) {
     if (result.segments > 0 && result.iterations > kMaxWork / result.segments) {
       io::refuse_value(cases, "iterations", std::to_string(result.iterations),

@@ -45,8 +45,8 @@ SweepRecord make_record(const Sweep& sweep, const CaseTable& cases, std::vector<
   }
   record.groups = refinement_groups(sweep, cases);
   record.comparison = compare(sweep, cases, record.groups, results, record.ids);
+  record.warnings = case_warnings(sweep, cases, results);
   record.results = std::move(results);
-  record.warnings = case_warnings(sweep, cases);
   record.inputs = sweep.inputs;
   return record;
 }

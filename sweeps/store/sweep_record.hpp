@@ -26,7 +26,7 @@ struct SweepRecord {
   std::vector<std::size_t> position;  ///< number of the value on each axis (n_cases x n_axes)
   std::vector<CaseResult> results;    ///< (n_cases)
   Comparison comparison;
-  std::vector<std::string> warnings{};  ///< of the cases' scenes, see `case_warnings`
+  std::vector<std::string> warnings{};  ///< of the cases, see `case_warnings`
   std::vector<RefinementGroup> groups;
   std::vector<io::InputText> inputs;  ///< the sweep's file, then the scene's
   io::RunMeta meta;

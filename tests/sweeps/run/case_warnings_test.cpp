@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <string>
 
+#include "sweeps/run/sweep_run.hpp"
 #include "tests/lib/io/scratch_folder.hpp"
 #include "tests/sweeps/sweep_text.hpp"
 
@@ -26,7 +27,9 @@ Texts warnings_of(const std::string& more, const std::string& rest,
                    "[[probe]]\nname = 'tip'\nkind = 'displacement'\n" +
                    more);
   const Sweep sweep = parse_sweep("scene = 'scene.toml'\n" + rest, folder.file("sweep.toml"));
-  return case_warnings(sweep, CaseTable(sweep));
+  SweepRun run(sweep, {});
+  const auto results = run.run();
+  return case_warnings(sweep, run.cases(), results);
 }
 
 const std::string kLoad = "[[load]]\nat = 'end'\nforce = ['0 N', '-10 N', '0 N']\n";
@@ -47,9 +50,27 @@ TEST(CaseWarnings, AreThoseOfTheScenes) {
   const std::string samples = "[[axis]]\nfield = 'solver.steps'\nvalues = [3, 5, 4]\n";
   const Texts warnings = warnings_of(peak, samples + kTip);
   ASSERT_EQ(warnings.size(), 1U);  // alike but for numbers
-  EXPECT_TRUE(warnings[0].starts_with("of some cases: histories turn between two samples"));
+  EXPECT_TRUE(warnings[0].starts_with(
+      "of 2 of 3 cases, at solver.steps 5: histories turn between two samples"))
+      << warnings[0];
   EXPECT_TRUE(has(warnings_of(peak, "[set]\nsolver.steps = 3\n" + segments_axis("[4, 8]") + kTip),
                   "histories turn between two samples"));
+}
+
+// The clamp's joint yields at 16/3 times its cap over the length, 1.26 kN; at 6 times, 1.42 kN, the
+// beam is a mechanism.
+TEST(CaseWarnings, AreWhatOnlyARunShows) {
+  const std::string propped =
+      "[[support]]\nat = 'end'\nkind = 'roller'\n"
+      "[[load]]\nat = 0.5\nforce = ['0 N', '-1 N', '0 N']\n";
+  const std::string loads =
+      "[set]\nrules.yield_model = 'interaction'\n"
+      "[[axis]]\nfield = 'load[0].force[1]'\nvalues = ['-1.1 kN', '-1.35 kN', '-1 kN']\n";
+  const Texts warnings = warnings_of(propped, loads + kTip);
+  ASSERT_EQ(warnings.size(), 1U);
+  EXPECT_TRUE(warnings[0].starts_with(
+      "of 1 of 3 cases, at load[0].force[1] -1350 N: joints have yielded"))
+      << warnings[0];
 }
 
 // The bar swings half as fast about its weak axis.

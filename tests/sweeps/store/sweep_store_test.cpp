@@ -59,6 +59,16 @@ TEST_F(SweepStoreTest, GivesBackWhatWasWritten) {
   EXPECT_EQ(sweep_report(read), sweep_report(record));
 }
 
+TEST_F(SweepStoreTest, GivesBackTheWarningsOfCases) {
+  SweepRecord record = record_of(kAxes + kTipError);
+  record.results[3].warnings = {"one", "another"};
+  record.results[11].warnings = {"a third"};
+  const SweepRecord read = read_back(record);
+  EXPECT_TRUE(read.results[0].warnings.empty());
+  EXPECT_EQ(read.results[3].warnings, record.results[3].warnings);
+  EXPECT_EQ(read.results[11].warnings, record.results[11].warnings);
+}
+
 TEST_F(SweepStoreTest, GivesBackCurvesAndFailedCases) {
   const SweepRecord record = record_of(
       "[set]\nsolver.steps = 2\nsolver.smallest_step = 1\n"

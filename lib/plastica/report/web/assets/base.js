@@ -1,0 +1,74 @@
+// What the other scripts share. All texts of users go into the page as text nodes, never as HTML.
+const report = JSON.parse(document.getElementById("data").textContent);
+
+// An element with properties, and children that are elements or texts.
+function make(tag, properties = {}, ...children) {
+  const element = document.createElement(tag);
+  for (const [name, value] of Object.entries(properties)) {
+    if (name.startsWith("aria-") || name === "role") element.setAttribute(name, value);
+    else element[name] = value;
+  }
+  element.append(...children.filter((child) => child !== null && child !== undefined));
+  return element;
+}
+
+// Columns of `packed_points`: numbers, and null in gaps.
+function unpack(packed) {
+  return packed.columns.map((text, c) => {
+    const bytes = atob(text);
+    const low = packed.low[c];
+    const size = packed.high[c] - low;
+    const logarithmic = packed.logarithmic[c === 0 ? 0 : 1];
+    return Array.from({ length: packed.n }, (_, i) => {
+      const step = bytes.charCodeAt(2 * i) + 256 * bytes.charCodeAt(2 * i + 1);
+      if (step === 65535) return null;
+      const value = low + (size * step) / 65534;
+      return logarithmic ? 10 ** value : value;
+    });
+  });
+}
+
+// Five digits, without an exponent where that is readable.
+function shown(value, digits = 5) {
+  if (value === null || value === undefined) return "";
+  if (typeof value !== "number") return String(value);
+  if (value === 0 || !Number.isFinite(value)) return String(value);
+  const size = Math.abs(value);
+  if (size < 1e-4 || size >= 1e7) {
+    return value.toExponential(digits - 1).replace(/\.?0+e/, "e").replace("e+", "e");
+  }
+  if (Number.isInteger(value)) return String(value);
+  const text = value.toPrecision(digits);
+  return text.includes("e") ? String(Number(text)) : text.replace(/(\.\d*?)0+$/, "$1").replace(/\.$/, "");
+}
+
+function withUnit(name, unit) {
+  return unit ? `${name} [${unit}]` : name;
+}
+
+function themeColor(name) {
+  return getComputedStyle(document.documentElement).getPropertyValue(name).trim();
+}
+
+// The dark line colour of pictures is that of letters here, so that it is seen on a dark page.
+function lineColor(color) {
+  return color === "#333333" ? themeColor("--ink") : color;
+}
+
+// A list of numbers that is made when it is opened: what a picture shows, for those who cannot see
+// it.
+function numbersBehind(title, heads, rows) {
+  const most = 2000;
+  const details = make("details", { className: "numbers" }, make("summary", {}, title));
+  details.addEventListener("toggle", () => {
+    if (!details.open || details.querySelector("table")) return;
+    const all = rows();
+    const table = make("table", {},
+      make("thead", {}, make("tr", {}, ...heads.map((head) => make("th", { scope: "col" }, head)))),
+      make("tbody", {}, ...all.slice(0, most).map((row) =>
+        make("tr", {}, ...row.map((cell) => make("td", {}, shown(cell)))))));
+    details.append(make("div", { className: "scroll" }, table));
+    if (all.length > most) details.append(make("p", {}, `the first ${most} of ${all.length} rows`));
+  }, { passive: true });
+  return details;
+}

@@ -1,0 +1,91 @@
+// Tabs, and the details that rows of tables open. What is shown stands in the address, so that the
+// browser's way back works.
+
+const blockMakers = {
+  text: (block) => make("section", {}, make("h2", {}, block.title), make("pre", {}, block.text)),
+  notes: (block) => make("section", { className: block.tone },
+    make("h2", {}, block.title), make("ul", {}, ...block.notes.map((note) => make("li", {}, note)))),
+  facts: (block) => make("section", {}, block.title ? make("h2", {}, block.title) : null,
+    make("dl", {}, ...block.rows.flatMap(([name, what]) =>
+      [make("dt", {}, name), make("dd", {}, what)]))),
+  table: (block) => tableBlock(block, (i) => { location.hash = `detail=${i}`; }),
+  figure: (block) => figureBlock(block),
+  beam: (block) => beamBlock(block),
+};
+
+const main = make("main", { tabIndex: -1 });
+const tabButtons = report.tabs.map((tab, i) => {
+  const button = make("button", { type: "button", role: "tab" }, tab.name);
+  button.addEventListener("click", () => { location.hash = `tab=${i}`; });
+  return button;
+});
+let lastTab = 0;
+
+function stepTab(event) {
+  const step = { ArrowRight: 1, ArrowLeft: -1 }[event.key];
+  if (!step) return;
+  const next = (lastTab + step + tabButtons.length) % tabButtons.length;
+  location.hash = `tab=${next}`;
+  tabButtons[next].focus();
+}
+
+function blocksOf(part) {
+  return part.blocks.map((block) => blockMakers[block.kind](block));
+}
+
+function detailView(i) {
+  const link = (to, text) => to >= 0 && to < report.details.length
+    ? make("a", { href: `#detail=${to}` }, text) : null;
+  return [
+    make("nav", { className: "detail" }, make("a", { href: `#tab=${lastTab}` }, "← all"),
+      link(i - 1, "previous"), link(i + 1, "next")),
+    make("h1", {}, report.details[i].name),
+    ...blocksOf(report.details[i]),
+  ];
+}
+
+function show() {
+  const [kind, number] = location.hash.slice(1).split("=");
+  const i = Number(number);
+  forgetCharts();
+  stopBeams();
+  const isDetail = kind === "detail" && Number.isInteger(i) && i >= 0 && i < report.details.length;
+  if (!isDetail) lastTab = kind === "tab" && Number.isInteger(i) && i >= 0 && i < report.tabs.length ? i : 0;
+  tabButtons.forEach((button, k) => {
+    button.setAttribute("aria-selected", String(k === lastTab));
+    button.tabIndex = k === lastTab ? 0 : -1;
+  });
+  main.replaceChildren(...(isDetail ? detailView(i) : blocksOf(report.tabs[lastTab])));
+  scrollTo(0, 0);
+}
+
+function themeButton() {
+  const button = make("button", { type: "button", className: "theme" }, "dark / light");
+  button.addEventListener("click", () => {
+    const dark = themeColor("--scheme") === "dark";
+    document.documentElement.dataset.theme = dark ? "light" : "dark";
+    show();
+  });
+  return button;
+}
+
+const tabs = make("div", { role: "tablist", className: "tabs" }, ...tabButtons);
+tabs.addEventListener("keydown", stepTab);
+document.body.append(
+  make("header", {}, themeButton(), make("h1", {}, report.title),
+    ...report.lines.map((line) => make("p", {}, line)), tabs),
+  main,
+  make("footer", {}, make("p", {},
+    "Made by Plastica. Curves are thinned and rounded to what a screen shows; all numbers are in the result file."),
+    make("details", {}, make("summary", {}, "Licence of Chart.js, which draws the curves"),
+      make("pre", {}, report.license))));
+document.addEventListener("keydown", (event) => {
+  const [kind, number] = location.hash.slice(1).split("=");
+  if (kind !== "detail" || event.target.matches("input, select, canvas") || event.ctrlKey || event.metaKey) return;
+  const to = Number(number) + ({ j: 1, k: -1 }[event.key] ?? 0);
+  if (event.key === "Escape") location.hash = `tab=${lastTab}`;
+  else if (to !== Number(number) && to >= 0 && to < report.details.length) location.hash = `detail=${to}`;
+});
+addEventListener("hashchange", show);
+matchMedia("(prefers-color-scheme: dark)").addEventListener("change", show);
+show();

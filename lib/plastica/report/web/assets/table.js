@@ -1,0 +1,126 @@
+// Tables that sort by a click on a column's name and show the rows that a filter leaves.
+
+const rowsAtOnce = 100;
+
+// "misfit > 2, S355": a column with a number, or letters that any cell has; all of them hold.
+function conditionsOf(text, columns) {
+  return text.split(",").map((part) => part.trim()).filter((part) => part !== "").map((part) => {
+    const match = /^(.+?)\s*(<=|>=|<|>|=)\s*(-?[\d.]+(?:e[-+]?\d+)?)$/i.exec(part);
+    if (match) {
+      const wanted = match[1].toLowerCase();
+      let at = columns.findIndex((column) => column.name.toLowerCase() === wanted);
+      if (at < 0) at = columns.findIndex((column) => column.name.toLowerCase().startsWith(wanted));
+      const number = Number(match[3]);
+      const compare = { "<": (v) => v < number, ">": (v) => v > number, "<=": (v) => v <= number,
+        ">=": (v) => v >= number, "=": (v) => v === number || shown(v) === shown(number) }[match[2]];
+      if (at >= 0) {
+        return (row) => typeof row[at] === "number" && compare(row[at]);
+      }
+    }
+    const letters = part.toLowerCase();
+    return (row) => row.some((cell) => String(shown(cell)).toLowerCase().includes(letters));
+  });
+}
+
+function compareCells(a, b) {
+  if (a === null || b === null) return (a === null) - (b === null);  // what is missing stands last
+  if (typeof a === "number" && typeof b === "number") return a - b;
+  return String(a).localeCompare(String(b), undefined, { numeric: true });
+}
+
+// A choice for each column of few words.
+function choicesOf(block) {
+  return block.columns.flatMap((column, c) => {
+    if (column.numbers) return [];
+    const words = [...new Set(block.rows.map((row) => row[c]).filter((word) => word !== null))];
+    return words.length > 1 && words.length <= 12 && words.length < block.rows.length
+      ? [{ at: c, words: words.sort(compareCells) }] : [];
+  });
+}
+
+function tableBlock(block, openDetail) {
+  let sortedBy = -1;
+  let falling = false;
+  let most = rowsAtOnce;
+  const chosen = new Map();
+  const input = make("input", { type: "search", placeholder: "filter: letters, or column > number",
+    "aria-label": "filter the rows" });
+  const count = make("span", { className: "count", role: "status" });
+  const body = make("tbody");
+  const more = make("button", { type: "button", className: "more" }, "more rows");
+  const order = block.rows.map((_, i) => i);
+
+  const heads = block.columns.map((column, c) => {
+    const button = make("button", { type: "button", title: column.about || "sort" },
+      withUnit(column.name, column.unit));
+    const head = make("th", { scope: "col", className: column.numbers ? "number" : "" }, button);
+    button.addEventListener("click", () => {
+      falling = sortedBy === c ? !falling : false;
+      sortedBy = c;
+      heads.forEach((other) => other.removeAttribute("aria-sort"));
+      head.setAttribute("aria-sort", falling ? "descending" : "ascending");
+      order.sort((i, k) => {
+        const a = block.rows[i][c];
+        const b = block.rows[k][c];
+        const sign = falling && a !== null && b !== null ? -1 : 1;
+        return sign * compareCells(a, b) || i - k;
+      });
+      show();
+    });
+    return head;
+  });
+
+  function rowOf(i) {
+    const cells = block.rows[i].map((cell, c) =>
+      make("td", { className: block.columns[c].numbers ? "number" : "" }, shown(cell, block.columns[c].digits)));
+    if (!block.opens) return make("tr", {}, ...cells);
+    const link = make("a", { href: `#detail=${i}` }, shown(block.rows[i][0]));
+    cells[0].replaceChildren(link);
+    const row = make("tr", { className: "opens" }, ...cells);
+    row.addEventListener("click", (event) => {
+      if (event.target !== link && String(getSelection()) === "") openDetail(i);
+    });
+    return row;
+  }
+
+  function left() {
+    const conditions = conditionsOf(input.value, block.columns);
+    return order.filter((i) => conditions.every((holds) => holds(block.rows[i])) &&
+      [...chosen].every(([c, word]) => word === "" || String(block.rows[i][c]) === word));
+  }
+
+  function show() {
+    const rows = left();
+    body.replaceChildren(...rows.slice(0, most).map(rowOf));
+    count.textContent = rows.length === block.rows.length
+      ? `${rows.length} rows` : `${rows.length} of ${block.rows.length} rows`;
+    more.hidden = rows.length <= most;
+  }
+
+  const selects = choicesOf(block).map(({ at, words }) => {
+    const select = make("select", { "aria-label": block.columns[at].name },
+      make("option", { value: "" }, `${block.columns[at].name}: all`),
+      ...words.map((word) => make("option", { value: String(word) }, String(word))));
+    select.addEventListener("change", () => {
+      chosen.set(at, select.value);
+      most = rowsAtOnce;
+      show();
+    });
+    return select;
+  });
+  input.addEventListener("input", () => {
+    most = rowsAtOnce;
+    show();
+  });
+  more.addEventListener("click", () => {
+    most += 5 * rowsAtOnce;
+    show();
+  });
+  const tools = block.rows.length > 5
+    ? make("div", { className: "tools" }, input, ...selects, count) : null;
+  show();
+  return make("section", {}, block.title ? make("h2", {}, block.title) : null, tools,
+    make("div", { className: "scroll" },
+      make("table", { className: "sorts" }, make("thead", {}, make("tr", {}, ...heads)), body)),
+    more);
+}
