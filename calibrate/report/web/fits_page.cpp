@@ -18,6 +18,7 @@
 #include "calibrate/report/web/outcome_blocks.hpp"
 #include "calibrate/report/web/specimen_figure.hpp"
 #include "calibrate/result/usable.hpp"
+#include "plastica/base/parallel_for.hpp"
 #include "plastica/report/web/web_blocks.hpp"
 
 namespace plastica::calibrate {
@@ -34,11 +35,12 @@ using plastica::report::WebTab;
 /// Of more specimens the text of each report is left out, and curves are coarser: a page of ten
 /// thousand is to stay below some sixty megabytes.
 constexpr std::size_t kMostTexts = 200;
-constexpr std::size_t kSpotsOfAll = 1'200'000;
+constexpr std::size_t kMostRaw = 1000;  ///< curves as they were read, beside the corrected ones
+constexpr std::size_t kSpotsOfAll = 1'000'000;
 
 int spots_for(std::size_t specimens) {
   const std::size_t each = kSpotsOfAll / std::max<std::size_t>(1, specimens);
-  return static_cast<int>(std::clamp<std::size_t>(each, 120, 1500));
+  return static_cast<int>(std::clamp<std::size_t>(each, 200, 1500));
 }
 
 /// "identified", or what is not: "no usable fit: …", "break_strain weak".
@@ -176,7 +178,8 @@ void add_block(WebTab& tab, Json block) {
 
 WebTab detail_of(const FitRecord& record, bool laws, std::size_t count) {
   WebTab tab{label_of(record, laws), Json::array()};
-  tab.blocks.push_back(web_figure(specimen_figure(record), spots_for(count)));
+  const bool with_raw = count <= kMostRaw;
+  tab.blocks.push_back(web_figure(specimen_figure(record, with_raw), spots_for(count)));
   tab.blocks.push_back(facts_of_fit(record));
   add_warnings(tab, warnings_of(record));
   if (record.result.is_fitted()) {
@@ -271,6 +274,7 @@ WebPage fits_page(const FitStoreContents& contents, const std::string& file) {
   const std::size_t advised = advised_first(records);
   const std::span<const FitRecord> shown = std::span(records).first(advised);
   WebPage page{file, {counts_line(records)}};
+  if (records.size() > kMostRaw) page.lines.emplace_back("curves as read are left out");
   WebTab specimens{"Specimens", Json::array()};
   specimens.blocks.push_back(specimens_block(records, laws));
   page.tabs.push_back(std::move(specimens));
@@ -281,10 +285,10 @@ WebPage fits_page(const FitStoreContents& contents, const std::string& file) {
   page.tabs.push_back(std::move(groups));
   page.tabs.push_back(
       plastica::report::provenance_tab(file, contents.meta, contents.inputs, contents.run));
-  page.details.reserve(records.size());
-  for (const FitRecord& record : records) {
-    page.details.push_back(detail_of(record, laws, records.size()));
-  }
+  page.details.resize(records.size());
+  parallel_for(records.size(), {}, [&](std::size_t i, int) {
+    page.details[i] = plastica::report::part_text(detail_of(records[i], laws, records.size()));
+  });
   return page;
 }
 
@@ -307,7 +311,7 @@ WebPage fits_page(const SceneFitContents& contents, const std::string& file) {
   page.tabs.push_back(
       plastica::report::provenance_tab(file, contents.meta, contents.inputs, contents.run));
   for (const SceneFitRecord& record : records) {
-    page.details.push_back(detail_of(record, laws, options));
+    page.details.push_back(plastica::report::part_text(detail_of(record, laws, options)));
   }
   return page;
 }

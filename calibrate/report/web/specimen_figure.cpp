@@ -44,13 +44,13 @@ FigureCurve modulus_line(const Characteristics& c) {
   return line;
 }
 
-FigurePanel curve_panel(const FitRecord& record) {
+FigurePanel curve_panel(const FitRecord& record, bool with_raw) {
   const Target& target = record.target;
   FigurePanel panel{"", strain_label(target), stress_label(target)};
   const auto add = [&](FigureCurve curve) {
     if (!curve.points.empty()) panel.curves.push_back(std::move(curve));
   };
-  if (!is_same(target.raw, target.corrected)) {
+  if (with_raw && !is_same(target.raw, target.corrected)) {
     add({rows_of(target.raw), "as read", kGrey, Stroke::Line, 7, 2});
   }
   add({rows_of(target.corrected), "corrected", kBlue});
@@ -99,9 +99,9 @@ FigurePanel residual_panel(const FitRecord& record) {
 
 }  // namespace
 
-Figure specimen_figure(const FitRecord& record) {
+Figure specimen_figure(const FitRecord& record, bool with_raw) {
   Figure figure;
-  FigurePanel curve = curve_panel(record);
+  FigurePanel curve = curve_panel(record, with_raw);
   if (!curve.curves.empty()) figure.panels.push_back(std::move(curve));
   if (is_fitted(record)) {
     FigurePanel residuals = residual_panel(record);

@@ -7,6 +7,7 @@ namespace plastica::calibrate::report {
 
 /// A specimen's curve as it was read, corrected and fitted, with the window of the modulus, the
 /// proof stress, the yield point and the break; below it what the fit leaves; not installed.
-plastica::report::Figure specimen_figure(const FitRecord& record);
+/// @param with_raw  whether the curve as it was read is drawn where it is another
+plastica::report::Figure specimen_figure(const FitRecord& record, bool with_raw = true);
 
 }  // namespace plastica::calibrate::report

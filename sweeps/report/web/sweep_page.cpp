@@ -166,7 +166,7 @@ WebPage sweep_page(const SweepRecord& record, const std::string& file) {
   for (std::size_t i = 0; details && i < shown; ++i) {
     WebTab detail{fmt::format("Case {}: {}", i + 1, setting_text(record, i)), Json::array()};
     detail.blocks.push_back(report::web_text("Report", case_report(record, i)));
-    page.details.push_back(std::move(detail));
+    page.details.push_back(report::part_text(detail));
   }
   return page;
 }

@@ -62,14 +62,14 @@ TEST(CaseWarnings, AreThoseOfTheScenes) {
 TEST(CaseWarnings, AreWhatOnlyARunShows) {
   const std::string propped =
       "[[support]]\nat = 'end'\nkind = 'roller'\n"
-      "[[load]]\nat = 0.5\nforce = ['0 N', '-1 N', '0 N']\n";
+      "[[load]]\nat = 0.5\nforce = ['0 N', '-1 kN', '0 N']\n";
   const std::string loads =
       "[set]\nrules.yield_model = 'interaction'\n"
-      "[[axis]]\nfield = 'load[0].force[1]'\nvalues = ['-1.1 kN', '-1.35 kN', '-1 kN']\n";
+      "[[axis]]\nfield = 'scale.loads'\nvalues = [1.1, 1.35, 1]\n";
   const Texts warnings = warnings_of(propped, loads + kTip);
   ASSERT_EQ(warnings.size(), 1U);
   EXPECT_TRUE(warnings[0].starts_with(
-      "of 1 of 3 cases, at load[0].force[1] -1350 N: joints have yielded"))
+      "of 1 of 3 cases, at scale.loads 1.35: joints have yielded"))
       << warnings[0];
 }
 

@@ -7,6 +7,7 @@
 #include <limits>
 #include <string>
 #include <string_view>
+#include <utility>
 
 namespace plastica::report {
 namespace {
@@ -76,41 +77,118 @@ bool same_spot(const std::vector<double>& a, const std::vector<double>& b, doubl
   });
 }
 
+/// Distance of a point from the straight line between two others.
+double off_chord(const std::vector<double>& point, const std::vector<double>& from,
+                 const std::vector<double>& to) {
+  double along = 0.0;
+  double length = 0.0;
+  for (std::size_t c = 0; c < point.size(); ++c) {
+    along += (point[c] - from[c]) * (to[c] - from[c]);
+    length += (to[c] - from[c]) * (to[c] - from[c]);
+  }
+  const double at = length > 0.0 ? std::clamp(along / length, 0.0, 1.0) : 0.0;
+  double square = 0.0;
+  for (std::size_t c = 0; c < point.size(); ++c) {
+    const double off = point[c] - from[c] - at * (to[c] - from[c]);
+    square += off * off;
+  }
+  return std::sqrt(square);
+}
+
+/// Marks the points of a stretch without gaps that its line needs, its ends among them.
+/// @param first, last  of the stretch, the last one included
+void keep_line(const std::vector<std::vector<double>>& points, std::size_t first, std::size_t last,
+               double within, std::vector<bool>& keeps) {
+  keeps[first] = keeps[last] = true;
+  std::vector<std::pair<std::size_t, std::size_t>> parts{{first, last}};
+  while (!parts.empty()) {
+    const auto [from, to] = parts.back();
+    parts.pop_back();
+    double largest = within;
+    std::size_t at = from;
+    for (std::size_t i = from + 1; i < to; ++i) {
+      const double off = off_chord(points[i], points[from], points[to]);
+      if (off > largest) {
+        largest = off;
+        at = i;
+      }
+    }
+    if (at == from) continue;
+    keeps[at] = true;
+    parts.emplace_back(from, at);
+    parts.emplace_back(at, to);
+  }
+}
+
+using Rows = std::vector<std::vector<double>>;
+
+/// Without those that fall on the spot of the one before; the last one stays.
+Rows without_repeated(Rows points, double spots) {
+  Rows kept;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const bool repeats = !kept.empty() && same_spot(kept.back(), points[i], spots);
+    if (!repeats || i + 1 == points.size()) kept.push_back(std::move(points[i]));
+  }
+  return kept;
+}
+
+/// Without those that its line does not need.
+Rows line_of(Rows points, double spots) {
+  std::vector<bool> keeps(points.size(), false);
+  for (std::size_t first = 0; first < points.size(); ++first) {
+    if (is_gap(points[first])) {
+      keeps[first] = true;
+      continue;
+    }
+    std::size_t last = first;
+    while (last + 1 < points.size() && !is_gap(points[last + 1])) ++last;
+    keep_line(points, first, last, 0.5 / spots, keeps);
+    first = last;
+  }
+  Rows kept;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (keeps[i]) kept.push_back(std::move(points[i]));
+  }
+  return kept;
+}
+
 }  // namespace
 
-Json packed_points(const std::vector<std::vector<double>>& points, std::array<bool, 2> logarithmic,
-                   int spots) {
+Json packed_points(const Rows& points, std::array<bool, 2> logarithmic, int spots,
+                   Thinning thinning) {
   const std::size_t width = points.empty() ? 0 : points.front().size();
   std::vector<Column> columns(width);
   for (std::size_t c = 0; c < width; ++c) {
     columns[c].logarithmic = logarithmic[c == 0 ? 0 : 1];
     for (const auto& point : points) columns[c].enclose(point[c]);
   }
-  std::vector<std::vector<std::uint16_t>> kept(width);
-  std::vector<double> last;
+  Rows fractions(points.size(), std::vector<double>(width));
   for (std::size_t i = 0; i < points.size(); ++i) {
-    std::vector<double> now(width);
-    for (std::size_t c = 0; c < width; ++c) now[c] = columns[c].fraction(points[i][c]);
-    if (spots > 0 && same_spot(last, now, spots) && i + 1 < points.size()) continue;
-    for (std::size_t c = 0; c < width; ++c) {
-      kept[c].push_back(is_gap(now) ? kGap
-                                    : static_cast<std::uint16_t>(std::lround(kSteps * now[c])));
-    }
-    last = std::move(now);
+    for (std::size_t c = 0; c < width; ++c) fractions[i][c] = columns[c].fraction(points[i][c]);
+  }
+  if (spots > 0) {
+    // A line first without what not even a screen of four times as many spots shows.
+    const bool line = thinning == Thinning::Line;
+    fractions = without_repeated(std::move(fractions), line ? 4.0 * spots : spots);
+    if (line) fractions = line_of(std::move(fractions), spots);
   }
   Json low = Json::array();
   Json high = Json::array();
   Json texts = Json::array();
   for (std::size_t c = 0; c < width; ++c) {
+    std::vector<std::uint16_t> steps;
+    steps.reserve(fractions.size());
+    for (const auto& row : fractions) {
+      steps.push_back(is_gap(row) ? kGap : static_cast<std::uint16_t>(std::lround(kSteps * row[c])));
+    }
     low.push_back(number(columns[c].low));
     high.push_back(number(columns[c].high));
-    texts.push_back(base64(kept[c]));
+    texts.push_back(base64(steps));
   }
-  return {{"n", width == 0 ? 0 : kept[0].size()},
-          {"low", std::move(low)},
-          {"high", std::move(high)},
-          {"logarithmic", {logarithmic[0], logarithmic[1]}},
-          {"columns", std::move(texts)}};
+  Json packed = {{"n", fractions.size()}, {"low", std::move(low)}, {"high", std::move(high)}};
+  if (logarithmic[0] || logarithmic[1]) packed["logarithmic"] = {logarithmic[0], logarithmic[1]};
+  packed["columns"] = std::move(texts);
+  return packed;
 }
 
 }  // namespace plastica::report

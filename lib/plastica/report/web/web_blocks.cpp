@@ -11,41 +11,38 @@ namespace {
 constexpr std::array<std::string_view, 6> kStrokes{"line", "dots",   "symbols",
                                                    "area", "points", "bars"};
 
-/// Null where both ends are the same: as far as the curves go.
-Json range_of(const std::array<double, 2>& range) {
-  return range[0] == range[1] ? Json(nullptr) : Json{range[0], range[1]};
-}
-
 }  // namespace
 
 Json web_curve(const FigureCurve& curve, LogarithmicAxes logarithmic, int spots,
                const std::vector<std::string>& labels) {
   Json json = {{"name", curve.name},
                {"color", curve.color},
-               {"stroke", kStrokes[static_cast<std::size_t>(curve.stroke)]},
-               {"symbol", curve.symbol},
-               {"dashes", curve.dashes},
-               {"points", packed_points(curve.points, logarithmic, spots)}};
+               {"stroke", kStrokes[static_cast<std::size_t>(curve.stroke)]}};
+  if (curve.symbol != FigureCurve().symbol) json["symbol"] = curve.symbol;
+  if (curve.dashes != 0) json["dashes"] = curve.dashes;
+  const bool line = curve.stroke == Stroke::Line || curve.stroke == Stroke::Area;
+  json["points"] = packed_points(curve.points, logarithmic, spots,
+                                 line ? Thinning::Line : Thinning::Points);
   if (!labels.empty()) json["labels"] = labels;
   return json;
 }
 
 Json web_panel(const FigurePanel& panel, LogarithmicAxes logarithmic, Json curves) {
-  Json notes = Json::array();
+  Json json = {{"title", panel.title}, {"x", panel.x_label}, {"y", panel.y_label}};
+  const auto range = [&](const char* name, const std::array<double, 2>& ends) {
+    if (ends[0] != ends[1]) json[name] = {ends[0], ends[1]};
+  };
+  range("x_range", panel.x_range);
+  range("y_range", panel.y_range);
+  if (logarithmic[0] || logarithmic[1]) json["logarithmic"] = {logarithmic[0], logarithmic[1]};
+  if (!panel.x_names.empty()) json["x_names"] = panel.x_names;
+  if (!panel.marks.empty()) json["marks"] = numbers(panel.marks);
+  if (!panel.mark_name.empty()) json["mark_name"] = panel.mark_name;
   for (const FigureNote& note : panel.notes) {
-    notes.push_back({{"x", number(note.x)}, {"y", number(note.y)}, {"text", note.text}});
+    json["notes"].push_back({{"x", number(note.x)}, {"y", number(note.y)}, {"text", note.text}});
   }
-  return {{"title", panel.title},
-          {"x", panel.x_label},
-          {"y", panel.y_label},
-          {"logarithmic", logarithmic},
-          {"x_range", range_of(panel.x_range)},
-          {"y_range", range_of(panel.y_range)},
-          {"x_names", panel.x_names},
-          {"marks", numbers(panel.marks)},
-          {"mark_name", panel.mark_name},
-          {"notes", std::move(notes)},
-          {"curves", std::move(curves)}};
+  json["curves"] = std::move(curves);
+  return json;
 }
 
 Json web_panels(std::string title, Json panels) {
@@ -70,15 +67,17 @@ Json web_facts(std::string title, const std::vector<std::pair<std::string, std::
 }
 
 void WebTable::add_words(std::string name, std::string unit) {
-  columns_.push_back({{"name", std::move(name)}, {"unit", std::move(unit)}, {"numbers", false}});
+  Json column = {{"name", std::move(name)}};
+  if (!unit.empty()) column["unit"] = std::move(unit);
+  columns_.push_back(std::move(column));
 }
 
 void WebTable::add_numbers(std::string name, std::string unit, std::string about, int digits) {
-  columns_.push_back({{"name", std::move(name)},
-                      {"unit", std::move(unit)},
-                      {"numbers", true},
-                      {"about", std::move(about)},
-                      {"digits", digits}});
+  add_words(std::move(name), std::move(unit));
+  Json& column = columns_.back();
+  column["numbers"] = true;
+  if (!about.empty()) column["about"] = std::move(about);
+  if (digits != 5) column["digits"] = digits;
 }
 
 Json WebTable::block() const {

@@ -19,8 +19,13 @@ struct WebPage {
   std::string title;
   std::vector<std::string> lines{};  ///< below it
   std::vector<WebTab> tabs{};
-  std::vector<WebTab> details{};  ///< what the rows of a table open
+  /// What the rows of a table open, as `part_text` has it: of ten thousand specimens they would
+  /// take a gigabyte otherwise.
+  std::vector<std::string> details{};
 };
+
+/// A part of the page as JSON that HTML takes for no element.
+std::string part_text(const WebTab& part);
 
 /// Whether this build was made where the library was that draws the curves, Chart.js.
 bool has_chart_library();

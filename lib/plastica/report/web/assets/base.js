@@ -16,13 +16,12 @@ function make(tag, properties = {}, ...children) {
 function unpack(packed) {
   return packed.columns.map((text, c) => {
     const bytes = atob(text);
-    const low = packed.low[c];
-    const size = packed.high[c] - low;
-    const logarithmic = packed.logarithmic[c === 0 ? 0 : 1];
+    const [low, high] = [packed.low[c], packed.high[c]];
+    const logarithmic = packed.logarithmic?.[c === 0 ? 0 : 1];
     return Array.from({ length: packed.n }, (_, i) => {
       const step = bytes.charCodeAt(2 * i) + 256 * bytes.charCodeAt(2 * i + 1);
       if (step === 65535) return null;
-      const value = low + (size * step) / 65534;
+      const value = low * (1 - step / 65534) + high * (step / 65534);  // whose sizes may overflow
       return logarithmic ? 10 ** value : value;
     });
   });

@@ -181,7 +181,7 @@ function beamBlock(block) {
     const at = framesOf(moment.values, joints);
     const most = moment.largest / moment.scale;
     const panel = { title: moment.name, x: "along the beam [m]", y: `${moment.symbol} [${moment.unit}]`,
-      logarithmic: [false, false], x_range: null, y_range: null, curves: [] };
+      curves: [] };
     const canvasOf = make("canvas", { role: "img", "aria-label": `${moment.name} along the beam` });
     const rowsAt = (frame) => block.places.map((place, j) => [place, at(frame, j)[0] / moment.scale]);
     const watcher = new IntersectionObserver((entries) => {

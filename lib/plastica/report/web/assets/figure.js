@@ -13,14 +13,15 @@ function translucent(color) {
 function datasetsOf(curve) {
   const columns = unpack(curve.points);
   const color = lineColor(curve.color);
+  const symbol = curve.symbol ?? 7;
   const points = (c) => (columns[0] ?? []).map((x, i) => ({ x, y: x === null ? null : columns[c][i],
     label: curve.labels?.[i] }));
   const base = {
     type: "line", label: curve.name, borderColor: color, backgroundColor: color, borderWidth: 1.8,
     pointRadius: 0, pointHitRadius: 6, tension: 0, spanGaps: false, fill: false,
-    borderDash: dashStyles[curve.dashes % dashStyles.length],
-    pointStyle: pointStyles[curve.symbol + (curve.symbol % 2 === 0 ? 1 : 0)] ?? "circle",
-    pointRotation: curve.symbol === 11 ? 180 : 0,
+    borderDash: dashStyles[(curve.dashes ?? 0) % dashStyles.length],
+    pointStyle: pointStyles[symbol + (symbol % 2 === 0 ? 1 : 0)] ?? "circle",
+    pointRotation: symbol === 11 ? 180 : 0,
   };
   const few = curve.points.n <= 60;
   switch (curve.stroke) {
@@ -85,7 +86,7 @@ function scaleOf(panel, axis) {
   const range = which === 0 ? panel.x_range : panel.y_range;
   const names = which === 0 ? panel.x_names ?? [] : [];
   const scale = {
-    type: panel.logarithmic[which] ? "logarithmic" : "linear",
+    type: panel.logarithmic?.[which] ? "logarithmic" : "linear",
     title: { display: true, text: axis === "x" ? panel.x : panel.y, color: themeColor("--ink") },
     grid: { color: themeColor("--grid") },
     ticks: { color: themeColor("--ink"), maxRotation: names.length > 0 ? 60 : 0 },
@@ -101,7 +102,7 @@ function scaleOf(panel, axis) {
     scale.ticks.autoSkip = false;
   } else {
     scale.ticks.callback = function text(value) {
-      return panel.logarithmic[which] && !isLabelled(value, this) ? "" : shown(value);
+      return panel.logarithmic?.[which] && !isLabelled(value, this) ? "" : shown(value);
     };
   }
   return scale;
@@ -147,7 +148,7 @@ function drawPanel(canvas, panel) {
         legend: {
           display: named.length > 1,
           position: "bottom",
-          labels: { color: themeColor("--ink"), usePointStyle: true, generateLabels: legendOf },
+          labels: { color: themeColor("--ink"), usePointStyle: true, boxHeight: 7, generateLabels: legendOf },
         },
         tooltip: {
           callbacks: {

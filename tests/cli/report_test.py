@@ -1,0 +1,272 @@
+#!/usr/bin/env python3
+"""`plastica report`: pages that a browser opens without a complaint and without a network, and that
+show the numbers of the result's JSON summary.
+
+report_test.py COMMAND DATA
+"""
+
+import html.parser
+import json
+import os
+import re
+import subprocess
+import sys
+import tempfile
+import unittest
+
+from browser import Browser
+
+COMMAND, DATA = sys.argv[1:3]
+HOSTILE = "a<script>alert(1)</script>\"'&<b>"
+browser = None
+
+
+def setUpModule():
+    global browser
+    browser = Browser()
+
+
+def tearDownModule():
+    browser.close()
+
+
+class Elements(html.parser.HTMLParser):
+    """The elements of a page before its scripts have run, and the data that it holds."""
+
+    def __init__(self, text):
+        super().__init__()
+        self.names = []
+        self.addresses = []
+        self.scripts = []
+        self.data = None
+        self.holds_data = False
+        self.feed(text)
+
+    def handle_starttag(self, tag, attrs):
+        attrs = dict(attrs)
+        self.names.append(tag)
+        self.addresses += [attrs[name] for name in ("src", "href") if name in attrs]
+        self.holds_data = attrs.get("id") == "data"
+
+    def handle_data(self, data):
+        if self.holds_data:
+            self.data = json.loads(data)
+
+    def handle_endtag(self, tag):
+        self.holds_data = False
+
+
+def distance(point, line):
+    """Of a point from a line of straight pieces."""
+    least = float("inf")
+    for (ax, ay), (bx, by) in zip(line, line[1:]):
+        u, v = bx - ax, by - ay
+        length = u * u + v * v
+        at = ((point[0] - ax) * u + (point[1] - ay) * v) / length if length else 0.0
+        at = min(1.0, max(0.0, at))
+        least = min(least, ((point[0] - ax - at * u) ** 2 + (point[1] - ay - at * v) ** 2) ** 0.5)
+    return least
+
+
+class Report(unittest.TestCase):
+    def setUp(self):
+        self.scratch = tempfile.TemporaryDirectory()
+        self.addCleanup(self.scratch.cleanup)
+        browser.complaints.clear()
+
+    def path(self, name):
+        return os.path.join(self.scratch.name, name)
+
+    def run_command(self, *words, code=0):
+        done = subprocess.run([COMMAND, *words], capture_output=True, text=True)
+        self.assertEqual(done.returncode, code, done.stderr)
+        return done
+
+    def write(self, name, text):
+        with open(self.path(name), "w", encoding="utf-8") as file:
+            file.write(text)
+        return self.path(name)
+
+    def report(self, result, *words):
+        """Writes the page. @return its path"""
+        page = self.path("page.html")
+        self.run_command("report", result, "-o", page, "--force", *words)
+        with open(page, encoding="utf-8") as file:
+            elements = Elements(file.read())
+        self.assertEqual(elements.addresses, [])
+        self.assertEqual(elements.names.count("script"), 3)
+        self.data = elements.data
+        return page
+
+    def look_at_all(self, page):
+        """Opens each tab and the first details, wide and narrow, light and dark."""
+        for width, dark in ((1600, False), (400, True)):
+            browser.open(page, width, 900, dark)
+            hashes = [f"tab={i}" for i in range(len(self.data["tabs"]))]
+            hashes += [f"detail={i}" for i in range(min(3, len(self.data["details"])))]
+            for where in hashes:
+                browser.evaluate(f"location.hash = '{where}'")
+                browser.settle()
+                wide = browser.evaluate("document.documentElement.scrollWidth")
+                self.assertLessEqual(wide, width, where)  # nothing stands out at the side
+                self.assertGreater(browser.evaluate("document.querySelector('main').innerText.length"),
+                                   20, where)
+        self.assertEqual(browser.complaints, [])
+        others = [url for url in browser.requests if not url.startswith(("file://", "data:"))]
+        self.assertEqual(others, [])
+
+    def texts(self, selector):
+        return browser.evaluate("[...document.querySelectorAll(" + json.dumps(selector) +
+                                ")].map((element) => element.innerText)")
+
+    def drawn(self, selector):
+        """How many pixels of a canvas are not empty."""
+        return browser.evaluate(
+            "(() => { const c = document.querySelector(" + json.dumps(selector) + ");"
+            "const d = c.getContext('2d').getImageData(0, 0, c.width, c.height).data;"
+            "let n = 0; for (let i = 3; i < d.length; i += 4) n += d[i] > 0; return n; })()")
+
+
+class Fits(Report):
+    def setUp(self):
+        super().setUp()
+        self.result = self.path("fit.h5")
+        self.run_command("calibrate", os.path.join(DATA, "fits/demo.toml"), "-o", self.result,
+                         "--json", self.path("fit.json"))
+        with open(self.path("fit.json"), encoding="utf-8") as file:
+            self.summary = json.load(file)
+
+    def test_the_table_has_the_summary_s_numbers(self):
+        page = self.report(self.result)
+        self.look_at_all(page)
+        browser.open(page)
+        heads = self.texts("th")
+        column = next(i for i, head in enumerate(heads) if head.startswith("yield_stress"))
+        self.assertIn("[MPa]", heads[column])
+        fits = self.summary["fits"]
+        for row, fit in zip(self.texts("tbody tr"), fits, strict=True):
+            cells = row.split("\t")
+            self.assertEqual(cells[0], fit["name"])
+            value = fit["parameters"]["yield_stress"]["value"] / 1e6
+            self.assertAlmostEqual(float(cells[column]), value, delta=1e-4 * value)
+
+    def test_sorts_and_filters(self):
+        page = self.report(self.result)
+        names = sorted((fit["name"] for fit in self.summary["fits"]),
+                       key=lambda name: next(f for f in self.summary["fits"] if f["name"] == name)
+                       ["parameters"]["yield_stress"]["value"])
+        browser.open(page)
+        column = next(i for i, head in enumerate(self.texts("th")) if head.startswith("yield_stress"))
+        button = f"th:nth-child({column + 1}) button"
+        browser.click(button)
+        self.assertEqual(self.texts("tbody td:first-child"), names)
+        browser.click(button)
+        self.assertEqual(self.texts("tbody td:first-child"), names[::-1])
+
+    def test_a_row_opens_the_specimen(self):
+        page = self.report(self.result)
+        browser.open(page)
+        browser.click("tbody tr:nth-child(2) td:nth-child(4)")
+        self.assertEqual(self.texts("main h1"), [self.summary["fits"][1]["name"]])
+        self.assertGreater(self.drawn("main canvas"), 2000)
+        browser.press("j")
+        self.assertEqual(self.texts("main h1"), [self.summary["fits"][2]["name"]])
+        browser.press("Escape")
+        self.assertEqual(len(self.texts("tbody tr")), len(self.summary["fits"]))
+
+    def test_curves_are_those_of_the_file(self):
+        page = self.report(self.result)
+        browser.open(page)
+        with open(os.path.join(DATA, "targets/al6061-t6.csv"), encoding="utf-8") as file:
+            lines = [line.split(",") for line in file if re.match(r"[-\d.]", line)]
+        measured = [(float(line[0]), float(line[1])) for line in lines]
+        curve = browser.evaluate(
+            "(() => { const panel = report.details[0].blocks.find((b) => b.kind === 'figure').panels[0];"
+            "return unpack(panel.curves[0].points); })()")
+        strains, stresses = zip(*measured)
+        # The files' units are not looked at: what is known is the largest strain and stress.
+        x_scale, y_scale = 16.31 / max(strains), 326.5 / max(stresses)
+        line = list(zip(*curve))
+        for strain, stress in measured:
+            self.assertLess(distance((x_scale * strain / 16.31, y_scale * stress / 326.5),
+                                     [(x / 16.31, y / 326.5) for x, y in line]), 0.001)
+
+    def test_hostile_names_stay_texts(self):
+        curve = self.write("c.csv", "name,strain,stress [MPa]\n" + "".join(
+            '"%s",%g,%g\n' % (HOSTILE.replace('"', '""'), 0.0002 * i, min(40.0 * i, 400.0))
+            for i in range(60)))
+        fit = self.write("f.toml", "# </script><script>alert(2)</script>\n"
+                         "[[target]]\nfiles = 'c.csv'\nsplit = 'name'\ntest = 'tension'\n"
+                         "strain = { column = 'strain' }\nstress = { column = 'stress' }\n")
+        self.assertTrue(os.path.exists(curve))
+        self.run_command("calibrate", fit, "-o", self.path("h.h5"))
+        page = self.report(self.path("h.h5"))
+        self.look_at_all(page)
+        browser.open(page)
+        name = self.texts("tbody td:first-child")[0]
+        self.assertIn("<script>", name)
+        browser.click("tbody a")
+        self.assertIn("<script>", self.texts("main h1")[0])
+        self.assertEqual(browser.evaluate("document.querySelectorAll('main script, main b').length"), 0)
+        browser.evaluate(f"location.hash = 'tab={len(self.data['tabs']) - 1}'")
+        browser.settle()
+        self.assertTrue(any("</script>" in text for text in self.texts("pre")))
+
+    def test_bad_calls_have_a_line(self):
+        self.write("there.html", "mine")
+        said = self.run_command("report", self.result, "-o", self.path("there.html"), code=2).stderr
+        self.assertIn("there.html", said)
+        with open(self.path("there.html"), encoding="utf-8") as file:
+            self.assertEqual(file.read(), "mine")
+        said = self.run_command("report", self.result, "-o", self.result, "--force", code=2).stderr
+        self.assertEqual(said.count("\n"), 1)
+        said = self.run_command("report", os.path.join(DATA, "fits/demo.toml"), code=2).stderr
+        self.assertEqual(said.count("\n"), 1)
+
+
+class OtherResults(Report):
+    def test_a_motion_is_played_and_turned(self):
+        self.run_command("simulate", os.path.join(DATA, "scenes/crash_bumper.toml"), "-o",
+                         self.path("s.h5"))
+        page = self.report(self.path("s.h5"))
+        self.look_at_all(page)
+        browser.open(page)
+        canvas = ".beam > canvas"
+        self.assertGreater(self.drawn(canvas), 2000)
+        end = browser.evaluate(f"document.querySelector('{canvas}').toDataURL()")
+        browser.evaluate("(() => { const s = document.querySelector('.time input');"
+                         "s.value = 0; s.dispatchEvent(new Event('input')); })()")
+        browser.settle()
+        start = browser.evaluate(f"document.querySelector('{canvas}').toDataURL()")
+        self.assertNotEqual(start, end)
+        self.assertEqual(self.texts(".time .count"), ["0 ms"])
+        browser.evaluate(f"document.querySelector('{canvas}').focus()")
+        browser.press("ArrowUp")
+        self.assertNotEqual(browser.evaluate(f"document.querySelector('{canvas}').toDataURL()"),
+                            start)
+        browser.click(".time button")
+        browser.evaluate("new Promise((done) => setTimeout(done, 400))")
+        self.assertNotEqual(self.texts(".time .count"), ["0 ms"])
+
+    def test_paths_coupons_and_sweeps(self):
+        for scene in ("bend_and_release", "bathe_bolourchi_45", "limit_load_cantilever"):
+            with self.subTest(scene):
+                self.run_command("simulate", os.path.join(DATA, f"scenes/{scene}.toml"), "-o",
+                                 self.path(scene + ".h5"))
+                self.look_at_all(self.report(self.path(scene + ".h5")))
+        self.run_command("sweep", os.path.join(DATA, "sweeps/cantilever_deflection.toml"), "-o",
+                         self.path("w.h5"))
+        page = self.report(self.path("w.h5"))
+        self.look_at_all(page)
+        browser.open(page)
+        browser.click("tbody a")
+        self.assertIn("Case 1", self.texts("main h1")[0])
+
+    def test_fits_through_scenes(self):
+        self.run_command("calibrate", os.path.join(DATA, "fits/bend_test.toml"), "-o",
+                         self.path("b.h5"))
+        self.look_at_all(self.report(self.path("b.h5")))
+
+
+if __name__ == "__main__":
+    unittest.main(argv=sys.argv[:1])
