@@ -12,6 +12,7 @@
 #include "calibrate/report/text.hpp"
 #include "cli/find_record.hpp"
 #include "cli/launched.hpp"
+#include "cli/terminal.hpp"
 
 namespace plastica::cli {
 namespace {
@@ -19,7 +20,7 @@ namespace {
 calibrate::ReportOptions options_of(double confidence) {
   calibrate::ReportOptions options;
   // mpirun makes a terminal for what it passes on, wherever that goes.
-  options.color = isatty(STDOUT_FILENO) != 0 && !launched();
+  options.color = has_color(STDOUT_FILENO) && !launched();
   options.confidence = confidence;
   return options;
 }

@@ -17,6 +17,7 @@
 #include "cli/help_format.hpp"
 #include "cli/run_team.hpp"
 #include "cli/tell.hpp"
+#include "cli/terminal.hpp"
 #include "plastica/base/check.hpp"
 #include "plastica/base/keep_freed_memory.hpp"
 #include "plastica/base/team.hpp"
@@ -44,7 +45,7 @@ constexpr const char* kFooter =
     "Exit codes: 0 done; 1 a target has no usable fit, a scene no equilibrium or\n"
     "balance, a claim does not hold, or results differ; 2 bad input; 3 the machine\n"
     "failed; 130 interrupted by Ctrl-C (what was finished is kept).\n"
-    "`plastica COMMAND --help` says more.";
+    "`plastica help COMMAND` says more.";
 
 void add_commands(CLI::App& app, const plastica::cli::Invocation& invocation,
                   const plastica::cli::RunAgain& run, Action& action) {
@@ -94,6 +95,15 @@ std::string wrong_command(const CLI::App& app, std::string_view first) {
                              : fmt::format("there are {}", fmt::join(names, ", ")));
 }
 
+/// `plastica` and `plastica help` as `plastica --help`, `plastica help plot` as `plastica plot --help`.
+std::vector<std::string> with_help_as_option(std::vector<std::string> words) {
+  if (words.empty()) return {"--help"};
+  if (words.front() != "help") return words;
+  words.erase(words.begin());
+  words.emplace_back("--help");
+  return words;
+}
+
 /// What is wrong with the command line, in a line. @param first  a command, an option, or nothing
 std::string rule_of(const CLI::ParseError& error, std::string_view first) {
   const bool named = !first.empty() && first.front() != '-';
@@ -115,7 +125,7 @@ int run(std::vector<std::string> words, const plastica::io::MergedShards* merged
         plastica::cli::RunTeam* team) {
   CLI::App app{"Fit lumped beams of rigid segments to measured curves, and simulate them",
                "plastica"};
-  app.set_version_flag("--version", std::string(plastica::version()), "Print the version");
+  app.set_version_flag("-V,--version", std::string(plastica::version()), "Print the version");
   app.require_subcommand(1);
   app.formatter(std::make_shared<plastica::cli::HelpFormat>());
   app.get_formatter()->label("Positionals", "Arguments");
@@ -130,7 +140,7 @@ int run(std::vector<std::string> words, const plastica::io::MergedShards* merged
   };
   Action action;
   add_commands(app, invocation, run_again, action);
-  words = plastica::cli::with_new_names(std::move(words));
+  words = plastica::cli::with_new_names(with_help_as_option(std::move(words)));
   const std::string first = words.empty() ? std::string() : words.front();
   // Before help for it is asked for.
   if (const std::string wrong = wrong_command(app, first); !wrong.empty()) {
@@ -150,6 +160,7 @@ int run(std::vector<std::string> words, const plastica::io::MergedShards* merged
 
 int main(int argc, char** argv) {
   plastica::cli::open_closed_streams();
+  plastica::cli::write_what_terminals_can_show();
   plastica::keep_freed_memory();
   plastica::cli::RunTeam team;
   int code = plastica::cli::kMachineFailed;

@@ -10,6 +10,7 @@
 #include "cli/exit_code.hpp"
 #include "cli/fit_reports.hpp"
 #include "cli/result_kind.hpp"
+#include "cli/terminal.hpp"
 #include "plastica/io/scene_store.hpp"
 #include "plastica/report/scene_text.hpp"
 #include "sweeps/report/select.hpp"
@@ -27,7 +28,7 @@ struct ShowArguments {
 
 int show_scene(const ShowArguments& arguments) {
   const io::SceneRecord record = io::read_scene_store(arguments.file);
-  fmt::print("{}", report::scene_report(record, isatty(STDOUT_FILENO) != 0));
+  fmt::print("{}", report::scene_report(record, has_color(STDOUT_FILENO)));
   return kDone;
 }
 

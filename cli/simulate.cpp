@@ -19,6 +19,7 @@
 #include "cli/motion_progress.hpp"
 #include "cli/run_files.hpp"
 #include "cli/tell.hpp"
+#include "cli/terminal.hpp"
 #include "plastica/io/output_file.hpp"
 #include "plastica/io/scene_store.hpp"
 #include "plastica/io/text_file.hpp"
@@ -202,7 +203,7 @@ int simulate_file(const SimulateArguments& arguments) {
   if (!arguments.quiet) {
     // A table on the standard output is left alone: it goes on to another program.
     const bool table = arguments.output == "-";
-    const bool color = isatty(table ? STDERR_FILENO : STDOUT_FILENO) != 0;
+    const bool color = has_color(table ? STDERR_FILENO : STDOUT_FILENO);
     const std::string report = report::scene_report(record, color);
     if (table) {
       std::fputs(report.c_str(), stderr);

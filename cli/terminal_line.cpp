@@ -6,6 +6,9 @@
 #include <cmath>
 #include <cstdio>
 
+#include "cli/terminal.hpp"
+#include "plastica/report/format.hpp"
+
 namespace plastica::cli {
 
 using std::chrono::steady_clock;
@@ -43,7 +46,9 @@ void TerminalLine::draw(const std::string& text) {
     return;
   }
   drawn_ = true;
-  std::fputs(fmt::format("\r{}\033[K", text).c_str(), stderr);
+  // A line that goes on in the next one would not be drawn over.
+  const std::size_t width = width_of_terminal(STDERR_FILENO) - 2;
+  std::fputs(fmt::format("\r{}\033[K", report::cut(text, width)).c_str(), stderr);
   std::fflush(stderr);
 }
 

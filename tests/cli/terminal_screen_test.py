@@ -1,0 +1,121 @@
+#!/usr/bin/env python3
+"""What the command writes to a terminal: ASCII where its locale has no other letters, colours unless
+NO_COLOR asks for none, lines of progress that fit; and to a pipe every byte as it is.
+
+terminal_screen_test.py COMMAND DATA
+"""
+
+import fcntl
+import os
+import pty
+import re
+import signal
+import struct
+import subprocess
+import sys
+import tempfile
+import termios
+import time
+import unittest
+
+COMMAND, DATA = sys.argv[1:3]
+COLOUR = re.compile(rb"\x1b\[[0-9;]*m")
+
+
+def on_terminal(*words, columns=60, stop_after=None, **environment):
+    """Runs the command on a terminal of its own. @return what it wrote, and its exit code"""
+    ours, theirs = pty.openpty()
+    fcntl.ioctl(theirs, termios.TIOCSWINSZ, struct.pack("HHHH", 24, columns, 0, 0))
+    names = {**os.environ, "TERM": "xterm", "LC_ALL": "C.UTF-8", **environment}
+    names = {name: value for name, value in names.items() if value is not None}
+    process = subprocess.Popen([COMMAND, *words], stdin=theirs, stdout=theirs, stderr=theirs,
+                               env=names, start_new_session=True)
+    os.close(theirs)
+    begin = time.monotonic()
+    written = b""
+    while True:
+        try:
+            more = os.read(ours, 65536)
+        except OSError:  # the other end is closed
+            break
+        if not more:
+            break
+        written += more
+        if stop_after is not None and time.monotonic() - begin > stop_after:
+            process.send_signal(signal.SIGINT)
+            stop_after = None
+    os.close(ours)
+    return written, process.wait()
+
+
+class Terminal(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.folder = tempfile.TemporaryDirectory()
+        cls.addClassCleanup(cls.folder.cleanup)
+        cls.fit = os.path.join(cls.folder.name, "fit.h5")
+        subprocess.run([COMMAND, "calibrate", os.path.join(DATA, "fits/demo.toml"), "-o", cls.fit],
+                       check=True, capture_output=True)
+
+    def test_plain_letters_where_the_locale_has_no_others(self):
+        for words in (("show", self.fit, "--all"), ("plot", self.fit), ("help", "plot")):
+            with self.subTest(words):
+                plain, code = on_terminal(*words, LC_ALL="C")
+                self.assertEqual(code, 0)
+                self.assertEqual([byte for byte in plain if byte > 126], [])
+                self.assertNotIn(b"?", plain)
+                letters, _ = on_terminal(*words)
+                self.assertEqual(plain.count(b"\n"), letters.count(b"\n"))
+        letters, _ = on_terminal("show", self.fit)
+        self.assertIn("±", letters.decode())
+
+    def test_a_pipe_gets_every_byte_in_any_locale(self):
+        texts = [subprocess.run([COMMAND, "show", self.fit, "--all"], check=True, capture_output=True,
+                                env={**os.environ, "LC_ALL": locale}).stdout
+                 for locale in ("C", "C.UTF-8")]
+        self.assertEqual(*texts)
+        self.assertIn("±", texts[0].decode())
+        self.assertIsNone(COLOUR.search(texts[0]))
+
+    def test_colours_are_what_the_user_wants(self):
+        self.assertIsNotNone(COLOUR.search(on_terminal("show", self.fit, NO_COLOR=None)[0]))
+        self.assertIsNotNone(COLOUR.search(on_terminal("show", self.fit, NO_COLOR="")[0]))
+        self.assertIsNone(COLOUR.search(on_terminal("show", self.fit, NO_COLOR="1")[0]))
+        self.assertIsNone(COLOUR.search(on_terminal("show", self.fit, TERM="dumb")[0]))
+
+    def test_progress_fits_into_the_line(self):
+        scene = os.path.join(self.folder.name, "scene.toml")
+        with open(os.path.join(DATA, "scenes/falling_cantilever.toml"), encoding="utf-8") as file:
+            text = file.read()
+        text = re.sub(r"(?m)^segments *=.*$", "segments = 400", text)
+        with open(scene, "w", encoding="utf-8") as file:
+            file.write(text)
+        for columns in (60, 24):
+            written, code = on_terminal("simulate", scene, "-o", scene + f"{columns}.h5",
+                                        columns=columns, stop_after=3.0)
+            drawn = re.findall(rb"\r([^\r\n]*)\x1b\[K", written)
+            self.assertGreater(len(drawn), 2)
+            for line in drawn:
+                self.assertLess(len(line.decode()), columns, line)
+            self.assertIn(code, (0, 130))
+
+    def test_help_is_where_one_looks_for_it(self):
+        alone = on_terminal()[0]
+        self.assertIn(b"calibrate", alone)
+        for words in (("help",), ("--help",)):
+            self.assertEqual(on_terminal(*words), (alone, 0))
+        self.assertEqual(on_terminal("help", "plot"), on_terminal("plot", "--help"))
+        self.assertEqual(on_terminal("-V"), on_terminal("--version"))
+        written, code = on_terminal("help", "nosuch")
+        self.assertEqual((code, written.count(b"\n")), (2, 1))
+
+    def test_fields_are_searched(self):
+        lines = on_terminal("fields", "YIELD", "stress", columns=200)[0].splitlines()
+        self.assertTrue(lines[1].startswith(b"material.yield_stress "), lines)
+        for line in lines[1:]:
+            self.assertRegex(line.lower(), b"yield.*stress|stress.*yield")
+        self.assertEqual(on_terminal("fields", "nosuch")[1], 2)
+
+
+if __name__ == "__main__":
+    unittest.main(argv=sys.argv[:1])
