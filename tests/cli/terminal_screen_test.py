@@ -60,11 +60,11 @@ class Terminal(unittest.TestCase):
     def test_plain_letters_where_the_locale_has_no_others(self):
         for words in (("show", self.fit, "--all"), ("plot", self.fit), ("help", "plot")):
             with self.subTest(words):
-                plain, code = on_terminal(*words, LC_ALL="C")
+                plain, code = on_terminal(*words, columns=120, LC_ALL="C")
                 self.assertEqual(code, 0)
                 self.assertEqual([byte for byte in plain if byte > 126], [])
                 self.assertNotIn(b"?", plain)
-                letters, _ = on_terminal(*words)
+                letters, _ = on_terminal(*words, columns=120)
                 self.assertEqual(plain.count(b"\n"), letters.count(b"\n"))
         letters, _ = on_terminal("show", self.fit)
         self.assertIn("±", letters.decode())
@@ -82,6 +82,18 @@ class Terminal(unittest.TestCase):
         self.assertIsNotNone(COLOUR.search(on_terminal("show", self.fit, NO_COLOR="")[0]))
         self.assertIsNone(COLOUR.search(on_terminal("show", self.fit, NO_COLOR="1")[0]))
         self.assertIsNone(COLOUR.search(on_terminal("show", self.fit, TERM="dumb")[0]))
+
+    def test_reports_and_pictures_fit(self):
+        for columns in (60, 72, 99):
+            for words in (("show", self.fit, "--all"), ("plot", self.fit)):
+                written, code = on_terminal(*words, columns=columns, NO_COLOR="1")
+                self.assertEqual(code, 0)
+                lines = written.decode().splitlines()
+                self.assertLessEqual(max(map(len, lines)), columns, words)
+        wide, _ = on_terminal("show", self.fit, "--all", columns=100, NO_COLOR="1")
+        piped = subprocess.run([COMMAND, "show", self.fit, "--all"], check=True,
+                               capture_output=True).stdout
+        self.assertEqual(wide.replace(b"\r\n", b"\n"), piped)
 
     def test_progress_fits_into_the_line(self):
         scene = os.path.join(self.folder.name, "scene.toml")

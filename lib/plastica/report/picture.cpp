@@ -1,6 +1,8 @@
 #include "plastica/report/picture.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <filesystem>
 #include <ostream>
 
@@ -14,6 +16,13 @@
 namespace plastica::report {
 namespace {
 
+/// Of a picture of characters: the environment variable COLUMNS less one, 39 … 79.
+int terminal_columns() {
+  const char* columns = std::getenv("COLUMNS");
+  const int number = columns == nullptr ? 80 : std::atoi(columns);
+  return number > 0 ? std::clamp(number, 40, 80) - 1 : 79;
+}
+
 /// `set terminal` for an output; empty for a script.
 std::string terminal_of(const std::string& output, const PlotScript& script,
                         std::string_view option = "--output") {
@@ -21,7 +30,8 @@ std::string terminal_of(const std::string& output, const PlotScript& script,
     return static_cast<int>(std::lround(usual * script.relative_height()));
   };
   if (output == "-") {
-    return fmt::format("set terminal dumb noenhanced mono size 79,{}\n", script.terminal_rows);
+    return fmt::format("set terminal dumb noenhanced mono size {},{}\n", terminal_columns(),
+                       script.terminal_rows);
   }
   const std::string ending = std::filesystem::path(output).extension().string();
   if (ending == ".gp") return {};
