@@ -65,6 +65,8 @@ void add_commands(CLI::App& app, const plastica::cli::Invocation& invocation,
   plastica::cli::add_report(app, action);
   plastica::cli::add_export(app, action);
   plastica::cli::add_fields(app, action);
+  plastica::cli::add_completion(app, action);
+  plastica::cli::add_man(app, action);
 }
 
 /// One line, whatever a file is called.

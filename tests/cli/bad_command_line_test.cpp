@@ -29,7 +29,8 @@ INSTANTIATE_TEST_SUITE_P(
              "calibrat: is not a command; did you mean calibrate?"),
         line("UnlikelyCommand", {"xyzzy"},
              "xyzzy: is not a command; there are calibrate, inspect, init, simulate, sweep, merge, "
-             "check, advise, recommend, stability, diff, show, plot, report, export, fields"),
+             "check, advise, recommend, stability, diff, show, plot, report, export, fields, "
+             "completion, man"),
         line("UnknownOption", {"calibrate", "fit.toml", "--thread", "1"},
              "The following argument was not expected: --thread (see plastica calibrate --help)"),
         line("NoInput", {"calibrate"}, "inputs is required (see plastica calibrate --help)"),

@@ -18,7 +18,7 @@ namespace {
 constexpr const char* kCommands[] = {"calibrate", "inspect", "init",   "simulate",  "sweep",
                                      "merge",     "check",   "advise", "recommend", "stability",
                                      "diff",      "show",    "plot",   "report",    "export",
-                                     "fields"};
+                                     "fields",    "completion", "man"};
 
 /// Runs what must succeed without a word on stderr. @return what it wrote
 std::string output_of(const Workplace& place, const std::vector<std::string>& arguments) {

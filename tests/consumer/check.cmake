@@ -1,5 +1,5 @@
-# Installs the build into an empty prefix, builds the project beside this file against it as a user
-# would, and runs it: cmake -D build=… -D scratch=… -D generator=… -D compiler=… -P check.cmake
+# Packs the build as a Debian package, unpacks that into an empty folder, builds the project beside this
+# file against it as a user would, and runs it and the command: cmake -D build=… -D scratch=… -D generator=… -D compiler=… -P check.cmake
 function(step)
   execute_process(COMMAND ${ARGN} RESULT_VARIABLE result OUTPUT_VARIABLE text ERROR_VARIABLE text)
   if(NOT result EQUAL 0)
@@ -10,9 +10,31 @@ function(step)
 endfunction()
 
 file(REMOVE_RECURSE ${scratch})
-step(${CMAKE_COMMAND} --install ${build} --prefix ${scratch}/installed)
+step(${CMAKE_CPACK_COMMAND} --config ${build}/CPackConfig.cmake -B ${scratch}/packed)
+file(GLOB package ${scratch}/packed/*.deb)
+step(dpkg-deb --info ${package})
+if(NOT text MATCHES "Depends: [^\n]*libhdf5" OR NOT text MATCHES "Recommends: gnuplot-nox")
+  message(FATAL_ERROR "the package does not say what it needs:\n${text}")
+endif()
+step(dpkg-deb --extract ${package} ${scratch}/unpacked)
+set(installed ${scratch}/unpacked/usr)
+step(${installed}/bin/plastica --help)
+string(REGEX MATCHALL "\n  [a-z]+  " commands "${text}")
+list(LENGTH commands count)
+file(GLOB pages ${installed}/share/man/man1/plastica-*.1.gz)
+list(LENGTH pages count_of_pages)
+# Each command has a page.
+if(count LESS 15 OR NOT count EQUAL count_of_pages)
+  message(FATAL_ERROR "${count} commands and ${count_of_pages} pages:\n${text}")
+endif()
+foreach(file bash-completion/completions/plastica zsh/vendor-completions/_plastica
+    fish/vendor_completions.d/plastica.fish doc/plastica/copyright doc/plastica/docs/README.md)
+  if(NOT EXISTS ${installed}/share/${file})
+    message(FATAL_ERROR "the package lacks ${file}")
+  endif()
+endforeach()
 step(${CMAKE_COMMAND} -S ${CMAKE_CURRENT_LIST_DIR} -B ${scratch}/build -G ${generator}
-  -DCMAKE_CXX_COMPILER=${compiler} -DCMAKE_PREFIX_PATH=${scratch}/installed)
+  -DCMAKE_CXX_COMPILER=${compiler} -DCMAKE_PREFIX_PATH=${installed})
 step(${CMAKE_COMMAND} --build ${scratch}/build)
 
 # How we compile is our own affair.
