@@ -35,11 +35,12 @@ std::string quoted(const std::string& text) {
 std::string for_bash(const DescribedCommand& program, std::span<const DescribedCommand> commands) {
   std::string cases;
   for (const DescribedCommand& command : commands) {
-    cases += fmt::format("    {}) options='{}' ;;\n", command.name,
-                         fmt::join(options_of(command), " "));
+    cases +=
+        fmt::format("    {}) options='{}' ;;\n", command.name, fmt::join(options_of(command), " "));
   }
   const std::string names = fmt::format("{}", fmt::join(names_of(commands), " "));
-  return fmt::format(R"(# Completion of plastica for bash: source it, or put it where bash-completion looks.
+  return fmt::format(
+      R"(# Completion of plastica for bash: source it, or put it where bash-completion looks.
 _plastica() {{
   local word=${{COMP_WORDS[COMP_CWORD]}} options=
   local commands='{}'
@@ -60,7 +61,7 @@ _plastica() {{
 }}
 complete -F _plastica plastica
 )",
-                     names, fmt::join(options_of(program), " "), cases);
+      names, fmt::join(options_of(program), " "), cases);
 }
 
 /// What _arguments of zsh takes of an option.

@@ -35,7 +35,8 @@ std::vector<DescribedCommand> described_commands(const CLI::App& app);
 std::string completion_for(const std::string& shell, const std::vector<DescribedCommand>& commands);
 
 /// "plastica-calibrate", of the program "plastica": what the page of a command is called.
-std::string man_title(const DescribedCommand& command, const std::vector<DescribedCommand>& commands);
+std::string man_title(const DescribedCommand& command,
+                      const std::vector<DescribedCommand>& commands);
 
 /// The man page of a command, in troff with the macros of man(7).
 /// @param commands  all of them, the program first

@@ -35,9 +35,9 @@ std::string allowed(const Field& field) {
 
 std::string line_of(const Field& field) {
   const bool word = field.kind == FieldKind::Choice;
-  return fmt::format("{:<44} {:<7} {:<17} {}; {}{}", field.path, word ? "" : si_unit(field.dimension),
-             default_text(field), allowed(field), field.doc,
-             field.material ? " [fit parameter]" : "");
+  return fmt::format("{:<44} {:<7} {:<17} {}; {}{}", field.path,
+                     word ? "" : si_unit(field.dimension), default_text(field), allowed(field),
+                     field.doc, field.material ? " [fit parameter]" : "");
 }
 
 std::string in_small_letters(std::string_view text) {

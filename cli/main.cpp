@@ -97,7 +97,8 @@ std::string wrong_command(const CLI::App& app, std::string_view first) {
                              : fmt::format("there are {}", fmt::join(names, ", ")));
 }
 
-/// `plastica` and `plastica help` as `plastica --help`, `plastica help plot` as `plastica plot --help`.
+/// `plastica` and `plastica help` as `plastica --help`, `plastica help plot` as `plastica plot
+/// --help`.
 std::vector<std::string> with_help_as_option(std::vector<std::string> words) {
   if (words.empty()) return {"--help"};
   if (words.front() != "help") return words;

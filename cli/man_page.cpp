@@ -69,8 +69,8 @@ std::string footer_text(const std::string& footer) {
 std::string arguments_text(const DescribedCommand& command) {
   std::string text;
   for (const DescribedOption& argument : command.arguments) {
-    text += argument.required ? " " + slanted(argument.takes)
-                              : " [" + slanted(argument.takes) + "]";
+    text +=
+        argument.required ? " " + slanted(argument.takes) : " [" + slanted(argument.takes) + "]";
   }
   return text;
 }
@@ -89,12 +89,13 @@ std::string man_page(const DescribedCommand& command, const std::vector<Describe
   const bool whole = &command == &program;
   std::string title = man_title(command, commands);
   for (char& c : title) c = static_cast<char>(c >= 'a' && c <= 'z' ? c - 'a' + 'A' : c);
-  std::string text = fmt::format(".TH {} 1 \"\" \"plastica {}\" \"Plastica\"\n", troff(title), version);
+  std::string text =
+      fmt::format(".TH {} 1 \"\" \"plastica {}\" \"Plastica\"\n", troff(title), version);
   text += fmt::format(".SH NAME\n{} \\- {}\n", troff(man_title(command, commands)),
                       troff(command.meaning));
-  text += fmt::format(".SH SYNOPSIS\n{}{}{} [\\fIOPTION\\fR...]\n", bold(program.name),
-                      whole ? " \\fICOMMAND\\fR" : " " + bold(command.name),
-                      arguments_text(command));
+  text +=
+      fmt::format(".SH SYNOPSIS\n{}{}{} [\\fIOPTION\\fR...]\n", bold(program.name),
+                  whole ? " \\fICOMMAND\\fR" : " " + bold(command.name), arguments_text(command));
   if (!command.arguments.empty()) text += ".SH ARGUMENTS\n";
   for (const DescribedOption& argument : command.arguments) {
     text += fmt::format(".TP\n{}\n{}.\n", slanted(argument.takes), troff(argument.meaning));

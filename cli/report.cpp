@@ -72,7 +72,8 @@ void add_report(CLI::App& app, Action& action) {
       "Examples:\n"
       "  plastica report fit.h5\n"
       "  plastica report sweep.h5 -o sweep.html");
-  sub->callback([&action, arguments] { action = [arguments] { return write_report(*arguments); }; });
+  sub->callback(
+      [&action, arguments] { action = [arguments] { return write_report(*arguments); }; });
 }
 
 }  // namespace plastica::cli

@@ -48,9 +48,8 @@ void add_completion(CLI::App& app, Action& action) {
       "Examples:\n"
       "  source <(plastica completion bash)\n"
       "  plastica completion fish > ~/.config/fish/completions/plastica.fish");
-  sub->callback([&app, &action, shell] {
-    action = [&app, shell] { return print_completion(app, *shell); };
-  });
+  sub->callback(
+      [&app, &action, shell] { action = [&app, shell] { return print_completion(app, *shell); }; });
 }
 
 void add_man(CLI::App& app, Action& action) {

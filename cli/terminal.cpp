@@ -26,11 +26,11 @@ namespace {
 
 /// Letters of reports. Greek ones keep their width, so that columns stay below their heads.
 constexpr std::array<std::pair<std::string_view, std::string_view>, 30> kLetters{{
-    {"…", ".."}, {"±", "+-"}, {"ε", "e"},  {"ɛ", "e"}, {"σ", "s"},   {"τ", "t"},   {"γ", "g"},
-    {"δ", "d"},  {"µ", "u"},  {"μ", "u"},  {"°", "d"}, {"²", "2"},   {"³", "3"},   {"⁰", "0"},
-    {"¹", "1"},  {"⁴", "4"},  {"⁵", "5"},  {"⁶", "6"}, {"⁷", "7"},   {"⁸", "8"},   {"⁹", "9"},
-    {"⁻", "-"},  {"−", "-"},  {"–", "-"},  {"×", "x"}, {"·", "."},   {"≤", "<="},  {"≥", ">="},
-    {"ä", "a"},  {"é", "e"},
+    {"…", ".."}, {"±", "+-"}, {"ε", "e"},  {"ɛ", "e"},  {"σ", "s"}, {"τ", "t"},
+    {"γ", "g"},  {"δ", "d"},  {"µ", "u"},  {"μ", "u"},  {"°", "d"}, {"²", "2"},
+    {"³", "3"},  {"⁰", "0"},  {"¹", "1"},  {"⁴", "4"},  {"⁵", "5"}, {"⁶", "6"},
+    {"⁷", "7"},  {"⁸", "8"},  {"⁹", "9"},  {"⁻", "-"},  {"−", "-"}, {"–", "-"},
+    {"×", "x"},  {"·", "."},  {"≤", "<="}, {"≥", ">="}, {"ä", "a"}, {"é", "e"},
 }};
 
 /// Bytes of the letter that begins with a byte.
@@ -165,10 +165,10 @@ std::string broken_line(std::string_view line, std::size_t width) {
   const std::size_t indent = std::min(line.find_first_not_of(' '), line.size());
   const std::string further(std::min(indent + 4, width / 2), ' ');
   std::string text;
-  std::string piece;         // of the line, not longer than the terminal is wide
-  std::size_t columns = 0;   // of the piece
-  std::size_t begins = 0;    // in the piece, where its words begin
-  std::size_t blank = 0;     // behind the last blank between two words; 0: none
+  std::string piece;        // of the line, not longer than the terminal is wide
+  std::size_t columns = 0;  // of the piece
+  std::size_t begins = 0;   // in the piece, where its words begin
+  std::size_t blank = 0;    // behind the last blank between two words; 0: none
   for (std::size_t at = 0; at < line.size();) {
     if (line[at] == '\033') {
       const std::size_t end = std::min(line.find('m', at), line.size() - 1);
@@ -176,8 +176,8 @@ std::string broken_line(std::string_view line, std::size_t width) {
       at = end + 1;
       continue;
     }
-    const std::size_t length = std::min(length_of_letter(static_cast<unsigned char>(line[at])),
-                                        line.size() - at);
+    const std::size_t length =
+        std::min(length_of_letter(static_cast<unsigned char>(line[at])), line.size() - at);
     if (columns == width) {
       const bool ends_word = line[at] == ' ';
       const std::size_t cut = blank > begins && !ends_word ? blank : piece.size();

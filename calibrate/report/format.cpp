@@ -22,4 +22,16 @@ std::string sentence_of(const Repair& repair) {
   return repair.text.starts_with(count) ? repair.text.substr(count.size()) : repair.text;
 }
 
+std::string size_of(const Correction& correction) {
+  if (correction.unit == "1") return fmt::format("{:+.3g} %", 100.0 * correction.amount);
+  if (correction.unit == "Pa") {
+    const DisplayUnit unit = display_unit(Dimension::Stress, correction.amount);
+    return fmt::format("{:+.3g} {}", correction.amount / unit.scale, unit.name);
+  }
+  if (correction.unit == "samples" && correction.amount >= 0.0) {
+    return counted(static_cast<std::size_t>(correction.amount), "sample");
+  }
+  return quantity(fmt::format("{:.6g}", correction.amount), correction.unit);
+}
+
 }  // namespace plastica::calibrate::report

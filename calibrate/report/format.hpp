@@ -34,6 +34,9 @@ std::string unusable_text(std::size_t count);
 /// The unit in which a parameter of about this size is shown.
 DisplayUnit display_unit_of(std::string_view path, Dimension dimension, double size);
 
+/// The size of a correction in the unit that people use: "+0.021 %".
+std::string size_of(const Correction& correction);
+
 /// What a repair did without how often, which stands before it: "rows without strain dropped".
 std::string sentence_of(const Repair& repair);
 

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "calibrate/inference/mean_interval.hpp"
+#include "calibrate/report/fit_flags.hpp"
 #include "calibrate/report/outcome_text.hpp"
 #include "calibrate/report/parameter_words.hpp"
 #include "calibrate/report/repairs_text.hpp"
@@ -27,39 +28,6 @@ using Align = Table::Align;
 
 /// Parameters that the table over fits has room for; the report of a fit has all.
 constexpr std::size_t kMaxColumns = 3;
-
-/// The letters of the table's last column, in their order.
-struct SceneFitFlag {
-  char letter;
-  std::string_view meaning;
-};
-constexpr std::array<SceneFitFlag, 9> kSceneFitFlags = {{{'u', "no usable fit"},
-                                                         {'b', "a parameter at a bound"},
-                                                         {'n', "a parameter not identified"},
-                                                         {'k', "a parameter weak"},
-                                                         {'s', "a break limited by sampling"},
-                                                         {'g', "a parameter limited by segments"},
-                                                         {'a', "a parameter from its prior"},
-                                                         {'c', "a correlation above 0.95"},
-                                                         {'w', "warnings"}}};
-
-std::string flags_of(const SceneFitResult& result) {
-  const auto any = [&](Verdict verdict) {
-    return std::ranges::any_of(result.free_parameters(),
-                               [&](const FittedParameter* p) { return p->verdict() == verdict; });
-  };
-  std::string flags;
-  if (!why_unusable(result).empty()) flags += 'u';
-  if (any(Verdict::AtBound)) flags += 'b';
-  if (any(Verdict::NotIdentified)) flags += 'n';
-  if (any(Verdict::Weak)) flags += 'k';
-  if (any(Verdict::LimitedBySampling)) flags += 's';
-  if (any(Verdict::LimitedBySegments)) flags += 'g';
-  if (any(Verdict::FromPrior)) flags += 'a';
-  if (!strong_correlations(result).empty()) flags += 'c';
-  if (!result.warnings.empty()) flags += 'w';
-  return flags;
-}
 
 /// A parameter's column: its unit fits the largest value.
 struct ColumnParameter {
@@ -130,11 +98,9 @@ std::string table_text(std::span<const SceneFitRecord> records,
     table.add(row_of(records[i], shown));
   }
   std::string text = ink.heading("Fits\n") + table.text(2, kWidth);
-  std::string legend = "misfit: rms residual over the largest ordinate";
-  for (const SceneFitFlag& flag : kSceneFitFlags) {
-    if (seen.find(flag.letter) == std::string::npos) continue;
-    legend += fmt::format("; {} {}", flag.letter, flag.meaning);
-  }
+  const std::string flags = legend_of(scene_fit_flags(), seen);
+  const std::string legend =
+      "misfit: rms residual over the largest ordinate" + (flags.empty() ? flags : "; " + flags);
   return text + wrapped("  ", legend, kWidth);
 }
 

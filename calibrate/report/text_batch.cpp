@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "calibrate/report/fit_flags.hpp"
 #include "calibrate/report/format.hpp"
 #include "calibrate/report/parameter_words.hpp"
 #include "calibrate/report/repairs_text.hpp"
@@ -24,43 +25,6 @@ using plastica::report::Ink;
 using plastica::report::kWidth;
 using plastica::report::Table;
 using Align = Table::Align;
-
-/// The letters of the table's last column, in their order.
-struct FitFlag {
-  char letter;
-  std::string_view meaning;
-};
-constexpr std::array<FitFlag, 7> kFitFlags = {{{'u', "no usable fit"},
-                                               {'b', "a parameter at a bound"},
-                                               {'n', "a parameter not identified"},
-                                               {'a', "a parameter from its prior"},
-                                               {'p', "poor: the law does not describe the curve"},
-                                               {'r', "curve repaired"},
-                                               {'w', "warnings"}}};
-
-std::string flags_of(const FitRecord& record) {
-  const FitResult& result = record.result;
-  const auto any_parameter = [&](auto&& test) {
-    return std::any_of(result.parameters.begin(), result.parameters.end(), test);
-  };
-  std::string flags;
-  if (!why_unusable(result).empty()) flags += 'u';
-  if (any_parameter([](const FittedParameter& p) { return p.at_lower || p.at_upper; })) {
-    flags += 'b';
-  }
-  if (any_parameter([](const FittedParameter& p) {
-        return p.role == ParameterRole::Free && !p.identified;
-      })) {
-    flags += 'n';
-  }
-  if (any_parameter([](const FittedParameter& p) { return p.verdict() == Verdict::FromPrior; })) {
-    flags += 'a';
-  }
-  if (result.misfit_word == "poor") flags += 'p';
-  if (!record.target.repairs.empty()) flags += 'r';
-  if (!record.target.warnings.empty() || !result.warnings.empty()) flags += 'w';
-  return flags;
-}
 
 /// The symbol of the parameters that people know by one.
 std::string symbol_of(std::string_view name) {
@@ -220,11 +184,7 @@ std::string specimens_text(std::span<const FitRecord> records, const ReportOptio
   std::string text = ink.heading("Specimens\n") + table.text(2, kWidth);
   const std::string meanings = meaning_of_columns(records, parameters, total);
   if (!meanings.empty()) text += wrapped("  ", meanings, kWidth);
-  std::string legend;
-  for (const FitFlag& flag : kFitFlags) {
-    if (seen.find(flag.letter) == std::string::npos) continue;
-    legend += (legend.empty() ? "" : "; ") + fmt::format("{} {}", flag.letter, flag.meaning);
-  }
+  const std::string legend = legend_of(fit_flags(), seen);
   if (!legend.empty()) text += wrapped("  ", legend, kWidth);
   return text;
 }

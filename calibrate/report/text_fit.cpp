@@ -58,19 +58,6 @@ std::string header(const FitRecord& record, const Ink& ink) {
   return text;
 }
 
-/// The size of a correction in the unit that people use: "+0.021 %".
-std::string size_of(const Correction& correction) {
-  if (correction.unit == "1") return fmt::format("{:+.3g} %", 100.0 * correction.amount);
-  if (correction.unit == "Pa") {
-    const DisplayUnit unit = display_unit(Dimension::Stress, correction.amount);
-    return fmt::format("{:+.3g} {}", correction.amount / unit.scale, unit.name);
-  }
-  if (correction.unit == "samples" && correction.amount >= 0.0) {
-    return counted(static_cast<std::size_t>(correction.amount), "sample");
-  }
-  return quantity(fmt::format("{:.6g}", correction.amount), correction.unit);
-}
-
 std::string mending(const Target& target, const Ink& ink) {
   std::string text = repairs_text(target.repairs, ink);
   if (!target.corrections.empty()) {

@@ -99,6 +99,11 @@ std::string modulus_of(const GroupSummary& group, std::span<const FitRecord> rec
 
 }  // namespace
 
+std::string characteristic_label(std::string_view name, const GroupSummary& group,
+                                 std::span<const FitRecord> records) {
+  return label_of(name, modulus_of(group, records), proof_label(records));
+}
+
 std::string groups_text(std::span<const FitRecord> records, const ReportOptions& options,
                         const Ink& ink) {
   const SpecimenDraws draws{options.specimen_resamples, options.seed, options.confidence};
@@ -106,7 +111,6 @@ std::string groups_text(std::span<const FitRecord> records, const ReportOptions&
   const bool drawn = draws.resamples > 0 && std::ranges::any_of(groups, [](const auto& group) {
                        return group.fitted >= kFewestToDraw;
                      });
-  const std::string proof = proof_label(records);
   const std::size_t shown =
       options.groups_shown == 0 ? groups.size() : std::min(groups.size(), options.groups_shown);
   std::string text;
@@ -125,7 +129,7 @@ std::string groups_text(std::span<const FitRecord> records, const ReportOptions&
          {fmt::format("{:.4g} % of the mean", 100.0 * options.confidence), Table::Align::Range},
          {"", Table::Align::Left}});
     for (const GroupStatistic& entry : group.characteristics) {
-      add_statistic(table, entry, label_of(entry.name, modulus_of(group, records), proof));
+      add_statistic(table, entry, characteristic_label(entry.name, group, records));
     }
     if (!group.parameters.empty()) table.add_line("fitted");
     for (const GroupStatistic& entry : group.parameters) {

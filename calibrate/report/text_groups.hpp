@@ -2,7 +2,9 @@
 
 #include <span>
 #include <string>
+#include <string_view>
 
+#include "calibrate/report/summary.hpp"
 #include "calibrate/report/text.hpp"
 #include "plastica/report/ink.hpp"
 
@@ -14,6 +16,11 @@ std::string proof_label(std::span<const FitRecord> records);
 
 /// What the elastic slopes are: "E", of torsion tests "G", of both "E, G".
 std::string modulus_label(std::span<const FitRecord> records);
+
+/// "G", "Rp0.2", "Rm": what a characteristic of a group is called; other names as they are.
+/// @param records  of all groups
+std::string characteristic_label(std::string_view name, const GroupSummary& group,
+                                 std::span<const FitRecord> records);
 
 /// Mean and deviation of the characteristics and parameters of each group, the intervals of the
 /// parameters' means if specimens are resampled.

@@ -136,7 +136,7 @@ Advice advise(const Setup& setup, const AdviceOptions& options) {
   advice.cut_short = found.cut_short;
   const Trial& trial = found.candidate.trial;
   if (found.end != AdviceEnd::Interrupted && runs.has(trial)) {
-    advice.warnings = runs.warnings_of(trial);
+    advice.warnings = runs.outcome(trial).warnings;
   }
   return advice;
 }

@@ -13,9 +13,8 @@
 namespace plastica::sweeps {
 namespace {
 
-/// Of a fibre section that others are compared with, where 1 % is allowed: 40 are 0.002 % off
-/// (docs/accuracy.md), of second order. Where more is allowed fewer do, at least so many.
-constexpr double kRichFibres = 40.0;
+/// Where more than 1 % is allowed fewer than `kRichFibres` do, at least so many. Forty are 0.002 % off
+/// (docs/accuracy.md), of second order.
 constexpr double kFewestRichFibres = 16.0;
 /// A run is stopped where it costs so many times what was foreseen. No run of an advice on the
 /// shipped scenes for 0.3 % costs more than 42 times that.
@@ -49,6 +48,7 @@ AdviceRuns::AdviceRuns(const Setup& setup, const AdviceOptions& options)
     const double allowed = options.budget > 0.0 ? 0.01 : std::max(options.within, 0.01);
     const double fibres = std::ceil(kRichFibres * std::sqrt(0.01 / allowed));
     idle_setting_[k] = std::max(fibres, kFewestRichFibres);
+    axes_[k].finer_at_least = idle_setting_[k];
   }
 }
 
@@ -121,10 +121,14 @@ bool AdviceRuns::run_all(std::vector<Trial> trials) {
   limits.reserve(trials.size());
   for (const Trial& trial : trials) limits.push_back(limit_of(trial, trials));
   std::vector<LimitedRun> made(trials.size());
+  std::vector<std::vector<std::string>> warnings(trials.size());
   std::mutex telling;
   int done = 0;
   parallel_for(trials.size(), {options_.threads, options_.stop}, [&](std::size_t i, int) {
     made[i] = run(trials[i], limits[i]);
+    if (usable(made[i].row.response.status)) {
+      warnings[i] = warnings_of_run(setup_of(trials[i]), made[i].row.response);
+    }
     if (!options_.progress || is_raised(options_.stop)) return;
     const std::lock_guard lock(telling);
     options_.progress(runs_ + ++done);
@@ -135,7 +139,9 @@ bool AdviceRuns::run_all(std::vector<Trial> trials) {
   }
   bool used_up = false;
   for (std::size_t i = 0; i < trials.size(); ++i) {
-    outcomes_.emplace(trials[i], outcome_of(made[i].row, probes_.watched));
+    Outcome outcome = outcome_of(made[i].row, probes_.watched);
+    outcome.warnings = std::move(warnings[i]);
+    outcomes_.emplace(trials[i], std::move(outcome));
     cost_ += cost(trials[i]);
     used_up = used_up || (made[i].stopped && limits[i].of_all_work);
   }
@@ -218,12 +224,6 @@ double AdviceRuns::expected_work(const Trial& from, const Trial& to) const {
 
 double AdviceRuns::expected_cost(const Trial& from, const Trial& to) const {
   return expected_work(from, to) * kernel_cost(setup_of(to)) / kernel_cost(setup_of(from));
-}
-
-std::vector<std::string> AdviceRuns::warnings_of(const Trial& trial) const {
-  // Twice what it took, which it does not take but for rounding in the limit.
-  const LimitedRun again = run(trial, {2.0 * cost(trial), false});
-  return warnings_of_run(setup_of(trial), again.row.response);
 }
 
 double AdviceRuns::expected_seconds(const Trial& trial) const {

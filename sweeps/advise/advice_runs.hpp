@@ -92,10 +92,6 @@ class AdviceRuns {
   /// The CPU time of a trial that was run, see `Advice::expected_seconds` [s].
   double expected_seconds(const Trial& trial) const;
 
-  /// What a reader must not overlook of a trial that was run, see `run_warnings`; it is run again,
-  /// since responses are not kept.
-  std::vector<std::string> warnings_of(const Trial& trial) const;
-
   AdviceEnd end() const { return end_; }
   int runs() const { return runs_; }
 

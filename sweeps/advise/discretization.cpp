@@ -99,7 +99,8 @@ double FinenessAxis::size(double value) const {
 double FinenessAxis::scaled(double value, double factor) const {
   const bool counts = refinement_of(*field) == Refinement::Count;
   // 1e-9: what rounding makes of a whole number is that number.
-  const double wanted = counts ? std::ceil(value / factor - 1e-9) : value * factor;
+  double wanted = counts ? std::ceil(value / factor - 1e-9) : value * factor;
+  if (factor < 1.0 && finer_at_least > 0.0) wanted = std::max(wanted, finer_at_least);
   return std::clamp(wanted, std::min(coarsest, finest), std::max(coarsest, finest));
 }
 
@@ -122,6 +123,7 @@ std::vector<FinenessAxis> fineness_axes(const Setup& setup) {
   if (moves) add_time_axes(setup, axes);
   if (setup.scene.yield_model == YieldModel::Fibre) {
     axes.push_back(axis_of("solver.fibres", kFewestFibres, kMostFibres));
+    axes.back().finer_at_least = kRichFibres;
   }
   if (!moves && yields) {
     const double own = number_of(find_field("solver.steps"), setup);

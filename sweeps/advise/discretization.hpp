@@ -7,11 +7,18 @@
 
 namespace plastica::sweeps {
 
+/// Fibres along the depth that show when a section yields: the outermost lies at 0.98 of a
+/// rectangle's half depth, so that it yields from 1.02 times first yield on; of four it is at 0.79.
+inline constexpr double kRichFibres = 40.0;
+
 /// A number of a scene's discretization, which advice chooses.
 struct FinenessAxis {
   const Field* field = nullptr;
   double coarsest = 0.0;  ///< value at which advice begins, and which it never goes beyond
   double finest = 0.0;    ///< value that it does not pass
+  /// What a finer value is at least, where two coarse ones may be alike, and both wrong: few fibres
+  /// stay elastic up to a multiple of the moment at which the section's surface yields.
+  double finer_at_least = 0.0;
 
   /// What falls as the value gets finer: 1/value of a count, else the value.
   double size(double value) const;

@@ -35,8 +35,9 @@ struct Outcome {
   std::optional<double> break_place{};  ///< of the first break, of the beam's length [1]
   std::vector<OneNumber> numbers{};     ///< what else the run found
   std::int64_t segments = 0;
-  std::int64_t work = 0;  ///< segment-iterations; of a run without any its segments
-  double seconds = 0.0;   ///< CPU time [s]
+  std::int64_t work = 0;                ///< segment-iterations; of a run without any its segments
+  double seconds = 0.0;                 ///< CPU time [s]
+  std::vector<std::string> warnings{};  ///< of a usable run, see `run_warnings`
 };
 
 Outcome outcome_of(const BatchRow& row, const std::vector<WatchedProbe>& watched);

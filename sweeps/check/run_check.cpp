@@ -116,9 +116,10 @@ class CheckRuns {
     }
     const std::vector<BatchCase> one{{first.scene.path, first.setup.scene, first.setup.solver}};
     const auto rows = run_batch(one, {.threads = 1, .stop = options_.stop});
+    const auto warnings = warnings_of_run(first.setup, rows.front().response);
     for (const std::size_t k : claims) {
       results[k] = result_of(rows.front(), file_.scenes[k].quantity);
-      results[k].warnings = warnings_of_run(first.setup, rows.front().response);
+      results[k].warnings = warnings;
     }
   }
 

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "plastica/run/path_stops.hpp"
+#include "plastica/run/taken_fibres.hpp"
 #include "sweeps/plan/refining.hpp"
 
 namespace plastica::sweeps {
@@ -91,9 +92,11 @@ bool has_outcome(const CaseResult& result) {
 double size_on(const Axis& axis, const Setup& setup) {
   const Refinement refinement = refinement_of(*axis.field);
   if (refinement == Refinement::None) return kNoSize;
-  const FieldValue value = axis.field->path == "solver.time_step"
-                               ? FieldValue(taken_time_step(setup.scene, setup.solver))
-                               : axis.field->get(setup);
+  FieldValue value = axis.field->get(setup);
+  if (axis.field->path == "solver.time_step") value = taken_time_step(setup.scene, setup.solver);
+  if (axis.field->path == "solver.fibres") {
+    value = static_cast<double>(taken_fibres(setup.scene, setup.solver));
+  }
   const auto* number = std::get_if<double>(&value);
   if (number == nullptr || !(*number > 0.0)) return kNoSize;
   return refinement == Refinement::Count ? 1.0 / *number : *number;

@@ -8,6 +8,7 @@
 #include "plastica/io/scene_digest.hpp"
 #include "plastica/model/check_value.hpp"
 #include "plastica/run/path_stops.hpp"
+#include "plastica/run/taken_fibres.hpp"
 #include "sweeps/plan/read_axes.hpp"
 #include "sweeps/plan/sweep.hpp"
 
@@ -76,6 +77,7 @@ Setup CaseTable::setup(std::size_t index) const {
 std::string CaseTable::id(std::size_t index) const {
   Setup of_case = setup(index);
   of_case.solver.time_step = taken_time_step(of_case.scene, of_case.solver);
+  of_case.solver.fibres = taken_fibres(of_case.scene, of_case.solver);
   return io::hexadecimal(
       io::Digest().integer(common_digest_).integer(io::scene_digest(of_case)).value());
 }

@@ -179,10 +179,10 @@ std::string same_run_text(const SweepRecord& record, std::size_t index) {
   const auto number = static_cast<std::size_t>(first - record.ids.begin());
   std::string text = fmt::format("; the same run as case {}", number + 1);
   for (std::size_t a = 0; a < record.axes.size(); ++a) {
-    if (record.axes[a].field->path != "solver.time_step") continue;
-    if (record.at(index, a) != record.at(number, a)) {
-      text += " (steps are cut to the samples)";
-    }
+    if (record.at(index, a) == record.at(number, a)) continue;
+    const std::string_view path = record.axes[a].field->path;
+    if (path == "solver.time_step") text += " (steps are cut to the samples)";
+    if (path == "solver.fibres") text += " (the section is laid out alike)";
   }
   return text;
 }
@@ -210,7 +210,7 @@ CaseRows case_rows(const SweepRecord& record, std::size_t max_cases) {
   return all;
 }
 
-std::vector<std::string> head_lines(const SweepRecord& record) {
+std::vector<std::string> what_was_swept(const SweepRecord& record) {
   std::map<std::string, std::size_t> counts;
   for (const CaseResult& result : record.results) ++counts[std::string(name_of(result.status))];
   std::string first = fmt::format("{}: {}", report::printable(record.name),
@@ -218,8 +218,12 @@ std::vector<std::string> head_lines(const SweepRecord& record) {
   for (const auto& [status, count] : counts) first += fmt::format(", {} {}", count, status);
   std::string compared = record.quantity.name;
   if (!record.against.empty()) compared += " against " + record.against;
-  std::vector<std::string> lines{first, "scene     " + report::printable(record.scene_name),
-                                 "compared  " + report::printable(compared)};
+  return {first, "scene     " + report::printable(record.scene_name),
+          "compared  " + report::printable(compared)};
+}
+
+std::vector<std::string> head_lines(const SweepRecord& record) {
+  std::vector<std::string> lines = what_was_swept(record);
   for (const std::string& note : record.comparison.notes) {
     lines.push_back("error     " + report::printable(note));
   }

@@ -33,6 +33,8 @@ struct CaseRows {
 CaseRows case_rows(const SweepRecord& record, std::size_t max_cases);
 
 /// What was swept, in lines: "NAME: 14 cases, 14 completed", then the scene, then what is compared.
+std::vector<std::string> what_was_swept(const SweepRecord& record);
+/// The same, then what is to be said of the errors, then warnings.
 std::vector<std::string> head_lines(const SweepRecord& record);
 
 /// What stands behind a case that is not as it should be; empty for others.

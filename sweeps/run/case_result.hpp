@@ -32,7 +32,8 @@ struct CaseResult {
   std::int64_t break_joint = -1;        ///< the first that broke; -1: none did, or it is a coupon
   std::optional<double> break_place{};  ///< of that joint, joints over segments [1]
   double seconds = 0.0;                 ///< CPU time of the run, see BatchCase::timed_runs [s]
-  std::vector<std::string> warnings{};  ///< what the run shows, of a watched case: `case_warnings`
+  /// What the run shows, of a case that was watched (`case_warnings`); none of others.
+  std::optional<std::vector<std::string>> warnings{};
 
   /// The work of the case, in a measure that no machine changes: segments x iterations.
   std::int64_t segment_iterations() const { return segments * iterations; }

@@ -15,7 +15,7 @@
 namespace plastica::sweeps {
 namespace {
 
-constexpr std::size_t kMostCases = 16;
+constexpr std::size_t kMostWatched = 16;
 
 /// Alike: but for numbers.
 std::string without_numbers(std::string text) {
@@ -65,11 +65,10 @@ std::optional<std::string> too_short(const Model& model, const Quantity& quantit
 /// @throws InputError of a case that cannot be run
 std::vector<std::string> warnings_of(const Setup& setup, const Quantity& quantity,
                                      const CaseResult& result) {
-  if (quantity.kind == QuantityKind::Fit) return result.warnings;
+  if (quantity.kind == QuantityKind::Fit)
+    return result.warnings.value_or(std::vector<std::string>());
   const Model model = prepare(setup.scene, setup.solver);
-  // A run without any has none of these; they are looked for where it kept none.
-  std::vector<std::string> warnings =
-      result.warnings.empty() ? scene_warnings(model) : result.warnings;
+  std::vector<std::string> warnings = result.warnings ? *result.warnings : scene_warnings(model);
   const bool is_frequency = quantity.kind == QuantityKind::NaturalFrequency ||
                             quantity.kind == QuantityKind::LoadedFrequency;
   if (is_frequency && model.chain) {
@@ -105,19 +104,22 @@ std::string place_of(const Sweep& sweep, const CaseTable& cases, std::size_t ind
   return place;
 }
 
-/// Which cases a warning is of, and whose numbers it has; empty where that goes without saying.
-std::string whose(const Said& said, std::size_t looked, bool of_all, const std::string& place) {
-  if (said.cases == looked && said.is_same) return "";
-  if (said.cases == looked) return fmt::format("of all cases, at {}: ", place);
-  return fmt::format("of {} of {} cases{}, at {}: ", said.cases, looked,
-                     of_all ? "" : " that were looked at", place);
+/// Which cases a warning is of, and whose numbers it has; empty where it is of all, and the same.
+/// @param looked  cases that were looked at, of all
+std::string whose(const Said& said, std::size_t looked, std::size_t all, const std::string& place) {
+  if (said.cases == all && said.is_same) return "";
+  std::string cases = looked == all ? fmt::format("of {} of {} cases", said.cases, all)
+                                    : fmt::format("of {} of {} cases that were looked at (of {})",
+                                                  said.cases, looked, all);
+  if (!said.is_same || said.cases < looked) cases += ", at " + place;
+  return cases + ": ";
 }
 
 }  // namespace
 
 std::vector<std::size_t> watched_cases(std::size_t cases) {
   std::vector<std::size_t> chosen;
-  const std::size_t count = std::min(cases, kMostCases);
+  const std::size_t count = std::min(cases, kMostWatched);
   chosen.reserve(count);
   for (std::size_t k = 0; k < count; ++k) {
     chosen.push_back(count == 1 ? 0 : k * (cases - 1) / (count - 1));
@@ -156,8 +158,8 @@ std::vector<std::string> case_warnings(const Sweep& sweep, const CaseTable& case
   std::vector<std::string> texts;
   texts.reserve(all.size());
   for (const Said& said : all) {
-    const bool of_all = cases.size() <= kMostCases;
-    texts.push_back(whose(said, looked, of_all, place_of(sweep, cases, said.last)) + said.text);
+    texts.push_back(whose(said, looked, cases.size(), place_of(sweep, cases, said.last)) +
+                    said.text);
   }
   return texts;
 }

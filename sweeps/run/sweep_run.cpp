@@ -22,6 +22,9 @@ std::uint64_t journal_kind() {
   return io::Digest().text("plastica/sweep").integer(kResultVersion).value();
 }
 
+/// Whether a run of a case shows what its scene does not.
+bool has_warnings(QuantityKind kind) { return kind != QuantityKind::NaturalFrequency; }
+
 /// Timed cases run alone, so that they do not slow each other.
 int threads_of(const Sweep& sweep, int wanted) {
   return sweep.timed_runs > 0 && wanted == 0 ? 1 : wanted;
@@ -53,7 +56,7 @@ SweepRun::SweepRun(const Sweep& sweep, SweepRunOptions options)
   take_earlier();
   const std::size_t there = options_.earlier.size() + (journal_ ? journal_->found() : 0);
   const bool merged = options_.journal.merged != nullptr;
-  if (there > 0 && resumed_ == 0 && !merged && !options_.rerun_failed && !options_.journal.force) {
+  if (there > 0 && found_ == 0 && !merged && !options_.rerun_failed && !options_.journal.force) {
     const std::string other = journal_ ? journal_->other_instruction_set() : std::string();
     throw InputError({options_.journal.path, 0}, "", "",
                      "has no case of this sweep, nor has its output: " +
@@ -86,17 +89,20 @@ void SweepRun::deal() {
 }
 
 void SweepRun::take_earlier() {
-  const auto wanted = [&](const CaseResult& result) {
+  // A case that is watched now, and was not when it ran, runs again: sixteen at most.
+  const auto wanted = [&](const CaseResult& result, std::size_t i) {
+    ++found_;
+    if (watched_[i] && !result.warnings && has_warnings(sweep_.quantity.kind)) return false;
     return !options_.rerun_failed || usable(result.status);
   };
   for (std::size_t i = 0; i < ids_.size(); ++i) {
     if (owner_[i] != i || !own_[i]) continue;
     if (const auto* bytes = journal_ ? journal_->find(ids_[i]) : nullptr) {
       CaseResult result = result_from_bytes(*bytes);
-      if (wanted(result)) results_[i] = std::move(result);
+      if (wanted(result, i)) results_[i] = std::move(result);
     }
     if (const auto earlier = options_.earlier.find(ids_[i]);
-        !results_[i] && earlier != options_.earlier.end() && wanted(earlier->second)) {
+        !results_[i] && earlier != options_.earlier.end() && wanted(earlier->second, i)) {
       results_[i] = earlier->second;
     }
     if (results_[i]) resumed_ += shared_by_[i];
@@ -182,7 +188,7 @@ void SweepRun::run_missing(const std::vector<std::size_t>& missing, const NextIn
     } catch (const InputError& error) {
       result = rejected(error.what());
     }
-    if (!watched_[missing[k]]) result.warnings.clear();
+    if (!watched_[missing[k]]) result.warnings.reset();
     take(missing[k], std::move(result));
   });
 }

@@ -102,6 +102,7 @@ class SweepRun {
   std::vector<bool> own_;               ///< whether a case is to be done here (n_cases)
   std::optional<io::CaseJournal> journal_;
   std::vector<std::optional<CaseResult>> results_;  ///< of owners (n_cases)
+  std::size_t found_ = 0;  ///< cases of this sweep in journal and earlier results
   std::size_t resumed_ = 0;
   SweepProgress progress_;
   SweepProgress before_;   ///< when the run began

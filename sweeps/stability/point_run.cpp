@@ -102,7 +102,7 @@ void PointRunner::compare_with_finer(const Setup& setup, JudgedRun& run) const {
   }
 }
 
-JudgedRun PointRunner::run(const Setup& setup) const {
+JudgedRun PointRunner::run(const Setup& setup, bool warned) const {
   const auto begin = PointClock::now();
   JudgedRun run;
   try {
@@ -116,7 +116,7 @@ JudgedRun PointRunner::run(const Setup& setup) const {
     const bool limit = run.verdict.validity == Validity::Failed && usable(run.outcome.status);
     if (limit) run.verdict = {};  // of an elastic beam that snaps: an answer, if it converges
     if (!row.reason.empty()) run.verdict.reason = row.reason;
-    if (&setup == &setup_) run.warnings = warnings_of_run(setup, row.response);
+    if (warned) run.warnings = warnings_of_run(setup, row.response);
     if (run.verdict.validity == Validity::Valid) compare_with_finer(setup, run);
   } catch (const InputError& error) {
     run.outcome.status = Status::Rejected;
@@ -128,7 +128,7 @@ JudgedRun PointRunner::run(const Setup& setup) const {
 
 JudgedRun PointRunner::run_own() {
   prepare(setup_.scene, setup_.solver);
-  own_ = run(setup_);
+  own_ = run(setup_, true);
   return own_;
 }
 

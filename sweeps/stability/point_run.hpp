@@ -20,7 +20,7 @@ struct JudgedRun {
   double energy_balance_error = 0.0;
   double segment_steps = 0.0;
   double seconds = 0.0;
-  std::vector<std::string> warnings{};  ///< of the scene's own run alone, see `run_warnings`
+  std::vector<std::string> warnings{};  ///< where they are asked for, see `run_warnings`
 };
 
 /// Runs setups that differ from a scene, and judges them.
@@ -31,8 +31,8 @@ class PointRunner {
 
   /// The scene as it is; to be run first. @throws InputError if it is bad input
   JudgedRun run_own();
-  /// One that differs.
-  JudgedRun run(const Setup& setup) const;
+  /// One that differs. @param warned  whether its warnings are asked for
+  JudgedRun run(const Setup& setup, bool warned = false) const;
   /// Segments times steps that a run is estimated to take [1].
   double work(const Setup& setup) const;
   double own_work() const { return own_work_; }

@@ -44,7 +44,7 @@ std::string own_text(const SceneScan& scan) {
   }
   text += '\n';
   for (const std::string& warning : scan.warnings) {
-    text += report::wrapped("  warning     ", report::printable(warning), 100) + "\n";
+    text += report::wrapped("  warning     ", report::printable(warning), 100);
   }
   return text;
 }

@@ -144,32 +144,43 @@ void traverse_breaks(Columns& column) {
   column("break_place", "1", &CaseResult::break_place);
 }
 
-/// The warnings of cases, which few have: a row each, with the number of its case.
+/// The cases that were watched, and the warnings of these: a row each, with the number of its case.
 void write_case_warnings(Hdf5Group& cases, const std::vector<CaseResult>& results) {
-  std::vector<std::uint64_t> whose;
+  std::vector<std::uint64_t> watched;
+  std::vector<std::uint64_t> warned;
   std::vector<std::string> texts;
   for (std::size_t i = 0; i < results.size(); ++i) {
-    whose.insert(whose.end(), results[i].warnings.size(), i);
-    texts.insert(texts.end(), results[i].warnings.begin(), results[i].warnings.end());
+    if (!results[i].warnings) continue;
+    watched.push_back(i);
+    warned.insert(warned.end(), results[i].warnings->size(), i);
+    texts.insert(texts.end(), results[i].warnings->begin(), results[i].warnings->end());
   }
-  cases.write("warned", whose, {{}, kDeflate});
+  cases.write("watched", watched, {{}, kDeflate});
+  cases.write("warned", warned, {{}, kDeflate});
   cases.write_texts("warning", texts);
 }
 
 /// Files of before have none.
 void read_case_warnings(const Hdf5Group& cases, std::vector<CaseResult>& results) {
-  if (!cases.exists("warned")) return;
-  const auto whose = cases.read<std::uint64_t>("warned");
+  if (!cases.exists("watched")) return;
+  for (const std::uint64_t i : cases.read<std::uint64_t>("watched")) {
+    if (i >= results.size()) {
+      io::refuse_value(cases, "watched", std::to_string(i), "must be the number of a case");
+    }
+    results[i].warnings.emplace();
+  }
+  const auto warned = cases.read<std::uint64_t>("warned");
   std::vector<std::string> texts = cases.read_texts("warning");
-  if (texts.size() != whose.size()) {
+  if (texts.size() != warned.size()) {
     io::refuse_value(cases, "warning", std::to_string(texts.size()),
                      "must have as many rows as warned");
   }
-  for (std::size_t k = 0; k < whose.size(); ++k) {
-    if (whose[k] >= results.size()) {
-      io::refuse_value(cases, "warned", std::to_string(whose[k]), "must be the number of a case");
+  for (std::size_t k = 0; k < warned.size(); ++k) {
+    if (warned[k] >= results.size() || !results[warned[k]].warnings) {
+      io::refuse_value(cases, "warned", std::to_string(warned[k]),
+                       "must be the number of a case that was watched");
     }
-    results[whose[k]].warnings.push_back(std::move(texts[k]));
+    results[warned[k]].warnings->push_back(std::move(texts[k]));
   }
 }
 

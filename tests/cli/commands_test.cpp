@@ -15,9 +15,9 @@
 namespace plastica::testing {
 namespace {
 
-constexpr const char* kCommands[] = {"calibrate", "inspect", "init",   "simulate",  "sweep",
-                                     "merge",     "check",   "advise", "recommend", "stability",
-                                     "diff",      "show",    "plot",   "report",    "export",
+constexpr const char* kCommands[] = {"calibrate", "inspect",    "init",   "simulate",  "sweep",
+                                     "merge",     "check",      "advise", "recommend", "stability",
+                                     "diff",      "show",       "plot",   "report",    "export",
                                      "fields",    "completion", "man"};
 
 /// Runs what must succeed without a word on stderr. @return what it wrote

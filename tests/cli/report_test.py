@@ -18,6 +18,19 @@ from browser import Browser
 
 COMMAND, DATA = sys.argv[1:3]
 HOSTILE = "a<script>alert(1)</script>\"'&<b>"
+# Points of curves that the axes leave out.
+POINTS_OUTSIDE = """(() => {
+  drawAll();
+  return [...charts].flatMap((chart) => {
+    const { left, right, top, bottom } = chart.chartArea;
+    return chart.data.datasets.flatMap((set) => set.data.filter((point) => {
+      if (point.x === null || point.y === null) return false;
+      const x = chart.scales.x.getPixelForValue(point.x);
+      const y = chart.scales.y.getPixelForValue(point.y);
+      return x < left - 1 || x > right + 1 || y < top - 1 || y > bottom + 1;
+    }).map((point) => [set.label, point.x, point.y])).slice(0, 3);
+  });
+})()"""
 browser = None
 
 
@@ -111,6 +124,7 @@ class Report(unittest.TestCase):
                 self.assertLessEqual(wide, width, where)  # nothing stands out at the side
                 self.assertGreater(browser.evaluate("document.querySelector('main').innerText.length"),
                                    20, where)
+                self.assertEqual(browser.evaluate(POINTS_OUTSIDE), [], where)
         self.assertEqual(browser.complaints, [])
         others = [url for url in browser.requests if not url.startswith(("file://", "data:"))]
         self.assertEqual(others, [])
@@ -125,6 +139,15 @@ class Report(unittest.TestCase):
             "(() => { const c = document.querySelector(" + json.dumps(selector) + ");"
             "const d = c.getContext('2d').getImageData(0, 0, c.width, c.height).data;"
             "let n = 0; for (let i = 3; i < d.length; i += 4) n += d[i] > 0; return n; })()")
+
+
+    def blue(self, selector):
+        """How many pixels of a canvas have the colour of the first curve."""
+        return browser.evaluate(
+            "(() => { const c = document.querySelector(" + json.dumps(selector) + ");"
+            "const d = c.getContext('2d').getImageData(0, 0, c.width, c.height).data;"
+            "let n = 0; for (let i = 0; i < d.length; i += 4) n += d[i + 3] > 128 && d[i] < 60 &&"
+            "Math.abs(d[i + 1] - 114) < 40 && Math.abs(d[i + 2] - 178) < 40; return n; })()")
 
 
 class Fits(Report):
@@ -163,12 +186,74 @@ class Fits(Report):
         browser.click(button)
         self.assertEqual(self.texts("tbody td:first-child"), names[::-1])
 
+    def filtered(self, text):
+        browser.evaluate("(() => { const input = document.querySelector('input');"
+                         f"input.value = {json.dumps(text)};"
+                         "input.dispatchEvent(new Event('input')); })()")
+        return self.texts("tbody td:first-child")
+
+    def test_filters(self):
+        self.run_command("calibrate", os.path.join(DATA, "fits/demo.toml"), "-o", self.path("l.h5"),
+                         "--laws", "ideal,voce", "--json", self.path("l.json"))
+        with open(self.path("l.json"), encoding="utf-8") as file:
+            fits = json.load(file)["fits"]
+        browser.open(self.report(self.path("l.h5")))
+
+        def names(holds):
+            return sorted(fit["name"] for fit in fits if holds(fit))
+
+        for text, holds in (
+                ("law = voce", lambda fit: fit["law"] == "voce"),
+                ("temperature_C > 100", lambda fit: float(fit["group"]["temperature_C"]) > 100),
+                ("temperature_C = 20, s355", lambda fit: fit["name"] == "s355"),
+                ("misfit < 2", lambda fit: 100 * fit["misfit_fraction"] < 2),
+                ("poor", lambda fit: fit["misfit_word"] == "poor")):
+            with self.subTest(text):
+                found = self.filtered(text)
+                self.assertEqual(sorted(found), names(holds))
+                self.assertGreater(len(found), 0)
+                if text != "poor":
+                    self.assertLess(len(found), len(fits))
+        self.assertEqual(self.filtered("mispelt > 3"), [])
+        self.assertIn("no column mispelt", self.texts(".count")[0])
+        self.assertEqual(self.filtered("misfit > much"), [])
+        self.assertIn("no number", self.texts(".count")[0])
+        kept = self.filtered("law = voce")
+        browser.click("tbody a")
+        browser.press("Escape")
+        self.assertEqual(self.texts("tbody td:first-child"), kept)
+
+    def test_intervals_have_the_confidence_of_the_fit(self):
+        fit = self.write("f.toml", "[fit]\nconfidence = 0.5\n[[target]]\n"
+                         f"files = '{os.path.join(DATA, 'targets/al6061-t6.csv')}'\ntest = 'tension'\n"
+                         "strain = { column = 'Strain' }\nstress = { column = 'Stress' }\n")
+        self.run_command("calibrate", fit, "-o", self.path("f.h5"))
+        browser.open(self.report(self.path("f.h5")))
+        browser.click("tbody a")
+        self.assertIn("50 % from", self.texts("th"))
+        self.assertTrue(any("50 % interval" in text for text in self.texts("pre")))
+        self.assertFalse(any("95 %" in text for text in self.texts("pre, th")))
+
+    def test_prints_all_in_light(self):
+        browser.open(self.report(self.result), dark=True)
+        browser.evaluate("location.hash = 'detail=0'")
+        browser.settle()
+        browser.evaluate("dispatchEvent(new Event('beforeprint'))")
+        self.assertEqual(browser.evaluate("themeColor('--scheme')"), "light")
+        self.assertEqual(browser.evaluate("notSeenYet.size"), 0)
+        browser.evaluate("dispatchEvent(new Event('afterprint'))")
+        self.assertEqual(browser.evaluate("themeColor('--scheme')"), "dark")
+
     def test_a_row_opens_the_specimen(self):
         page = self.report(self.result)
         browser.open(page)
         browser.click("tbody tr:nth-child(2) td:nth-child(4)")
         self.assertEqual(self.texts("main h1"), [self.summary["fits"][1]["name"]])
-        self.assertGreater(self.drawn("main canvas"), 2000)
+        self.assertEqual(browser.evaluate("document.activeElement.tagName"), "MAIN")
+        drawn = self.blue("main canvas")
+        browser.evaluate("(() => { const chart = [...charts][0];"
+                         "for (const set of chart.data.datasets) set.data = []; chart.update('none'); })()")
+        self.assertGreater(drawn, 3 * self.blue("main canvas") + 300)  # without its curves
         browser.press("j")
         self.assertEqual(self.texts("main h1"), [self.summary["fits"][2]["name"]])
         browser.press("Escape")
@@ -240,6 +325,17 @@ class OtherResults(Report):
         start = browser.evaluate(f"document.querySelector('{canvas}').toDataURL()")
         self.assertNotEqual(start, end)
         self.assertEqual(self.texts(".time .count"), ["0 ms"])
+        # The table behind the moments is that of the frame.
+        browser.evaluate("document.querySelectorAll('.beam details').forEach((d) => { d.open = true; })")
+        browser.settle()
+        at_start = self.texts(".beam figure:first-child td")
+        browser.evaluate("(() => { const s = document.querySelector('.time input');"
+                         "s.value = 40; s.dispatchEvent(new Event('input')); })()")
+        browser.settle()
+        self.assertNotEqual(self.texts(".beam figure:first-child td"), at_start)
+        browser.evaluate("(() => { const s = document.querySelector('.time input');"
+                         "s.value = 0; s.dispatchEvent(new Event('input')); })()")
+        browser.settle()
         browser.evaluate(f"document.querySelector('{canvas}').focus()")
         browser.press("ArrowUp")
         self.assertNotEqual(browser.evaluate(f"document.querySelector('{canvas}').toDataURL()"),
@@ -249,7 +345,7 @@ class OtherResults(Report):
         self.assertNotEqual(self.texts(".time .count"), ["0 ms"])
 
     def test_paths_coupons_and_sweeps(self):
-        for scene in ("bend_and_release", "bathe_bolourchi_45", "limit_load_cantilever"):
+        for scene in ("bend_and_release", "bathe_bolourchi_45", "profile_limit_load"):
             with self.subTest(scene):
                 self.run_command("simulate", os.path.join(DATA, f"scenes/{scene}.toml"), "-o",
                                  self.path(scene + ".h5"))
@@ -261,6 +357,18 @@ class OtherResults(Report):
         browser.open(page)
         browser.click("tbody a")
         self.assertIn("Case 1", self.texts("main h1")[0])
+        sweep = self.write("words.toml", f"name = 'error of words'\nscene = '{DATA}/scenes/cantilever.toml'\n"
+                           "[[axis]]\nfield = 'rules.end_rule'\nvalues = ['half_joint', 'equal']\n"
+                           "[error]\nprobe = 'tip'\n")
+        self.run_command("sweep", sweep, "-o", self.path("words.h5"))
+        page = self.report(self.path("words.h5"))
+        self.look_at_all(page)
+        self.assertIn("2 cases", self.data["lines"][0])
+        browser.open(page)
+        browser.evaluate("location.hash = 'tab=1'")
+        browser.settle()
+        self.assertEqual(browser.evaluate(
+            "[...charts][0].scales.x.ticks.map((tick) => tick.label)"), ["half_joint", "equal"])
 
     def test_fits_through_scenes(self):
         self.run_command("calibrate", os.path.join(DATA, "fits/bend_test.toml"), "-o",

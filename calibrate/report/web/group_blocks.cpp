@@ -12,6 +12,7 @@
 #include "calibrate/report/plot_parts.hpp"
 #include "calibrate/report/scene_fit_figures.hpp"
 #include "calibrate/report/summary.hpp"
+#include "calibrate/report/text_groups.hpp"
 #include "calibrate/report/web/outcome_blocks.hpp"
 
 namespace plastica::calibrate::report {
@@ -22,8 +23,17 @@ using plastica::report::FigurePanel;
 using plastica::report::Stroke;
 using plastica::report::web_figure;
 
-bool any_fitted(std::span<const FitRecord> records) {
-  return std::ranges::any_of(records, [](const FitRecord& record) { return is_fitted(record); });
+/// The free parameters that any specimen determines, in their order.
+std::vector<FittedParameter> determined(std::span<const FitRecord> records) {
+  std::vector<FittedParameter> all;
+  for (const FitRecord& record : records) {
+    if (!is_fitted(record)) continue;
+    for (const FittedParameter* p : record.result.free_parameters()) {
+      const auto is_same = [&](const FittedParameter& one) { return one.path == p->path; };
+      if (p->identified && std::ranges::none_of(all, is_same)) all.push_back(*p);
+    }
+  }
+  return all;
 }
 
 FigurePanel panel_of(std::span<const FitRecord> records,
@@ -32,7 +42,8 @@ FigurePanel panel_of(std::span<const FitRecord> records,
   const GroupValues values = values_of(records, groups, parameter);
   const DisplayUnit unit = display_unit(parameter);
   const std::string name = short_name(parameter.path);
-  FigurePanel panel{name, "", unit.name.empty() ? name : name + " [" + std::string(unit.name) + "]"};
+  FigurePanel panel{name, "",
+                    unit.name.empty() ? name : name + " [" + std::string(unit.name) + "]"};
   FigureCurve points{{}, "specimens", kBlue, Stroke::Points};
   for (const auto& row : values.points) points.points.push_back({row[0], row[1]});
   FigureCurve means{{}, "mean and standard deviation", kVermillion, Stroke::Bars};
@@ -47,27 +58,29 @@ FigurePanel panel_of(std::span<const FitRecord> records,
   return panel;
 }
 
-void add_statistics(WebTable& table, const GroupSummary& group,
-                    const std::vector<GroupStatistic>& all, const char* of) {
+void add_statistics(WebTable& table, const GroupSummary& group, std::span<const FitRecord> records,
+                    const std::vector<GroupStatistic>& all, bool measured) {
   for (const GroupStatistic& entry : all) {
     const DisplayUnit unit = display_unit_of(entry.name, entry.dimension, entry.statistic.mean);
     const auto& interval = entry.mean_interval;
     const auto cell = [&](std::optional<double> value) { return in_unit(value, unit); };
-    table.add_row({printable(group_label(group.group)), printable(entry.name), of, unit.name,
-                   entry.statistic.n, cell(entry.statistic.mean),
-                   cell(entry.statistic.standard_deviation),
-                   interval ? cell(interval->low) : Json(nullptr),
-                   interval ? cell(interval->high) : Json(nullptr)});
+    table.add_row(
+        {printable(group_label(group.group)),
+         measured ? characteristic_label(entry.name, group, records) : printable(entry.name),
+         measured ? "the curves" : "the fits", unit.name, entry.statistic.n,
+         cell(entry.statistic.mean), cell(entry.statistic.standard_deviation),
+         interval ? cell(interval->low) : Json(nullptr),
+         interval ? cell(interval->high) : Json(nullptr)});
   }
 }
 
 }  // namespace
 
 void add_groups(Json& blocks, std::span<const FitRecord> records, const SpecimenDraws& draws) {
-  if (any_fitted(records)) {
+  if (const auto parameters = determined(records); !parameters.empty()) {
     const auto groups = group_indices(records);
     Figure figure{"Parameters over the groups", {}};
-    for (const FittedParameter& parameter : free_parameters(records)) {
+    for (const FittedParameter& parameter : parameters) {
       figure.panels.push_back(panel_of(records, groups, parameter));
     }
     blocks.push_back(web_figure(figure));
@@ -80,11 +93,12 @@ void add_groups(Json& blocks, std::span<const FitRecord> records, const Specimen
   table.add_numbers("n");
   table.add_numbers("mean");
   table.add_numbers("standard deviation", "", "", 3);
-  table.add_numbers("mean from", "", "ends of the confidence interval of the mean");
+  table.add_numbers("mean, " + percent_from(draws.confidence), "",
+                    "confidence interval of the mean");
   table.add_numbers("to");
   for (const GroupSummary& group : summarize_groups(records, draws)) {
-    add_statistics(table, group, group.characteristics, "the curves");
-    add_statistics(table, group, group.parameters, "the fits");
+    add_statistics(table, group, records, group.characteristics, true);
+    add_statistics(table, group, records, group.parameters, false);
   }
   blocks.push_back(table.block());
 }

@@ -4,36 +4,59 @@
 #include <cmath>
 #include <optional>
 
+#include <fmt/format.h>
+
 #include "calibrate/report/interval_figures.hpp"
 #include "calibrate/report/parameter_words.hpp"
 #include "calibrate/report/shown_intervals.hpp"
 
 namespace plastica::calibrate::report {
+namespace {
+
+/// The squares of the four errors add up (`FittedParameter::standard_error`); none where the others
+/// are all of it but for rounding.
+std::optional<double> error_of_segments(const FittedParameter& p) {
+  const double rest = p.standard_error * p.standard_error - p.noise_error * p.noise_error -
+                      p.sampling_error * p.sampling_error - p.misfit_error * p.misfit_error;
+  if (!(rest > 1e-9 * p.standard_error * p.standard_error)) return std::nullopt;
+  return std::sqrt(rest);
+}
+
+}  // namespace
 
 Json in_unit(std::optional<double> value, const DisplayUnit& unit) {
   if (!value) return nullptr;
   return number(*value / unit.scale);
 }
 
-Json parameters_block(const FitOutcome& fit) {
+std::string percent_from(double confidence) {
+  return fmt::format("{:.4g} % from", 100.0 * confidence);
+}
+
+Json parameters_block(const FitOutcome& fit, double confidence) {
   WebTable table("Parameters");
   table.add_words("parameter");
   table.add_words("unit");
   table.add_numbers("value");
   table.add_numbers("standard error", "", "noise, sampling, misfit and segments together", 2);
-  table.add_numbers("of noise", "", "", 2);
-  table.add_numbers("of misfit", "", "", 2);
-  table.add_numbers("interval from");
+  table.add_numbers("of noise", "", "as if residuals were independent", 2);
+  table.add_numbers("of sampling", "", "of a break, which lies between two samples", 2);
+  table.add_numbers("of misfit", "", "of a model that does not follow the curve", 2);
+  table.add_numbers("of segments", "", "what of the error none of these is", 2);
+  table.add_numbers(percent_from(confidence), "", "confidence interval");
   table.add_numbers("to");
   table.add_numbers("bound from");
-  table.add_numbers("to");
+  table.add_numbers("bound to");
   table.add_words("verdict");
   for (const FittedParameter& p : fit.parameters) {
     const DisplayUnit unit = display_unit(p);
     const auto cell = [&](double value) { return in_unit(value, unit); };
+    const bool free = p.role == ParameterRole::Free;
     table.add_row({short_name(p.path), unit.name, cell(p.value), cell(p.standard_error),
-                   cell(p.noise_error), cell(p.misfit_error), cell(p.interval_low),
-                   cell(p.interval_high), cell(p.lower), cell(p.upper), verdict_text(p)});
+                   cell(p.noise_error), cell(p.sampling_error), cell(p.misfit_error),
+                   in_unit(error_of_segments(p), unit), cell(p.interval_low), cell(p.interval_high),
+                   free ? cell(p.lower) : Json(nullptr), free ? cell(p.upper) : Json(nullptr),
+                   verdict_text(p)});
   }
   return table.block();
 }

@@ -17,7 +17,9 @@ namespace plastica::calibrate::report {
 using plastica::report::WebTable;
 
 /// A table of the parameters of a fit: value, errors, interval, bounds, verdict.
-Json parameters_block(const FitOutcome& fit);
+Json parameters_block(const FitOutcome& fit, double confidence);
+/// "95 % from": the head of a column of intervals' lower ends.
+std::string percent_from(double confidence);
 /// A table of the correlations of its free parameters; null without any.
 Json correlations_block(const FitOutcome& fit,
                         const std::vector<const FittedParameter*>& parameters);
@@ -31,14 +33,14 @@ class WebParameters {
 
   void add_to(WebTable& table) const;
   void add_cells(const FitOutcome& fit, Json& cells) const;
+
+ private:
   struct Column {
     std::string path;
     Dimension dimension = Dimension::None;
     DisplayUnit unit{};  ///< the same for all rows
   };
-  const std::vector<Column>& columns() const { return columns_; }
 
- private:
   std::vector<Column> columns_;
 };
 

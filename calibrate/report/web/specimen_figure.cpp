@@ -34,8 +34,8 @@ bool is_same(const Curve& a, const Curve& b) {
 }
 
 /// The elastic line over the window of the modulus.
-FigureCurve modulus_line(const Characteristics& c) {
-  FigureCurve line{{}, "window of E", kGreen};
+FigureCurve modulus_line(const Characteristics& c, const char* label) {
+  FigureCurve line{{}, std::string("window of ") + label, kGreen};
   const double low = c.modulus_window_low;
   const double high = c.modulus_window_high;
   for (const double stress : {low, high}) {
@@ -56,11 +56,13 @@ FigurePanel curve_panel(const FitRecord& record, bool with_raw) {
   add({rows_of(target.corrected), "corrected", kBlue});
   const Characteristics& c = target.characteristics;
   if (c.youngs_modulus && *c.youngs_modulus > 0.0 && c.modulus_window_high > c.modulus_window_low) {
-    add(modulus_line(c));
+    add(modulus_line(c, target.test == Test::Torsion ? "G" : "E"));
   }
   if (is_fitted(record)) {
     add({rows_of(fitted_with_fall(record.result)), "fitted", kVermillion, Stroke::Line, 7, 1});
-    if (const auto yield = yield_point(record.result)) {
+    const auto yield = yield_point(record.result);
+    // Of torsion the curve is in shear: yield stress over Young's modulus is no point of it.
+    if (yield && target.test != Test::Torsion) {
       add({{*yield}, "fitted yield", kVermillion, Stroke::Points, 9});
     }
   }

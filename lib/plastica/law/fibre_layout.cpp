@@ -311,6 +311,22 @@ void add_torsion(const Section& s, const SectionProperties& p, int intervals, Fi
 
 }  // namespace
 
+int taken_fibres(const Section& section, FibrePlane plane, int fibres) {
+  std::size_t parts = 1;
+  if (is_round(section)) {
+    const bool layers = plane == FibrePlane::AboutX || plane == FibrePlane::AboutY;
+    if (layers && hole_radius(section) > 0.0) parts = 2;
+  } else {
+    const SectionQuarter quarter = quarter_of(section, true);
+    const std::size_t deep = edges_of(quarter, true).size();
+    const std::size_t wide = edges_of(quarter, false).size();
+    parts = plane == FibrePlane::AboutX   ? deep
+            : plane == FibrePlane::AboutY ? wide
+                                          : std::min(deep, wide);
+  }
+  return 4 * std::max((fibres + 3) / 4, static_cast<int>(parts));
+}
+
 FibreLayout fibre_layout(const Section& section, const SectionProperties& properties,
                          FibrePlane plane, int fibres) {
   const int intervals = 2 * std::max((fibres + 3) / 4, 1);

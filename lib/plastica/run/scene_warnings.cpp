@@ -15,6 +15,7 @@
 #include "plastica/model/section_kind.hpp"
 #include "plastica/model/yield_warnings.hpp"
 #include "plastica/run/chain_model.hpp"
+#include "plastica/run/fibre_warning.hpp"
 #include "plastica/run/joint_warnings.hpp"
 #include "plastica/run/sample_warning.hpp"
 #include "plastica/run/shear_warning.hpp"
@@ -285,7 +286,7 @@ std::vector<std::string> scene_warnings(const Model& model) {
   for (const auto find :
        {shear_warning, hinge_warning, cap, thin_wall, per_axis, warping, softening, inner_places,
         cut_corners, inner_clamp_warning, rigid_stretch_warning, missed_corners, grown_ramps,
-        steep_hardening, covered_region, no_potential}) {
+        steep_hardening, covered_region, no_potential, fibre_warning}) {
     if (auto warning = find(facts)) warnings.push_back(std::move(*warning));
   }
   if (facts.options.analysis == Analysis::Dynamics) {

@@ -28,7 +28,7 @@ using report::WebPage;
 using report::WebTab;
 
 /// Cases that a page shows at most, each with its report up to so many.
-constexpr std::size_t kMostCases = 20'000;
+constexpr std::size_t kMostRows = 20'000;
 constexpr std::size_t kMostReports = 2'000;
 
 Json web_cell(const FieldValue& value) {
@@ -81,22 +81,25 @@ Json cases_block(const SweepRecord& record, std::size_t shown, bool details) {
 Json trade_block(const SweepRecord& record) {
   const bool timed = record.timed_runs > 0;
   const auto points = trade_points(record, timed ? CostKind::Seconds : CostKind::Work);
+  std::size_t exact = 0;
   report::FigureCurve all{{}, "cases", report::kBlue, report::Stroke::Points};
   std::vector<std::string> labels;
   const auto is_there = [](const TradePoint& p) {
     return std::isfinite(p.cost) && std::isfinite(p.error) && p.error > 0.0 && p.cost > 0.0;
   };
   for (std::size_t i = 0; i < points.size(); ++i) {
+    if (points[i].error == 0.0) ++exact;
     if (!is_there(points[i])) continue;
     all.points.push_back({points[i].cost, 100.0 * points[i].error});
     labels.push_back(setting_text(record, i));
   }
-  report::FigureCurve front{{}, "none is better in both", report::kVermillion};
+  report::FigureCurve front{{}, "Pareto front", report::kVermillion};
   for (const std::size_t i : pareto_front(points)) {
     if (is_there(points[i])) front.points.push_back({points[i].cost, 100.0 * points[i].error});
   }
   const report::FigurePanel panel{
-      "", timed ? "CPU time [s]" : "work: segments times iterations", "size of the error [%]"};
+      exact > 0 ? fmt::format("without {} whose error is 0", report::counted(exact, "case")) : "",
+      timed ? "CPU time [s]" : "work: segments times iterations", "size of the error [%]"};
   const report::LogarithmicAxes logarithmic{true, true};
   Json curves = Json::array();
   curves.push_back(report::web_curve(front, logarithmic, 0));
@@ -111,18 +114,32 @@ bool has_trade_points(const SweepRecord& record) {
                              [](const auto& error) { return error && *error != 0.0; });
 }
 
+/// What a page of so many cases has not.
+Json left_out(const SweepRecord& record, std::size_t shown) {
+  std::vector<std::string> notes{fmt::format(
+      "the report of each case, of more than {}: plastica show --case has it", kMostReports)};
+  if (shown < record.cases()) {
+    notes.push_back(
+        fmt::format("{} of {} cases, and the picture of error against cost: plastica show "
+                    "--all and plastica plot --what trade have them",
+                    record.cases() - shown, record.cases()));
+  }
+  return report::web_notes("Left out", notes, "note");
+}
+
 WebTab pictures_tab(const SweepRecord& record) {
   WebTab tab{"Pictures", Json::array()};
   const PlotCases cases{record, std::vector<bool>(record.cases(), true)};
   const auto add = [&](const char* title, Chart (*chart)(const PlotCases&)) {
     try {
       tab.blocks.push_back(web_chart(title, chart(cases)));
-    } catch (const InputError& error) {
-      // Curves of too many cases, say: the picture is asked for case by case then.
-      tab.blocks.push_back(report::web_notes(title, {error.what()}, "note"));
+    } catch (const InputError&) {
+      tab.blocks.push_back(report::web_notes(
+          title, {"of all cases there are too many curves: plastica plot --case draws some"},
+          "note"));
     }
   };
-  if (has_trade_points(record) && record.cases() <= kMostCases) {
+  if (has_trade_points(record) && record.cases() <= kMostRows) {
     tab.blocks.push_back(trade_block(record));
   }
   if (has_convergence(record)) add("Convergence", convergence_chart);
@@ -134,12 +151,8 @@ WebTab pictures_tab(const SweepRecord& record) {
 }  // namespace
 
 WebPage sweep_page(const SweepRecord& record, const std::string& file) {
-  WebPage page{report::printable(record.name), head_lines(record)};
-  // Notes and warnings stand in boxes of their own.
-  std::erase_if(page.lines, [](const std::string& line) {
-    return line.starts_with("warning ") || line.starts_with("error ");
-  });
-  const std::size_t shown = std::min(record.cases(), kMostCases);
+  WebPage page{report::printable(record.name), what_was_swept(record)};
+  const std::size_t shown = std::min(record.cases(), kMostRows);
   const bool details = record.cases() <= kMostReports;
   WebTab cases{"Cases", Json::array()};
   if (!record.warnings.empty()) {
@@ -149,13 +162,7 @@ WebPage sweep_page(const SweepRecord& record, const std::string& file) {
     cases.blocks.push_back(report::web_notes("About the errors", record.comparison.notes, "note"));
   }
   cases.blocks.push_back(cases_block(record, shown, details));
-  if (shown < record.cases()) {
-    cases.blocks.push_back(report::web_notes(
-        "Left out",
-        {fmt::format("{} of {} cases are shown: plastica show --all has the others", shown,
-                     record.cases())},
-        "note"));
-  }
+  if (!details) cases.blocks.push_back(left_out(record, shown));
   page.tabs.push_back(std::move(cases));
   WebTab pictures = pictures_tab(record);
   if (!pictures.blocks.empty()) page.tabs.push_back(std::move(pictures));

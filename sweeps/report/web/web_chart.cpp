@@ -33,6 +33,10 @@ std::array<double, 2> reach_of(const Chart& chart) {
   return reach;
 }
 
+void add_ticks(Json& panel, const char* name, const ChartAxis& axis) {
+  for (const ChartTick& tick : axis.ticks) panel[name].push_back({tick.at, tick.text});
+}
+
 }  // namespace
 
 Json web_chart(std::string title, const Chart& chart) {
@@ -60,8 +64,16 @@ Json web_chart(std::string title, const Chart& chart) {
   report::FigurePanel panel{chart.subtitle, chart.x.label, chart.y.label};
   panel.x_range = chart.x.range;
   panel.y_range = chart.y.range;
+  // What stands in the legend alone.
+  for (const ChartSeries& entry : chart.entries) {
+    const ChartLook& look = entry.look;
+    add({{}, entry.name, look.color, stroke_of(look), look.symbol, look.dashes});
+  }
+  Json json = report::web_panel(panel, logarithmic, std::move(curves));
+  add_ticks(json, "x_ticks", chart.x);
+  add_ticks(json, "y_ticks", chart.y);
   Json panels = Json::array();
-  panels.push_back(report::web_panel(panel, logarithmic, std::move(curves)));
+  panels.push_back(std::move(json));
   return report::web_panels(std::move(title), std::move(panels));
 }
 

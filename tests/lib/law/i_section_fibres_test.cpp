@@ -94,5 +94,31 @@ TEST(ISectionSurface, InSpaceIsSafe) {
   }
 }
 
+/// With one more the fibres are others.
+TEST(TakenFibres, AreTheMostThatAreTheSame) {
+  const Section tube{.shape = SectionShape::RectangularTube,
+                     .width = 0.03,
+                     .height = 0.04,
+                     .inner_width = 0.026,
+                     .inner_height = 0.036};
+  const Section circle{.shape = SectionShape::Circle, .radius = 0.02};
+  const Section ring{.shape = SectionShape::RoundTube, .radius = 0.02, .inner_radius = 0.018};
+  for (const Section& s : {Section{.width = 0.02, .height = 0.03}, tube, circle, ring, profile()}) {
+    const SectionProperties p = section_properties(s, 0.3);
+    for (const FibrePlane plane : {FibrePlane::AboutX, FibrePlane::AboutY, FibrePlane::Both}) {
+      for (int fibres = 2; fibres < 20; ++fibres) {
+        const int taken = taken_fibres(s, plane, fibres);
+        const FibreLayout few = fibre_layout(s, p, plane, fibres);
+        const FibreLayout as_taken = fibre_layout(s, p, plane, taken);
+        EXPECT_EQ(few.depth, as_taken.depth) << fibres;
+        EXPECT_EQ(few.across, as_taken.across) << fibres;
+        EXPECT_NE(few.depth, fibre_layout(s, p, plane, taken + 1).depth) << fibres;
+      }
+    }
+  }
+  EXPECT_EQ(taken_fibres(tube, FibrePlane::AboutX, 2), 8);
+  EXPECT_EQ(taken_fibres(circle, FibrePlane::AboutX, 2), 4);
+}
+
 }  // namespace
 }  // namespace plastica::law

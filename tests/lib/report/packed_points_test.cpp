@@ -35,7 +35,8 @@ std::vector<double> column_of(const Json& packed, std::size_t c) {
   for (std::size_t i = 0; 2 * i + 1 < bytes.size(); ++i) {
     const unsigned step = static_cast<unsigned char>(bytes[2 * i]) +
                           256U * static_cast<unsigned char>(bytes[2 * i + 1]);
-    const double value = low + (high - low) * step / 65534.0;
+    const double fraction = step / 65534.0;
+    const double value = low * (1.0 - fraction) + high * fraction;
     const bool logarithmic =
         packed.contains("logarithmic") && packed["logarithmic"][c == 0 ? 0 : 1].get<bool>();
     values.push_back(step == 65535U ? std::numeric_limits<double>::quiet_NaN()
@@ -123,8 +124,11 @@ TEST(PackedPoints, OfALineStayWhereItBends) {
 
 TEST(PackedPoints, OfExtremeNumbersAreNone) {
   constexpr double kMost = std::numeric_limits<double>::max();
-  const auto values = column_of(packed_points({{0.0, -kMost}, {1.0, kMost}, {2.0, 0.0}}), 0);
-  EXPECT_EQ(values.size(), 3U);
+  const auto values = column_of(packed_points({{0.0, -kMost}, {1.0, kMost}, {2.0, 0.0}}), 1);
+  ASSERT_EQ(values.size(), 3U);
+  EXPECT_EQ(values[0], -kMost);
+  EXPECT_EQ(values[1], kMost);
+  EXPECT_NEAR(values[2] / kMost, 0.0, 1e-4);
   EXPECT_EQ(packed_points({})["n"], 0);
   EXPECT_EQ(packed_points({{1.0, 1.0}})["n"], 1);
   EXPECT_NEAR(column_of(packed_points({{5.0, 6.0}, {5.0, 7.0}}), 0)[1], 5.0, 1e-12);

@@ -58,6 +58,19 @@ TEST(SweepReport, SaysWhichCasesAreTheSameRun) {
   EXPECT_FALSE(has(text, "the same run as case 2")) << text;
 }
 
+// A multiple of four, and of a tube's two parts, flange and web, one of eight at least.
+TEST(SweepReport, SaysWhichFibresAreTheSame) {
+  const std::string fibres =
+      "[set]\nrules.yield_model = 'fibre'\n[[axis]]\nfield = 'solver.fibres'\n"
+      "values = [2, 4, 8, 9, 12]\n[error]\nprobe = 'tip'\nagainst = 'finest'\n";
+  const SweepRecord bar = record_of(fibres);
+  EXPECT_EQ(bar.ids[0], bar.ids[1]);
+  EXPECT_NE(bar.ids[1], bar.ids[2]);
+  EXPECT_EQ(bar.ids[3], bar.ids[4]);
+  EXPECT_EQ(bar.results[3].value, bar.results[4].value);
+  EXPECT_TRUE(has(sweep_report(bar), "the same run as case 1 (the section is laid out alike)"));
+}
+
 TEST(SweepReport, OfManyCasesThatNothingRefinesIsTheirSpread) {
   std::string values;
   for (int i = 0; i < 40; ++i) values += (i == 0 ? "'" : ", '") + std::to_string(200 + i) + " GPa'";

@@ -14,9 +14,9 @@ namespace {
 
 using Texts = std::vector<std::string>;
 
-/// The warnings of a sweep of a clamped bar, 20 mm high and 10 mm wide unless it says otherwise.
-Texts warnings_of(const std::string& more, const std::string& rest,
-                  const std::string& section = "width = '10 mm', height = '20 mm'") {
+/// A sweep of a clamped bar, 20 mm high and 10 mm wide unless it says otherwise.
+Sweep sweep_of(const std::string& more, const std::string& rest,
+               const std::string& section = "width = '10 mm', height = '20 mm'") {
   const io::ScratchFolder folder;
   folder.write("scene.toml",
                "beam = { length = '1 m', segments = 16, section = { shape = 'rectangle', " +
@@ -26,10 +26,19 @@ Texts warnings_of(const std::string& more, const std::string& rest,
                    "[[support]]\nat = 'start'\nkind = 'clamp'\n"
                    "[[probe]]\nname = 'tip'\nkind = 'displacement'\n" +
                    more);
-  const Sweep sweep = parse_sweep("scene = 'scene.toml'\n" + rest, folder.file("sweep.toml"));
-  SweepRun run(sweep, {});
+  return parse_sweep("scene = 'scene.toml'\n" + rest, folder.file("sweep.toml"));
+}
+
+Texts warnings_after(SweepRun& run, const Sweep& sweep) {
   const auto results = run.run();
   return case_warnings(sweep, run.cases(), results);
+}
+
+template <typename... Arguments>
+Texts warnings_of(const Arguments&... arguments) {
+  const Sweep sweep = sweep_of(arguments...);
+  SweepRun run(sweep, {});
+  return warnings_after(run, sweep);
 }
 
 const std::string kLoad = "[[load]]\nat = 'end'\nforce = ['0 N', '-10 N', '0 N']\n";
@@ -59,18 +68,46 @@ TEST(CaseWarnings, AreThoseOfTheScenes) {
 
 // The clamp's joint yields at 16/3 times its cap over the length, 1.26 kN; at 6 times, 1.42 kN, the
 // beam is a mechanism.
+const std::string kPropped =
+    "[[support]]\nat = 'end'\nkind = 'roller'\n"
+    "[[load]]\nat = 0.5\nforce = ['0 N', '-1 kN', '0 N']\n";
+
+std::string loads_axis(const std::string& values) {
+  return "[set]\nrules.yield_model = 'interaction'\n[[axis]]\nfield = 'scale.loads'\nvalues = [" +
+         values + "]\n" + kTip;
+}
+
 TEST(CaseWarnings, AreWhatOnlyARunShows) {
-  const std::string propped =
-      "[[support]]\nat = 'end'\nkind = 'roller'\n"
-      "[[load]]\nat = 0.5\nforce = ['0 N', '-1 kN', '0 N']\n";
-  const std::string loads =
-      "[set]\nrules.yield_model = 'interaction'\n"
-      "[[axis]]\nfield = 'scale.loads'\nvalues = [1.1, 1.35, 1]\n";
-  const Texts warnings = warnings_of(propped, loads + kTip);
+  const Texts warnings = warnings_of(kPropped, loads_axis("1.1, 1.35, 1"));
   ASSERT_EQ(warnings.size(), 1U);
-  EXPECT_TRUE(warnings[0].starts_with(
-      "of 1 of 3 cases, at scale.loads 1.35: joints have yielded"))
+  EXPECT_TRUE(warnings[0].starts_with("of 1 of 3 cases, at scale.loads 1.35: joints have yielded"))
       << warnings[0];
+}
+
+/// So many loads, from 1 kN to 1.4 kN; the upper third yields.
+std::string many_loads(int count, int every) {
+  std::string values;
+  for (int i = 0; i < count; i += every) {
+    values += (values.empty() ? "" : ", ") + std::to_string(1.0 + 0.4 * i / (count - 1));
+  }
+  return loads_axis(values);
+}
+
+// Others are looked at where there are others.
+TEST(CaseWarnings, OfResumedCasesAreThoseOfAFreshRun) {
+  const Sweep first = sweep_of(kPropped, many_loads(41, 1));
+  SweepRun run(first, {});
+  const auto results = run.run();
+  EarlierResults earlier;
+  for (std::size_t i = 0; i < results.size(); ++i) earlier.emplace(run.ids()[i], results[i]);
+  const Sweep second = sweep_of(kPropped, many_loads(41, 2));
+  SweepRun fresh(second, {});
+  SweepRun resumed(second, {.earlier = earlier});
+  EXPECT_GT(resumed.resumed(), 5U);
+  const Texts warnings = warnings_after(fresh, second);
+  ASSERT_EQ(warnings.size(), 1U);
+  EXPECT_NE(warnings[0].find("cases that were looked at (of 21)"), std::string::npos) << warnings[0];
+  EXPECT_EQ(warnings_after(resumed, second), warnings);
 }
 
 // The bar swings half as fast about its weak axis.

@@ -61,12 +61,14 @@ TEST_F(SweepStoreTest, GivesBackWhatWasWritten) {
 
 TEST_F(SweepStoreTest, GivesBackTheWarningsOfCases) {
   SweepRecord record = record_of(kAxes + kTipError);
+  for (CaseResult& result : record.results) result.warnings.reset();
+  record.results[0].warnings.emplace();  // watched, without any
   record.results[3].warnings = {"one", "another"};
   record.results[11].warnings = {"a third"};
   const SweepRecord read = read_back(record);
-  EXPECT_TRUE(read.results[0].warnings.empty());
-  EXPECT_EQ(read.results[3].warnings, record.results[3].warnings);
-  EXPECT_EQ(read.results[11].warnings, record.results[11].warnings);
+  for (std::size_t i = 0; i < read.results.size(); ++i) {
+    EXPECT_EQ(read.results[i].warnings, record.results[i].warnings) << i;
+  }
 }
 
 TEST_F(SweepStoreTest, GivesBackCurvesAndFailedCases) {

@@ -72,9 +72,8 @@ bool is_gap(const std::vector<double>& fractions) {
 /// Whether a point falls on the spot of the one before it.
 bool same_spot(const std::vector<double>& a, const std::vector<double>& b, double spots) {
   if (a.empty() || is_gap(a) || is_gap(b)) return !a.empty() && is_gap(a) && is_gap(b);
-  return std::ranges::equal(a, b, [spots](double x, double y) {
-    return std::floor(spots * x) == std::floor(spots * y);
-  });
+  return std::ranges::equal(
+      a, b, [spots](double x, double y) { return std::floor(spots * x) == std::floor(spots * y); });
 }
 
 /// Distance of a point from the straight line between two others.
@@ -179,7 +178,8 @@ Json packed_points(const Rows& points, std::array<bool, 2> logarithmic, int spot
     std::vector<std::uint16_t> steps;
     steps.reserve(fractions.size());
     for (const auto& row : fractions) {
-      steps.push_back(is_gap(row) ? kGap : static_cast<std::uint16_t>(std::lround(kSteps * row[c])));
+      steps.push_back(is_gap(row) ? kGap
+                                  : static_cast<std::uint16_t>(std::lround(kSteps * row[c])));
     }
     low.push_back(number(columns[c].low));
     high.push_back(number(columns[c].high));

@@ -19,7 +19,8 @@ enum class Thinning { Line, Points };
 /// @param logarithmic  whether x, and whether all other columns, are shown by their logarithms:
 ///                     they are rounded as these, and numbers that have none are gaps
 /// @param spots  that are told apart along each axis; 0: every point is kept
-/// @return {"n", "low" and "high" of each column, "logarithmic" where either is, "columns": base64 of
+/// @return {"n", "low" and "high" of each column, "logarithmic" where either is, "columns": base64
+/// of
 ///         n unsigned numbers of 16 bits, little-endian, for each column; 65535 is a gap}
 Json packed_points(const std::vector<std::vector<double>>& points,
                    std::array<bool, 2> logarithmic = {}, int spots = 1500,

@@ -50,8 +50,8 @@ Rows poses_of(const io::SceneRecord& record, std::span<const std::size_t> frames
     const BeamPose pose(record, frame);
     for (std::size_t s = 0; s < pose.segments(); ++s) {
       std::vector<double> row;
-      for (const Point3& point : {pose.inner(s), pose.outer(s), pose.section_axis(s, 0),
-                                  pose.section_axis(s, 1)}) {
+      for (const Point3& point :
+           {pose.inner(s), pose.outer(s), pose.section_axis(s, 0), pose.section_axis(s, 1)}) {
         row.insert(row.end(), point.begin(), point.end());
       }
       rows.push_back(std::move(row));
@@ -81,15 +81,15 @@ double largest_of(const Rows& rows) {
   return largest;
 }
 
-/// What of the joints is shown by colours; what is zero everywhere is not.
+/// What of the joints is shown by colours, by its size; what is zero everywhere is not.
 Json colors_of(const io::SceneRecord& record, std::span<const std::size_t> frames) {
   const ChainHistory& chain = record.response.chain;
   Json all = Json::array();
   const auto add = [&](std::string_view name, Dimension dimension,
-                       const std::vector<double>& values) {
+                       const std::vector<double>& values, double least) {
     const Rows rows = values_of(record, frames, values, 1, 0);
     const double largest = largest_of(rows);
-    if (!(largest > 0.0) || !std::isfinite(largest)) return;
+    if (!(largest > least) || !std::isfinite(largest)) return;
     const DisplayUnit unit = shown_unit(dimension, largest);
     all.push_back({{"name", name},
                    {"unit", unit.name},
@@ -97,8 +97,9 @@ Json colors_of(const io::SceneRecord& record, std::span<const std::size_t> frame
                    {"largest", largest},
                    {"values", packed_points(rows, {}, 0)}});
   };
-  add("permanent strain", Dimension::Strain, chain.plastic_strain);
-  add("bending stress", Dimension::Stress, chain.stress);
+  // What rounding leaves of elastic joints is no strain.
+  add("permanent strain", Dimension::Strain, chain.plastic_strain, 1e-12);
+  add("bending stress", Dimension::Stress, chain.stress, 0.0);
   return all;
 }
 
@@ -115,12 +116,12 @@ Json moments_of(const io::SceneRecord& record, std::span<const std::size_t> fram
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const double largest = largest_of(rows[axis]);
     if (!(largest > 1e-6 * most)) continue;
-    const bool kilo = largest >= 1e4;
+    const DisplayUnit unit = shown_unit(Dimension::Moment, largest);
     const auto any = [&](auto has) { return std::ranges::any_of(rows[axis], has); };
     all.push_back({{"name", kMoments[axis].first},
                    {"symbol", kMoments[axis].second},
-                   {"unit", kilo ? "kN m" : "N m"},
-                   {"scale", kilo ? 1e3 : 1.0},
+                   {"unit", unit.name},
+                   {"scale", unit.scale},
                    {"largest", largest},
                    {"positive", any([&](const auto& row) { return row[0] > 1e-3 * largest; })},
                    {"negative", any([&](const auto& row) { return row[0] < -1e-3 * largest; })},
@@ -165,13 +166,13 @@ Json web_beam(const io::SceneRecord& record) {
   }
   Json nodes = Json::array();
   for (std::size_t i = 0; i + 2 < record.outline.node.size(); i += 3) {
-    nodes.push_back({record.outline.node[i], record.outline.node[i + 1], record.outline.node[i + 2]});
+    nodes.push_back(
+        {record.outline.node[i], record.outline.node[i + 1], record.outline.node[i + 2]});
   }
   const Eye eye = eye_of(record);
-  const std::string note =
-      frames.size() < frames_of(record)
-          ? fmt::format("{} of {} frames.", frames.size(), frames_of(record))
-          : "";
+  const std::string note = frames.size() < frames_of(record)
+                               ? fmt::format("{} of {} frames.", frames.size(), frames_of(record))
+                               : "";
   return {{"kind", "beam"},
           {"segments", record.outline.segments()},
           {"joints", chain.joints},

@@ -21,8 +21,8 @@ Json web_curve(const FigureCurve& curve, LogarithmicAxes logarithmic, int spots,
   if (curve.symbol != FigureCurve().symbol) json["symbol"] = curve.symbol;
   if (curve.dashes != 0) json["dashes"] = curve.dashes;
   const bool line = curve.stroke == Stroke::Line || curve.stroke == Stroke::Area;
-  json["points"] = packed_points(curve.points, logarithmic, spots,
-                                 line ? Thinning::Line : Thinning::Points);
+  json["points"] =
+      packed_points(curve.points, logarithmic, spots, line ? Thinning::Line : Thinning::Points);
   if (!labels.empty()) json["labels"] = labels;
   return json;
 }
@@ -81,8 +81,11 @@ void WebTable::add_numbers(std::string name, std::string unit, std::string about
 }
 
 Json WebTable::block() const {
-  return {
-      {"kind", "table"}, {"title", title_}, {"columns", columns_}, {"rows", rows_}, {"opens", opens_}};
+  return {{"kind", "table"},
+          {"title", title_},
+          {"columns", columns_},
+          {"rows", rows_},
+          {"opens", opens_}};
 }
 
 Json web_figure(const Figure& figure, int spots) {

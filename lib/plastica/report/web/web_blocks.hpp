@@ -30,8 +30,7 @@ class WebTable {
   void add_words(std::string name, std::string unit = {});
   /// @param about   what a pointer over the name is told
   /// @param digits  with which its numbers are shown
-  void add_numbers(std::string name, std::string unit = {}, std::string about = {},
-                   int digits = 5);
+  void add_numbers(std::string name, std::string unit = {}, std::string about = {}, int digits = 5);
   /// @param cells  as many as there are columns: texts, numbers or null
   void add_row(Json cells) { rows_.push_back(std::move(cells)); }
   /// Row i opens the page's detail i.
@@ -52,7 +51,8 @@ using LogarithmicAxes = std::array<bool, 2>;
 
 /// A curve of a panel, packed (`packed_points`).
 /// @param spots   that are told apart along each axis; 0: every point is kept
-/// @param labels  what a pointer over each point is told; none: its numbers alone; else `spots` is 0
+/// @param labels  what a pointer over each point is told; none: its numbers alone; else `spots` is
+/// 0
 Json web_curve(const FigureCurve& curve, LogarithmicAxes logarithmic, int spots = 1500,
                const std::vector<std::string>& labels = {});
 /// A panel; marks, names and notes are those of the figure's panel, curves are as given.

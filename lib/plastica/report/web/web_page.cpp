@@ -83,15 +83,17 @@ WebTab provenance_tab(const std::string& file, const io::RunMeta& meta,
   }
   WebTab tab{"Provenance", Json::array()};
   tab.blocks.push_back(web_facts(
-      "Run", {{"result file", file},
-              {"run", run},
-              {"command", meta.command_line},
-              {"begun", meta.start_time},
-              {"took", significant(meta.seconds, 3) + " s"},
-              {"threads", std::to_string(meta.threads)},
-              {"instruction set", meta.instruction_set},
-              {"resumed", meta.resumptions > 0 ? counted(static_cast<std::size_t>(meta.resumptions), "time") : ""},
-              {"versions", versions}}));
+      "Run",
+      {{"result file", file},
+       {"run", run},
+       {"command", meta.command_line},
+       {"begun", meta.start_time},
+       {"took", significant(meta.seconds, 3) + " s"},
+       {"threads", std::to_string(meta.threads)},
+       {"instruction set", meta.instruction_set},
+       {"resumed",
+        meta.resumptions > 0 ? counted(static_cast<std::size_t>(meta.resumptions), "time") : ""},
+       {"versions", versions}}));
   for (const io::InputText& input : inputs) tab.blocks.push_back(web_text(input.name, input.text));
   return tab;
 }

@@ -54,20 +54,25 @@ function lineColor(color) {
   return color === "#333333" ? themeColor("--ink") : color;
 }
 
+// Digits of numbers that were packed: what they were rounded to is seen in the fifth.
+const packedDigits = 4;
+
 // A list of numbers that is made when it is opened: what a picture shows, for those who cannot see
-// it.
+// it. Its function `renew` makes it again.
 function numbersBehind(title, heads, rows) {
   const most = 2000;
-  const details = make("details", { className: "numbers" }, make("summary", {}, title));
-  details.addEventListener("toggle", () => {
-    if (!details.open || details.querySelector("table")) return;
+  const summary = make("summary", {}, title);
+  const details = make("details", { className: "numbers" }, summary);
+  details.renew = () => {
+    if (!details.open) return;
     const all = rows();
     const table = make("table", {},
       make("thead", {}, make("tr", {}, ...heads.map((head) => make("th", { scope: "col" }, head)))),
       make("tbody", {}, ...all.slice(0, most).map((row) =>
-        make("tr", {}, ...row.map((cell) => make("td", {}, shown(cell)))))));
-    details.append(make("div", { className: "scroll" }, table));
+        make("tr", {}, ...row.map((cell) => make("td", {}, shown(cell, packedDigits)))))));
+    details.replaceChildren(summary, make("div", { className: "scroll" }, table));
     if (all.length > most) details.append(make("p", {}, `the first ${most} of ${all.length} rows`));
-  }, { passive: true });
+  };
+  details.addEventListener("toggle", details.renew);
   return details;
 }

@@ -2,6 +2,7 @@
 // follow the frame.
 
 const beams = new Set();  // that play
+const beamViews = new Map();  // how each was turned last, so that the way back finds it so
 
 function stopBeams() {
   for (const timer of beams) clearInterval(timer);
@@ -54,11 +55,14 @@ function beamBlock(block) {
   const { segments, joints, times } = block;
   const poseAt = framesOf(block.pose, segments);
   const valueAt = block.colors.map((color) => framesOf(color.values, joints));
-  const view = { turn: 0, tilt: 0, zoom: 1, frame: times.length - 1, color: 0 };
+  if (!beamViews.has(block)) {
+    beamViews.set(block, { turn: 0, tilt: 0, zoom: 1, frame: times.length - 1, color: 0 });
+  }
+  const view = beamViews.get(block);
   const canvas = make("canvas", { tabIndex: 0, role: "img",
     "aria-label": "the beam; arrow keys turn it, plus and minus change its size" });
   const linked = [];  // charts that follow the frame
-  const label = make("span", { className: "count", role: "status" });
+  const label = make("span", { className: "count" });
 
   // What all frames take up, so that the picture stands still while it plays.
   const middle = [0, 0, 0];
@@ -143,6 +147,7 @@ function beamBlock(block) {
     drawScale(pen, wide, tall, scale);
     if (color) drawColors(pen, wide, color);
     label.textContent = block.times_text[view.frame];
+    slider.setAttribute("aria-valuetext", label.textContent);
     const time = times[view.frame];
     for (const chart of linked) {
       chart.options.plugins.beside.time = time;
@@ -171,7 +176,7 @@ function beamBlock(block) {
     pen.fillStyle = themeColor("--ink");
     pen.font = "12px sans-serif";
     pen.textAlign = "right";
-    pen.fillText(`${color.name}: 0 … ${shown(color.largest / color.scale, 3)} ${color.unit}`, wide - 14, 35);
+    pen.fillText(`size of ${color.name}: 0 … ${shown(color.largest / color.scale, 3)} ${color.unit}`, wide - 14, 35);
     pen.textAlign = "left";
   }
 
@@ -184,9 +189,9 @@ function beamBlock(block) {
       curves: [] };
     const canvasOf = make("canvas", { role: "img", "aria-label": `${moment.name} along the beam` });
     const rowsAt = (frame) => block.places.map((place, j) => [place, at(frame, j)[0] / moment.scale]);
-    const watcher = new IntersectionObserver((entries) => {
-      if (!entries.some((entry) => entry.isIntersecting)) return;
-      watcher.disconnect();
+    const numbers = numbersBehind("numbers", ["along the beam [m]", panel.y], () => rowsAt(view.frame));
+    followers.push(numbers.renew);
+    drawWhenSeen(canvasOf, () => {
       const chart = drawPanel(canvasOf, panel);
       Object.assign(chart.options.scales.y, { suggestedMin: -most * (moment.negative ? 1 : 0), suggestedMax: most * (moment.positive ? 1 : 0) });
       chart.data.datasets.push({ type: "line", label: moment.name, borderColor: themeColor("--accent"),
@@ -198,10 +203,9 @@ function beamBlock(block) {
       followers.push(follow);
       follow(view.frame);
     });
-    watcher.observe(canvasOf);
     return make("figure", {}, make("figcaption", {}, `${moment.name} at the frame`),
       make("div", { className: "canvas" }, canvasOf),
-      numbersBehind("numbers", ["along the beam [m]", panel.y], () => rowsAt(view.frame)));
+      numbers);
   });
 
   const slider = make("input", { type: "range", min: 0, max: times.length - 1, value: view.frame,
@@ -267,6 +271,7 @@ function beamBlock(block) {
   const colorChoice = block.colors.length > 1
     ? make("select", { "aria-label": "what colours show" },
       ...block.colors.map((color, i) => make("option", { value: i }, color.name))) : null;
+  if (colorChoice) colorChoice.value = view.color;
   colorChoice?.addEventListener("change", () => {
     view.color = Number(colorChoice.value);
     draw();

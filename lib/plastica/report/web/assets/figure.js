@@ -1,4 +1,5 @@
-// Curves by Chart.js. Abscissas need not rise: a curve of a cyclic test runs back and forth.
+// Curves by Chart.js. Abscissas need not rise: a curve of a cyclic test runs back and forth. (Told not
+// to parse its data, Chart.js would take them for sorted, and the axis from the first and the last.)
 
 const charts = new Set();  // that are on the page
 
@@ -85,6 +86,7 @@ function scaleOf(panel, axis) {
   const which = axis === "x" ? 0 : 1;
   const range = which === 0 ? panel.x_range : panel.y_range;
   const names = which === 0 ? panel.x_names ?? [] : [];
+  const ticks = panel[axis + "_ticks"] ?? [];
   const scale = {
     type: panel.logarithmic?.[which] ? "logarithmic" : "linear",
     title: { display: true, text: axis === "x" ? panel.x : panel.y, color: themeColor("--ink") },
@@ -100,12 +102,20 @@ function scaleOf(panel, axis) {
     };
     scale.ticks.callback = (value) => names[value - 1] ?? "";
     scale.ticks.autoSkip = false;
+  } else if (ticks.length > 0) {
+    scale.afterBuildTicks = (built) => { built.ticks = ticks.map(([value]) => ({ value })); };
+    scale.ticks.callback = (value) => ticks.find(([at]) => at === value)?.[1] ?? "";
   } else {
     scale.ticks.callback = function text(value) {
       return panel.logarithmic?.[which] && !isLabelled(value, this) ? "" : shown(value);
     };
   }
   return scale;
+}
+
+// What stands at a place of the x axis: a number, or its name.
+function nameAt(panel, x) {
+  return panel.x_names?.[Math.round(x) - 1] ?? shown(x, packedDigits);
 }
 
 // Each name once: points as their symbol, areas as a box, all else as a line.
@@ -141,7 +151,7 @@ function drawPanel(canvas, panel) {
     data: { datasets },
     plugins: [drawnBeside],
     options: {
-      animation: false, parsing: false, maintainAspectRatio: false, responsive: true,
+      animation: false, maintainAspectRatio: false, responsive: true,
       interaction: { mode: "nearest", intersect: false },
       scales: { x: scaleOf(panel, "x"), y: scaleOf(panel, "y") },
       plugins: {
@@ -155,7 +165,8 @@ function drawPanel(canvas, panel) {
             title: () => "",
             label: ({ dataset, raw }) => [
               ...(raw.label ? [raw.label] : []),
-              `${dataset.label ? dataset.label + ": " : ""}${shown(raw.x)}, ${shown(raw.y)}`],
+              `${dataset.label ? dataset.label + ": " : ""}${nameAt(panel, raw.x)}, ` +
+              shown(raw.y, packedDigits)],
           },
         },
         beside: { marks: panel.marks, notes: panel.notes },
@@ -166,22 +177,48 @@ function drawPanel(canvas, panel) {
   return chart;
 }
 
+const notSeenYet = new Map();  // canvases, and what draws them
+
+// Charts far below are drawn when they come into view, or are printed.
+function drawWhenSeen(canvas, draw) {
+  const watcher = new IntersectionObserver((entries) => {
+    if (entries.some((entry) => entry.isIntersecting)) drawNow(canvas);
+  }, { rootMargin: "400px" });
+  notSeenYet.set(canvas, () => {
+    watcher.disconnect();
+    draw();
+  });
+  watcher.observe(canvas);
+}
+
+function drawNow(canvas) {
+  const draw = notSeenYet.get(canvas);
+  notSeenYet.delete(canvas);
+  draw?.();
+}
+
+function drawAll() {
+  for (const canvas of [...notSeenYet.keys()]) drawNow(canvas);
+}
+
 function panelElement(panel, onChart) {
   const canvas = make("canvas", { role: "img", "aria-label": `${panel.title} ${panel.y} over ${panel.x}` });
   const frame = make("div", { className: "canvas" }, canvas);
-  const heads = ["curve", panel.x, panel.y];
+  const ends = panel.curves.some((curve) => ["area", "bars"].includes(curve.stroke));
+  const heads = ["curve", panel.x, panel.y, ...(ends ? ["from", "to"] : [])];
   const rows = () => panel.curves.flatMap((curve) => {
-    const columns = unpack(curve.points);
-    return (columns[0] ?? []).map((x, i) => [curve.labels?.[i] ?? curve.name, x, columns[1][i]]);
+    const [places = [], ...columns] = unpack(curve.points);
+    return places.map((x, i) => {
+      const values = columns.map((column) => column[i]);
+      const cells = curve.stroke === "area" ? [null, ...values] : values;
+      return [curve.labels?.[i] ?? curve.name, nameAt(panel, x), ...cells,
+        ...(ends && cells.length < 3 ? [null, null] : [])];
+    });
   });
-  // Charts far below are drawn when they come into view.
-  const watcher = new IntersectionObserver((entries) => {
-    if (!entries.some((entry) => entry.isIntersecting)) return;
-    watcher.disconnect();
+  drawWhenSeen(canvas, () => {
     const chart = drawPanel(canvas, panel);
     if (onChart) onChart(chart);
-  }, { rootMargin: "400px" });
-  watcher.observe(canvas);
+  });
   return make("figure", {}, panel.title ? make("figcaption", {}, panel.title) : null, frame,
     numbersBehind("numbers", heads, rows));
 }
@@ -194,4 +231,5 @@ function figureBlock(block, onChart) {
 function forgetCharts() {
   for (const chart of charts) chart.destroy();
   charts.clear();
+  notSeenYet.clear();
 }

@@ -8,10 +8,19 @@ const blockMakers = {
   facts: (block) => make("section", {}, block.title ? make("h2", {}, block.title) : null,
     make("dl", {}, ...block.rows.flatMap(([name, what]) =>
       [make("dt", {}, name), make("dd", {}, what)]))),
-  table: (block) => tableBlock(block, (i) => { location.hash = `detail=${i}`; }),
+  table: tableOnce,
   figure: (block) => figureBlock(block),
   beam: (block) => beamBlock(block),
 };
+
+// Tables are made once, so that the way back finds them filtered and sorted as they were.
+const tables = new Map();
+function tableOnce(block) {
+  if (!tables.has(block)) {
+    tables.set(block, tableBlock(block, (i) => { location.hash = `detail=${i}`; }));
+  }
+  return tables.get(block);
+}
 
 const main = make("main", { tabIndex: -1 });
 const tabButtons = report.tabs.map((tab, i) => {
@@ -57,13 +66,32 @@ function show() {
   });
   main.replaceChildren(...(isDetail ? detailView(i) : blocksOf(report.tabs[lastTab])));
   scrollTo(0, 0);
+  if (isDetail) main.focus({ preventScroll: true });
 }
+
+// On paper all is light, and there.
+function setTheme(theme) {
+  if (theme) document.documentElement.dataset.theme = theme;
+  else delete document.documentElement.dataset.theme;
+}
+let themeOnScreen;
+addEventListener("beforeprint", () => {
+  themeOnScreen = document.documentElement.dataset.theme;
+  const wasDark = themeColor("--scheme") === "dark";
+  setTheme("light");
+  if (wasDark) show();
+  drawAll();
+});
+addEventListener("afterprint", () => {
+  setTheme(themeOnScreen);
+  show();
+});
 
 function themeButton() {
   const button = make("button", { type: "button", className: "theme" }, "dark / light");
   button.addEventListener("click", () => {
     const dark = themeColor("--scheme") === "dark";
-    document.documentElement.dataset.theme = dark ? "light" : "dark";
+    setTheme(dark ? "light" : "dark");
     show();
   });
   return button;

@@ -2,23 +2,28 @@
 
 const rowsAtOnce = 100;
 
-// "misfit > 2, S355": a column with a number, or letters that any cell has; all of them hold.
+// "misfit > 2, material = S355": a column with a number or a word, or letters that any cell has; all of
+// them hold. @return for each what a row must fulfil, or, in place of it, what is wrong
 function conditionsOf(text, columns) {
   return text.split(",").map((part) => part.trim()).filter((part) => part !== "").map((part) => {
-    const match = /^(.+?)\s*(<=|>=|<|>|=)\s*(-?[\d.]+(?:e[-+]?\d+)?)$/i.exec(part);
-    if (match) {
-      const wanted = match[1].toLowerCase();
-      let at = columns.findIndex((column) => column.name.toLowerCase() === wanted);
-      if (at < 0) at = columns.findIndex((column) => column.name.toLowerCase().startsWith(wanted));
-      const number = Number(match[3]);
-      const compare = { "<": (v) => v < number, ">": (v) => v > number, "<=": (v) => v <= number,
-        ">=": (v) => v >= number, "=": (v) => v === number || shown(v) === shown(number) }[match[2]];
-      if (at >= 0) {
-        return (row) => typeof row[at] === "number" && compare(row[at]);
-      }
-    }
     const letters = part.toLowerCase();
-    return (row) => row.some((cell) => String(shown(cell)).toLowerCase().includes(letters));
+    const match = /^(.+?)\s*(<=|>=|<|>|=)\s*(.+)$/.exec(part);
+    if (!match) return (row) => row.some((cell) => String(shown(cell)).toLowerCase().includes(letters));
+    const [, name, sign, wanted] = match;
+    const has = (fits) => columns.findIndex((column) => fits(column.name.toLowerCase()));
+    const exact = has((column) => column === name.toLowerCase());
+    const at = exact >= 0 ? exact : has((column) => column.startsWith(name.toLowerCase()));
+    if (at < 0) return `there is no column ${name}`;
+    const number = Number(wanted);
+    if (sign !== "=" && !Number.isFinite(number)) return `${wanted} is no number`;
+    const compare = { "<": (v) => v < number, ">": (v) => v > number, "<=": (v) => v <= number,
+      ">=": (v) => v >= number, "=": (v) => v === number || shown(v) === shown(number) }[sign];
+    return (row) => {
+      if (row[at] === null || row[at] === "") return false;
+      if (sign === "=" && String(row[at]).toLowerCase() === wanted.toLowerCase()) return true;
+      const value = Number(row[at]);  // groups are words that may be numbers
+      return Number.isFinite(value) && Number.isFinite(number) && compare(value);
+    };
   });
 }
 
@@ -43,7 +48,7 @@ function tableBlock(block, openDetail) {
   let falling = false;
   let most = rowsAtOnce;
   const chosen = new Map();
-  const input = make("input", { type: "search", placeholder: "filter: letters, or column > number",
+  const input = make("input", { type: "search", placeholder: "filter: letters, column > number",
     "aria-label": "filter the rows" });
   const count = make("span", { className: "count", role: "status" });
   const body = make("tbody");
@@ -83,17 +88,18 @@ function tableBlock(block, openDetail) {
     return row;
   }
 
-  function left() {
-    const conditions = conditionsOf(input.value, block.columns);
+  function left(conditions) {
     return order.filter((i) => conditions.every((holds) => holds(block.rows[i])) &&
       [...chosen].every(([c, word]) => word === "" || String(block.rows[i][c]) === word));
   }
 
   function show() {
-    const rows = left();
+    const conditions = conditionsOf(input.value, block.columns);
+    const wrong = conditions.find((condition) => typeof condition === "string");
+    const rows = wrong ? [] : left(conditions);
     body.replaceChildren(...rows.slice(0, most).map(rowOf));
-    count.textContent = rows.length === block.rows.length
-      ? `${rows.length} rows` : `${rows.length} of ${block.rows.length} rows`;
+    count.textContent = wrong ?? (rows.length === block.rows.length
+      ? `${rows.length} rows` : `${rows.length} of ${block.rows.length} rows`);
     more.hidden = rows.length <= most;
   }
 
