@@ -163,12 +163,12 @@ int run(std::vector<std::string> words, const plastica::io::MergedShards* merged
 
 int main(int argc, char** argv) {
   plastica::cli::open_closed_streams();
-  plastica::cli::write_what_terminals_can_show();
   plastica::keep_freed_memory();
   plastica::cli::RunTeam team;
   int code = plastica::cli::kMachineFailed;
   std::string what;  // has failed
   try {
+    plastica::cli::write_what_terminals_can_show();
     code = run({argv + 1, argv + argc}, nullptr, &team);
   } catch (const plastica::TeamLeft& left) {
     return team.end_after_another(left.failed());

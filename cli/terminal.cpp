@@ -10,9 +10,11 @@
 #include <cstdio>
 #include <cstdlib>
 #include <iostream>
+#include <optional>
 #include <string>
 #include <utility>
 
+#include "cli/launched.hpp"
 #include "plastica/report/ink.hpp"
 
 #include <langinfo.h>
@@ -55,6 +57,13 @@ std::size_t columns_of(std::string_view text) {
 }
 
 bool is_terminal(int stream) { return ::isatty(stream) != 0; }
+
+/// None where the terminal does not say.
+std::optional<std::size_t> known_width(int stream) {
+  winsize size{};
+  if (::ioctl(stream, TIOCGWINSZ, &size) != 0 || size.ws_col == 0) return std::nullopt;
+  return std::max<std::size_t>(20, size.ws_col);
+}
 
 #ifdef __GLIBC__
 
@@ -137,11 +146,7 @@ bool has_color(int stream) {
   return is_terminal(stream) && value_of("NO_COLOR").empty() && value_of("TERM") != "dumb";
 }
 
-std::size_t width_of_terminal(int stream) {
-  winsize size{};
-  const bool known = ::ioctl(stream, TIOCGWINSZ, &size) == 0 && size.ws_col > 0;
-  return std::max<std::size_t>(20, known ? size.ws_col : 80);
-}
+std::size_t width_of_terminal(int stream) { return known_width(stream).value_or(80); }
 
 AsciiText in_ascii(std::string_view text) {
   AsciiText ascii;
@@ -203,12 +208,14 @@ std::string broken_line(std::string_view line, std::size_t width) {
 
 void write_what_terminals_can_show() {
 #ifdef __GLIBC__
+  // mpirun makes terminals for what it passes on, wherever that goes.
+  if (launched()) return;
   if (!is_terminal(STDOUT_FILENO) && !is_terminal(STDERR_FILENO)) return;
   // Only letters: numbers are written with a point wherever.
   std::setlocale(LC_CTYPE, "");
   const bool has_utf8 = std::string_view(::nl_langinfo(CODESET)) == "UTF-8";
   std::setlocale(LC_CTYPE, "C");
-  const std::size_t width = width_of_terminal(STDOUT_FILENO);
+  const std::size_t width = known_width(STDOUT_FILENO).value_or(report::kWidth);
   const bool narrow = is_terminal(STDOUT_FILENO) && width < report::kWidth;
   if (narrow && width < 80) ::setenv("COLUMNS", std::to_string(width).c_str(), 1);
   if (is_terminal(STDOUT_FILENO) && (narrow || !has_utf8)) {

@@ -13,8 +13,8 @@
 namespace plastica::sweeps {
 namespace {
 
-/// Where more than 1 % is allowed fewer than `kRichFibres` do, at least so many. Forty are 0.002 % off
-/// (docs/accuracy.md), of second order.
+/// Where more than 1 % is allowed fewer than `kRichFibres` do, at least so many. Forty are 0.002 %
+/// off (docs/accuracy.md), of second order.
 constexpr double kFewestRichFibres = 16.0;
 /// A run is stopped where it costs so many times what was foreseen. No run of an advice on the
 /// shipped scenes for 0.3 % costs more than 42 times that.

@@ -22,7 +22,6 @@ TEST_P(BadCommandLine, IsRefusedInOneLine) { expect_refusal(GetParam()); }
 INSTANTIATE_TEST_SUITE_P(
     Words, BadCommandLine,
     ::testing::Values(
-        line("NoCommand", {}, "A subcommand is required (see plastica --help)"),
         line("UnknownCommand", {"calibrat", "fit.toml"},
              "calibrat: is not a command; did you mean calibrate?"),
         line("HelpOfUnknownCommand", {"calibrat", "--help"},

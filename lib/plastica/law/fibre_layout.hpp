@@ -46,8 +46,8 @@ FibreLayout fibre_layout(const Section& section, const SectionProperties& proper
                          FibrePlane plane, int fibres);
 
 /// The largest count with which `fibre_layout` lays out the same fibres as with this one: the next
-/// multiple of four, at least four for each part of the half depth that has a width of its own (flange,
-/// web).
+/// multiple of four, at least four for each part of the half depth that has a width of its own
+/// (flange, web).
 int taken_fibres(const Section& section, FibrePlane plane, int fibres);
 
 }  // namespace plastica::law

@@ -38,8 +38,8 @@ std::optional<std::string> fibre_warning(const Facts& facts) {
   }
   if (late < kLate) return std::nullopt;
   using model_detail::figure;
-  return "solver.fibres = " + std::to_string(fibres) +
-         ": the outermost fibres yield at " + figure(late) +
+  return "solver.fibres = " + std::to_string(fibres) + ": the outermost fibres yield at " +
+         figure(late) +
          " times the moment of first yield; what less leaves is missed (40 fibres: 1.02)";
 }
 

@@ -7,8 +7,8 @@
 
 namespace plastica::run_detail {
 
-/// Where few fibres leave the outermost so far from the section's surface that the section yields later
-/// than it should.
+/// Where few fibres leave the outermost so far from the section's surface that the section yields
+/// later than it should.
 std::optional<std::string> fibre_warning(const Facts& facts);
 
 }  // namespace plastica::run_detail

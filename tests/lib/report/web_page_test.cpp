@@ -50,7 +50,8 @@ TEST(WebPage, AsksForNothing) {
   EXPECT_NE(page.find("default-src 'none'"), std::string::npos);
   const std::string ours = page.substr(0, page.find("<script type")) +
                            std::string(assets::script()) + std::string(assets::style());
-  for (const char* mark : {" src=", " href=", "@import", "url(", "http:", "https:", "fetch(", "innerHTML"}) {
+  for (const char* mark :
+       {" src=", " href=", "@import", "url(", "http:", "https:", "fetch(", "innerHTML"}) {
     EXPECT_EQ(ours.find(mark), std::string::npos) << mark;
   }
 }

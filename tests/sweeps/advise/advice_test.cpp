@@ -222,13 +222,13 @@ TEST(Advice, LooksAgainAtNumbersThatChangedNothingWhileNothingYielded) {
   EXPECT_NEAR(end_of(setup, advice), truth, 0.02 * truth);
 }
 
-/// A moment m of first yield bends a rectangle by 1/sqrt(3 - 2 m) of first yield's curvature (Prager
-/// and Hodge); taken off, it takes m of these with it. Four fibres, and eight, stay elastic up to
-/// m = 1.27 and 1.12, so that they agree.
+/// A moment m of first yield bends a rectangle by 1/sqrt(3 - 2 m) of first yield's curvature
+/// (Prager and Hodge); taken off, it takes m of these with it. Four fibres, and eight, stay elastic
+/// up to m = 1.27 and 1.12, so that they agree.
 TEST(Advice, IsNotTakenInByFewFibresThatStayElastic) {
   for (const double m : {1.05, 1.09, 1.11, 1.2}) {
-    plastica::Setup setup = tip_cantilever(0.02, "['0 N', '0 N', '0 N']", "yield_model = 'fibre'",
-                                           "steps = 20");
+    plastica::Setup setup =
+        tip_cantilever(0.02, "['0 N', '0 N', '0 N']", "yield_model = 'fibre'", "steps = 20");
     const Material& material = setup.scene.material;
     const SectionProperties s = section_properties(setup.scene.section, material.poisson_ratio);
     Load& load = setup.scene.loads[0];
@@ -239,8 +239,8 @@ TEST(Advice, IsNotTakenInByFewFibresThatStayElastic) {
     ASSERT_EQ(advice.end, AdviceEnd::Found) << advice.reason;
     const plastica::Setup advised = advised_setup(setup, advice);
     const auto probe = simulate(advised.scene, advised.solver).probes[0];
-    const double first = material.yield_stress * s.section_modulus_x /
-                         (material.youngs_modulus * s.second_moment_x);
+    const double first =
+        material.yield_stress * s.section_modulus_x / (material.youngs_modulus * s.second_moment_x);
     const double bent = first / std::sqrt(3.0 - 2.0 * m);
     const auto tip = [](double curvature) { return (1.0 - std::cos(curvature)) / curvature; };
     const double largest = tip(bent);
@@ -253,8 +253,8 @@ TEST(Advice, IsNotTakenInByFewFibresThatStayElastic) {
 /// Of thin walls two to eight fibres are the same.
 TEST(Advice, IsNotTakenInByFibresThatAreTheSame) {
   for (const double m : {1.13, 1.18}) {
-    plastica::Setup setup = tip_cantilever(0.04, "['0 N', '0 N', '0 N']", "yield_model = 'fibre'",
-                                           "steps = 20");
+    plastica::Setup setup =
+        tip_cantilever(0.04, "['0 N', '0 N', '0 N']", "yield_model = 'fibre'", "steps = 20");
     setup.scene.section = {.shape = SectionShape::RectangularTube,
                            .width = 0.03,
                            .height = 0.04,

@@ -106,7 +106,8 @@ TEST(CaseWarnings, OfResumedCasesAreThoseOfAFreshRun) {
   EXPECT_GT(resumed.resumed(), 5U);
   const Texts warnings = warnings_after(fresh, second);
   ASSERT_EQ(warnings.size(), 1U);
-  EXPECT_NE(warnings[0].find("cases that were looked at (of 21)"), std::string::npos) << warnings[0];
+  EXPECT_NE(warnings[0].find("cases that were looked at (of 21)"), std::string::npos)
+      << warnings[0];
   EXPECT_EQ(warnings_after(resumed, second), warnings);
 }
 
