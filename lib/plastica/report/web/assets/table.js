@@ -33,6 +33,11 @@ function compareCells(a, b) {
   return String(a).localeCompare(String(b), undefined, { numeric: true });
 }
 
+function classOf(column, cell) {
+  if (column.numbers) return "number";
+  return String(cell ?? "").length > 24 ? "long" : "";
+}
+
 // A choice for each column of few words.
 function choicesOf(block) {
   return block.columns.flatMap((column, c) => {
@@ -77,7 +82,7 @@ function tableBlock(block, openDetail) {
 
   function rowOf(i) {
     const cells = block.rows[i].map((cell, c) =>
-      make("td", { className: block.columns[c].numbers ? "number" : "" }, shown(cell, block.columns[c].digits)));
+      make("td", { className: classOf(block.columns[c], cell) }, shown(cell, block.columns[c].digits)));
     if (!block.opens) return make("tr", {}, ...cells);
     const link = make("a", { href: `#detail=${i}` }, shown(block.rows[i][0]));
     cells[0].replaceChildren(link);
