@@ -30,7 +30,6 @@ namespace {
 using namespace report;
 using plastica::report::web_facts;
 using plastica::report::web_figure;
-using plastica::report::web_notes;
 using plastica::report::web_text;
 using plastica::report::WebPage;
 using plastica::report::WebTab;

@@ -79,7 +79,7 @@ WebTab provenance_tab(const std::string& file, const io::RunMeta& meta,
                       const std::vector<io::InputText>& inputs, const std::string& run) {
   std::string versions;
   for (const auto& [name, version] : meta.versions) {
-    versions += (versions.empty() ? "" : ", ") + name + " " + version;
+    versions += fmt::format("{}{} {}", versions.empty() ? "" : ", ", name, version);
   }
   WebTab tab{"Provenance", Json::array()};
   tab.blocks.push_back(web_facts(
