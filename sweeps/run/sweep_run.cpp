@@ -22,8 +22,10 @@ std::uint64_t journal_kind() {
   return io::Digest().text("plastica/sweep").integer(kResultVersion).value();
 }
 
-/// Whether a run of a case shows what its scene does not.
-bool has_warnings(QuantityKind kind) { return kind != QuantityKind::NaturalFrequency; }
+/// Whether a case's result says what its run has shown; of others the scene alone is looked at.
+bool has_warnings(QuantityKind kind) {
+  return is_simulated(kind) || kind == QuantityKind::Fit || kind == QuantityKind::BucklingFactor;
+}
 
 /// Timed cases run alone, so that they do not slow each other.
 int threads_of(const Sweep& sweep, int wanted) {
@@ -188,7 +190,11 @@ void SweepRun::run_missing(const std::vector<std::size_t>& missing, const NextIn
     } catch (const InputError& error) {
       result = rejected(error.what());
     }
-    if (!watched_[missing[k]]) result.warnings.reset();
+    if (!watched_[missing[k]]) {
+      result.warnings.reset();
+    } else if (!result.warnings && has_warnings(sweep_.quantity.kind)) {
+      result.warnings.emplace();  // it was looked at, and failed
+    }
     take(missing[k], std::move(result));
   });
 }

@@ -220,6 +220,11 @@ class Fits(Report):
         self.assertIn("no number", self.texts(".count")[0])
         kept = self.filtered("law = voce")
         browser.click("tbody a")
+        first = self.texts("main h1")
+        browser.press("j")
+        self.assertEqual(self.texts("main h1"), [kept[1] + ":voce"])
+        browser.press("k")
+        self.assertEqual(self.texts("main h1"), first)
         browser.press("Escape")
         self.assertEqual(self.texts("tbody td:first-child"), kept)
 

@@ -93,13 +93,18 @@ std::string many_loads(int count, int every) {
   return loads_axis(values);
 }
 
+EarlierResults earlier_of(const SweepRun& run, const std::vector<CaseResult>& results) {
+  EarlierResults earlier;
+  for (std::size_t i = 0; i < results.size(); ++i) earlier.emplace(run.ids()[i], results[i]);
+  return earlier;
+}
+
 // Others are looked at where there are others.
 TEST(CaseWarnings, OfResumedCasesAreThoseOfAFreshRun) {
   const Sweep first = sweep_of(kPropped, many_loads(41, 1));
   SweepRun run(first, {});
   const auto results = run.run();
-  EarlierResults earlier;
-  for (std::size_t i = 0; i < results.size(); ++i) earlier.emplace(run.ids()[i], results[i]);
+  const EarlierResults earlier = earlier_of(run, results);
   const Sweep second = sweep_of(kPropped, many_loads(41, 2));
   SweepRun fresh(second, {});
   SweepRun resumed(second, {.earlier = earlier});
@@ -109,6 +114,21 @@ TEST(CaseWarnings, OfResumedCasesAreThoseOfAFreshRun) {
   EXPECT_NE(warnings[0].find("cases that were looked at (of 21)"), std::string::npos)
       << warnings[0];
   EXPECT_EQ(warnings_after(resumed, second), warnings);
+}
+
+// Modes have none of a run; a load beyond 1.42 kN has no equilibrium.
+TEST(CaseWarnings, KeepNoCaseFromBeingResumed) {
+  for (const std::string rest :
+       {"[error]\nquantity = 'natural_frequency'\n", "[error]\nquantity = 'loaded_frequency'\n",
+        "[error]\nquantity = 'buckling_factor'\n", kTip.c_str()}) {
+    const Sweep sweep = sweep_of(
+        kPropped, "[set]\nrules.yield_model = 'interaction'\n[[axis]]\nfield = 'scale.loads'\n"
+                  "values = [0.1, 1.35, 1.6]\n" +
+                      rest);
+    SweepRun run(sweep, {});
+    const auto results = run.run();
+    EXPECT_EQ(SweepRun(sweep, {.earlier = earlier_of(run, results)}).resumed(), 3U) << rest;
+  }
 }
 
 // The bar swings half as fast about its weak axis.

@@ -208,6 +208,13 @@ function beamBlock(block) {
       numbers);
   });
 
+  const ends = ["x", "y", "z"].map((axis) => `${axis} [m]`);
+  const numbers = numbersBehind("numbers of the frame", ["segment", ...ends, ...ends.map((end) => `to ${end}`),
+    ...block.colors.map((color) => `${color.name} at its end [${color.unit}]`)],
+  () => Array.from({ length: segments }, (_, s) => [s + 1, ...poseAt(view.frame, s).slice(0, 6),
+    ...block.colors.map((color, k) => valueAt[k](view.frame, s + 1)[0] / color.scale)]));
+  followers.push(numbers.renew);
+
   const slider = make("input", { type: "range", min: 0, max: times.length - 1, value: view.frame,
     "aria-label": "frame" });
   const playButton = make("button", { type: "button" }, "play");
@@ -281,6 +288,7 @@ function beamBlock(block) {
     canvas,
     make("div", { className: "time" }, still ? null : playButton, still ? null : slider, label, colorChoice),
     make("p", { className: "count" }, "Dashed: the beam before. Drag to turn; Ctrl and the wheel, or + and −, change the size. " + block.note),
+    numbers,
     block.moments.length > 0 ? make("div", { className: "panels" }, ...momentPanels) : null,
     ...block.linked.map((figure) => figureBlock(figure, (chart) => {
       linked.push(chart);

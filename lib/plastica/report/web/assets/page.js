@@ -42,12 +42,19 @@ function blocksOf(part) {
   return part.blocks.map((block) => blockMakers[block.kind](block));
 }
 
+// The detail so many rows further down the table; of one that the table does not show the file's order.
+function neighbour(i, step) {
+  const at = rowsInOrder.indexOf(i);
+  const to = at < 0 ? i + step : rowsInOrder[at + step];
+  return to >= 0 && to < report.details.length ? to : undefined;
+}
+
 function detailView(i) {
-  const link = (to, text) => to >= 0 && to < report.details.length
-    ? make("a", { href: `#detail=${to}` }, text) : null;
+  const link = (step, text) => neighbour(i, step) !== undefined
+    ? make("a", { href: `#detail=${neighbour(i, step)}` }, text) : null;
   return [
     make("nav", { className: "detail" }, make("a", { href: `#tab=${lastTab}` }, "← all"),
-      link(i - 1, "previous"), link(i + 1, "next")),
+      link(-1, "previous"), link(1, "next")),
     make("h1", {}, report.details[i].name),
     ...blocksOf(report.details[i]),
   ];
@@ -110,9 +117,11 @@ document.body.append(
 document.addEventListener("keydown", (event) => {
   const [kind, number] = location.hash.slice(1).split("=");
   if (kind !== "detail" || event.target.matches("input, select, canvas") || event.ctrlKey || event.metaKey) return;
-  const to = Number(number) + ({ j: 1, k: -1 }[event.key] ?? 0);
+  const step = { j: 1, k: -1 }[event.key];
   if (event.key === "Escape") location.hash = `tab=${lastTab}`;
-  else if (to !== Number(number) && to >= 0 && to < report.details.length) location.hash = `detail=${to}`;
+  else if (step && neighbour(Number(number), step) !== undefined) {
+    location.hash = `detail=${neighbour(Number(number), step)}`;
+  }
 });
 addEventListener("hashchange", show);
 matchMedia("(prefers-color-scheme: dark)").addEventListener("change", show);

@@ -1,6 +1,7 @@
 // Tables that sort by a click on a column's name and show the rows that a filter leaves.
 
 const rowsAtOnce = 100;
+let rowsInOrder = [];  // of the table whose rows open details, as it shows them
 
 // "misfit > 2, material = S355": a column with a number or a word, or letters that any cell has; all of
 // them hold. @return for each what a row must fulfil, or, in place of it, what is wrong
@@ -102,6 +103,7 @@ function tableBlock(block, openDetail) {
     const conditions = conditionsOf(input.value, block.columns);
     const wrong = conditions.find((condition) => typeof condition === "string");
     const rows = wrong ? [] : left(conditions);
+    if (block.opens) rowsInOrder = rows;
     body.replaceChildren(...rows.slice(0, most).map(rowOf));
     count.textContent = wrong ?? (rows.length === block.rows.length
       ? `${rows.length} rows` : `${rows.length} of ${block.rows.length} rows`);
