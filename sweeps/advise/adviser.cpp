@@ -160,7 +160,8 @@ bool Adviser::settle_words(Candidate& candidate, bool& changed) {
   if (words_.words() == candidate.trial.words) return true;
   models_.doubt();
   forget_methods(candidate.trial.words, words_.words());
-  candidate.trial = runs_.taken({words_.words(), candidate.trial.setting});
+  candidate.trial =
+      runs_.with_ends_at_probes(runs_.taken({words_.words(), candidate.trial.setting}));
   changed = true;
   return true;
 }
