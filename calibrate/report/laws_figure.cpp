@@ -11,6 +11,7 @@
 #include "calibrate/report/plot_parts.hpp"
 #include "calibrate/report/scene_fit_words.hpp"
 #include "plastica/base/check.hpp"
+#include "plastica/report/scene_words.hpp"
 
 namespace plastica::calibrate::report {
 namespace {
@@ -142,7 +143,7 @@ Figure laws_figure(std::span<const SceneFitRecord> records, const std::string& n
   const auto unit_of = [](Dimension dimension, const std::vector<double>& values) {
     double most = 0.0;
     for (const double value : values) most = std::max(most, std::fabs(value));
-    return plastica::report::display_unit(dimension, most);
+    return plastica::report::shown_unit(dimension, most);
   };
   const auto label = [](const std::string& what, const DisplayUnit& unit) {
     return unit.name.empty() ? what : fmt::format("{} [{}]", what, unit.name);

@@ -13,6 +13,7 @@
 #include "calibrate/report/scene_fit_words.hpp"
 #include "calibrate/report/scene_population.hpp"
 #include "plastica/base/check.hpp"
+#include "plastica/report/scene_words.hpp"
 
 namespace plastica::calibrate::report {
 namespace {
@@ -51,7 +52,7 @@ Points points_of(std::span<const double> x, const DisplayUnit& x_unit, std::span
 }
 
 DisplayUnit unit_of(Dimension dimension, std::span<const double> values) {
-  return plastica::report::display_unit(dimension, largest(values));
+  return plastica::report::shown_unit(dimension, largest(values));
 }
 
 /// "youngs_modulus 205.0 ± 1.2 GPa   yield_stress …", or why there is no fit.

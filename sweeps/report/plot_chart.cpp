@@ -175,11 +175,8 @@ std::string axis_commands(const ChartAxis& axis, char letter) {
 }
 
 double room_for_legend(const std::vector<std::string>& names) {
-  std::size_t longest = 0;
-  for (const std::string& name : names) longest = std::max(longest, report::width_of(name));
-  const std::size_t each = std::max<std::size_t>(1, 900 / (70 + 9 * longest));
-  const std::size_t lines = (names.size() + each - 1) / each;
-  return lines > 1 ? 20.0 * static_cast<double>(lines - 1) : 0.0;
+  const std::size_t rows = report::legend_rows(names, 1);
+  return rows > 1 ? 20.0 * static_cast<double>(rows - 1) : 0.0;
 }
 
 PlotScript chart_page(const Chart& chart) {

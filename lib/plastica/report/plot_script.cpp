@@ -14,7 +14,10 @@ namespace {
 /// In pixels of a picture 900 wide.
 constexpr double kHeight = 560.0;
 /// Below the panels: labels and the legend.
-constexpr double kBottom = 92.0;
+constexpr double kBottom = 106.0;
+/// Left of a panel: numbers of five letters and the label, which gnuplot leaves out, without a
+/// word, where it has no room.
+constexpr double kLeft = 98.0;
 
 void put_rows(std::string& block, const std::vector<std::vector<double>>& rows) {
   for (const std::vector<double>& row : rows) {
@@ -76,17 +79,16 @@ void PlotScript::set_plot_height(double pixels) {
 void PlotScript::begin_panel(std::string_view title) {
   // In pixels of a picture 900 wide: room for labels, titles and the legend.
   const double height = kHeight * relative_height_;
-  const double left = 78.0;
   const double bottom = kBottom + below_;
-  const double between = 62.0;
+  const double between = 84.0;
   const double above = 78.0 + below_;
   const auto columns = static_cast<double>(columns_);
   const std::size_t count_of_rows = (count_of_panels_ + columns_ - 1) / columns_;
   const auto rows = static_cast<double>(count_of_rows);
   const std::size_t row = panel_ / columns_;
-  const double wide = (900.0 - 22.0 - left - between * (columns - 1.0)) / columns;
+  const double wide = (900.0 - 22.0 - kLeft - between * (columns - 1.0)) / columns;
   const double high = (height - head_ - bottom - above * (rows - 1.0)) / rows;
-  const double x = left + static_cast<double>(panel_ % columns_) * (wide + between);
+  const double x = kLeft + static_cast<double>(panel_ % columns_) * (wide + between);
   const double y = height - head_ - static_cast<double>(row) * (high + above);
   command(
       fmt::format("set lmargin at screen {:.4f}\nset rmargin at screen {:.4f}\n"
@@ -134,6 +136,15 @@ void PlotScript::end_panel() {
       "yrange [0:1]\n"
       "set offsets 0, 0, 0, 0");
   command("plot NaN notitle" + legend_ + "\nunset multiplot");
+}
+
+std::size_t legend_rows(const std::vector<std::string>& names, std::size_t panels) {
+  std::size_t longest = 0;
+  for (const std::string& name : names) longest = std::max(longest, width_of(name));
+  // Columns are 187, 245 and 295 pixels apart for names of 13, 19 and 22 letters.
+  const std::size_t wide = panels == 1 ? 780 : 864;
+  const std::size_t columns = std::max<std::size_t>(1, wide / (65 + 10 * longest));
+  return (names.size() + columns - 1) / columns;
 }
 
 std::string in_quotes(std::string_view text) {

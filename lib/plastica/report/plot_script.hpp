@@ -77,6 +77,10 @@ class PlotScript {
   std::string legend_;
 };
 
+/// Rows that gnuplot makes of a legend below a picture 900 wide.
+/// @param panels  of the picture: the legend of one is as wide as its plot
+std::size_t legend_rows(const std::vector<std::string>& names, std::size_t panels);
+
 /// A user's text as a gnuplot string: printable, in quotes.
 std::string in_quotes(std::string_view text);
 /// The same for a label of an axis, in which gnuplot would read % as a format.

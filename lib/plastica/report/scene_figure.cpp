@@ -18,20 +18,15 @@ constexpr std::string_view kLetters = "#ox+*%@&";
 constexpr std::string_view kMarkStyle =
     "linewidth 1 dashtype 3 linecolor rgb '#333333'";  ///< of upright lines
 
-/// Lines that a legend of these names takes below a picture 900 wide.
-std::size_t legend_lines(const Figure& figure) {
-  std::vector<std::string_view> names;
-  std::size_t longest = 0;
+/// Names of all curves, each once.
+std::vector<std::string> names_in_legend(const Figure& figure) {
+  std::vector<std::string> names;
   for (const FigurePanel& panel : figure.panels) {
     for (const FigureCurve& curve : panel.curves) {
-      if (std::find(names.begin(), names.end(), curve.name) == names.end()) {
-        names.emplace_back(curve.name);
-      }
-      longest = std::max(longest, width_of(curve.name));
+      if (std::ranges::find(names, curve.name) == names.end()) names.push_back(curve.name);
     }
   }
-  const std::size_t each = std::max<std::size_t>(1, 900 / (60 + 9 * longest));
-  return (names.size() + each - 1) / each;
+  return names;
 }
 
 std::string style_of(const FigureCurve& curve) {
@@ -181,7 +176,8 @@ std::vector<std::vector<double>> thinned(const std::vector<std::vector<double>>&
 PlotScript figure_page(const Figure& figure) {
   PlotScript script;
   const bool single = figure.panels.size() == 1;
-  const auto lines = static_cast<double>(legend_lines(figure));
+  const auto lines =
+      static_cast<double>(legend_rows(names_in_legend(figure), figure.panels.size()));
   script.begin_panels(figure.panels.size(), single ? std::string() : figure.title, single ? 2 : 1,
                       20.0 * std::max(0.0, lines - 1.0) + name_room(figure));
   script.command("set xzeroaxis linecolor rgb '#B8B8B8' linetype 1 linewidth 0.8");

@@ -29,9 +29,9 @@ TEST(SceneFitPlot, OfAFitHasAPanelPerTargetWithTheBreakMarked) {
   const std::string script = script_of(scene_record(), "");
   EXPECT_TRUE(has(script, "set title 'bent'"));
   EXPECT_TRUE(has(script, "set title 'twisted'"));
-  EXPECT_TRUE(has(script, "set xlabel 'support 2 [m]'"));
+  EXPECT_TRUE(has(script, "set xlabel 'support 2 [mm]'"));
   EXPECT_TRUE(has(script, "set ylabel 'torque [N m]'"));
-  EXPECT_TRUE(has(script, "set arrow from 0.0605, graph 0 to 0.0605, graph 1"));
+  EXPECT_TRUE(has(script, "set arrow from 60.5, graph 0 to 60.5, graph 1"));
   for (const char* name : {"'measured'", "'fitted'", "'break, measured'"}) {
     EXPECT_TRUE(has(script, std::string("title ") + name)) << name;
   }
@@ -51,9 +51,9 @@ TEST(SceneFitPlot, OfResidualsShowsMeasuredMinusFitted) {
   record.targets[0].ordinate = {10.0, 20.0};
   record.result.targets[0].fitted = {12.0, 19.0};
   const std::string script = script_of(record, "residuals");
-  EXPECT_TRUE(has(script, "\n0.25 -2 \n0.5 1 \n") || has(script, "\n0.25 -2\n0.5 1\n"));
+  EXPECT_TRUE(has(script, "\n250 -2 \n500 1 \n") || has(script, "\n250 -2\n500 1\n"));
   EXPECT_TRUE(has(script, "force, measured - fitted [N]"));
-  EXPECT_TRUE(has(script, "\n0.25 -5\n0.5 -5\n") || has(script, "\n0.25 -5 \n0.5 -5 \n"))
+  EXPECT_TRUE(has(script, "\n250 -5\n500 -5\n") || has(script, "\n250 -5 \n500 -5 \n"))
       << "the noise";
 }
 
