@@ -28,14 +28,17 @@ inline double component_of(const Vec<double, 3>& v, Component component) {
 template <class L, bool kElastic>
 double ChainRecord<L, kElastic>::hinge_strain(const Probe& probe,
                                               const std::vector<JointAngles>& angles) const {
-  const auto strain = watch_->strains_at(angles, node_at(probe.at));
+  const auto strain = watch_->strains_at(angles, turning_node_at(probe));
   return strain[static_cast<std::size_t>(probe.component)];
 }
 
 template <class L, bool kElastic>
 double ChainRecord<L, kElastic>::joint_value(const Probe& probe, const NodeStrains& strains) const {
   const ChainHistory& history = shape_;
-  const std::size_t node = node_at(probe.at);
+  const bool of_moment = probe.quantity == ProbeQuantity::Moment ||
+                         probe.quantity == ProbeQuantity::Force ||
+                         probe.quantity == ProbeQuantity::Stress;
+  const std::size_t node = of_moment ? node_at(probe.at) : turning_node_at(probe);
   const std::size_t at = 3 * node;
   const auto vector = [&](const std::vector<double>& values) {
     return Space{{values[at], values[at + 1], values[at + 2]}};

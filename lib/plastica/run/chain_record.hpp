@@ -147,6 +147,9 @@ class ChainRecord {
     return joint_spin(L::axes(undeformed) * L::angle_from(undeformed, w.placement.frame[segment]));
   }
   std::size_t node_at(const Place& place) const;
+  /// The same of a probe of angles: a clamp that lets nothing turn has a moment, but no angle, and
+  /// the joint beside it has both.
+  std::size_t turning_node_at(const Probe& probe) const;
   bool is_cut(const Work& w, std::size_t node) const {
     if (node < build_->chain.size()) return w.q.open[node];
     for (std::size_t g = 0; g < build_->chain.ground_joints.size(); ++g) {
@@ -273,6 +276,23 @@ std::size_t ChainRecord<L, kElastic>::node_at(const Place& place) const {
   const auto nearest = static_cast<std::size_t>(nearest_segment_end(place, model_->layout.ends));
   // A free end has no joint; the last one is before it.
   return joint_of_node(nearest) == kNone && nearest > 0 ? nearest - 1 : nearest;
+}
+
+template <class L, bool kElastic>
+std::size_t ChainRecord<L, kElastic>::turning_node_at(const Probe& probe) const {
+  const std::size_t node = node_at(probe.at);
+  if (node != 0 || joint_of_node(1) == kNone) return node;
+  const auto axes = view_.section_axes();
+  const auto asked = static_cast<std::size_t>(probe.component);
+  bool any = false;
+  for (std::size_t k = 0; k < L::kRotations; ++k) {
+    const std::size_t axis = axes.rotation(k);
+    const bool counts = probe.component == Component::Size ? axis < 2 : axis == asked;
+    if (!counts) continue;
+    any = true;
+    if (!build_->chain.root.clamped[k]) return node;
+  }
+  return any ? 1 : node;
 }
 
 template <class L, bool kElastic>
