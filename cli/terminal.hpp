@@ -18,7 +18,7 @@ std::size_t width_of_terminal(int stream);
 /// - into ASCII where its locale has no UTF-8 (LANG=C), see `in_ascii`;
 /// - of the standard output, whose reports are up to 100 columns wide, lines that are longer than a
 ///   narrower terminal are broken between two words, see `broken_line`; pictures of characters are
-///   as wide as it (the environment variable COLUMNS, see `report::draw`).
+///   as wide as it (the environment variable COLUMNS, see plastica/report/picture.hpp).
 /// Pipes and files get every byte as it is. To be called before anything is written.
 void write_what_terminals_can_show();
 

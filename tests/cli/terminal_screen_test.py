@@ -18,7 +18,7 @@ import termios
 import time
 import unittest
 
-COMMAND, DATA = sys.argv[1:3]
+COMMAND, DATA = os.path.abspath(sys.argv[1]), sys.argv[2]
 COLOUR = re.compile(rb"\x1b\[[0-9;]*m")
 
 
@@ -120,6 +120,40 @@ class Terminal(unittest.TestCase):
         self.assertEqual(on_terminal("-V"), on_terminal("--version"))
         written, code = on_terminal("help", "nosuch")
         self.assertEqual((code, written.count(b"\n")), (2, 1))
+
+    def complete(self, *words):
+        """What bash would offer for the last of the words."""
+        script = ("source <(\"$0\" completion bash); COMP_WORDS=(\"$@\"); "
+                  "COMP_CWORD=$(($# - 1)); _plastica; printf '%s\\n' \"${COMPREPLY[@]}\"")
+        done = subprocess.run(["bash", "-uc", script, COMMAND, *words], capture_output=True,
+                              text=True, cwd=DATA, check=True)
+        return done.stdout.split()
+
+    def test_bash_completes(self):
+        self.assertEqual(self.complete("plastica", "cali"), ["calibrate"])
+        self.assertEqual(self.complete("plastica", "help", "rep"), ["report"])
+        self.assertEqual(self.complete("plastica", "plot", "--wh"), ["--what"])
+        self.assertIn("--output", self.complete("plastica", "sweep", "-"))
+        self.assertEqual(self.complete("plastica", "simulate", "scenes/cant"),
+                         ["scenes/cantilever.toml"])
+        for shell in ("zsh", "fish"):
+            script = on_terminal("completion", shell, columns=500)[0]
+            for name in (b"calibrate", b"report", b"resume"):
+                self.assertIn(name, script)
+        self.assertEqual(on_terminal("completion", "tcsh")[1], 2)
+
+    def test_man_pages_have_what_the_help_has(self):
+        commands = re.findall(r"(?m)^  ([a-z]+)  ", on_terminal("--help")[0].decode())
+        self.assertGreater(len(commands), 15)
+        for command in commands:
+            page, code = on_terminal("man", command, columns=500)
+            self.assertEqual(code, 0)
+            page = page.decode().replace("\\-", "-")
+            self.assertIn(f"plastica-{command}", page)
+            options = re.findall(r"--[a-z][a-z-]+", on_terminal("help", command, columns=500)[0].decode())
+            for option in options:
+                self.assertIn(option, page)
+        self.assertEqual(on_terminal("man", "nosuch")[1], 2)
 
     def test_fields_are_searched(self):
         lines = on_terminal("fields", "YIELD", "stress", columns=200)[0].splitlines()

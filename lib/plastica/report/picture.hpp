@@ -15,7 +15,8 @@ void check_picture_output(const std::string& output, std::string_view option = "
 /// Draws and writes a picture; a file is replaced as a whole or left alone.
 /// @param output  a path that ends in .svg, .png, .pdf, or .gp for the script with its data; "-"
 ///                for a picture of characters
-/// @param standard_output  where a picture of characters goes
+/// @param standard_output  where a picture of characters goes, 79 columns wide; narrower where the
+///                         environment variable COLUMNS says 40 … 79
 /// @throws InputError for an output of another kind; MachineError if gnuplot is missing or fails,
 ///         or the file cannot be written
 void draw_picture(const PlotScript& script, const std::string& output,

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <optional>
 #include <utility>
 #include <variant>
@@ -57,7 +56,7 @@ Json cases_block(const SweepRecord& record, std::size_t shown, bool details) {
   if (!record.quantity.is_curve()) {
     table.add_numbers(record.quantity.name, shown_unit_of(record.quantity.unit));
   }
-  table.add_numbers("error", "%", "against " + record.against);
+  if (record.has_errors()) table.add_numbers("error", "%", "against " + record.against);
   table.add_numbers("work", "", "segments times iterations");
   table.add_numbers("time", "s", "CPU time of the run");
   table.add_words("remark");
@@ -68,7 +67,7 @@ Json cases_block(const SweepRecord& record, std::size_t shown, bool details) {
     cells.push_back(name_of(result.status));
     if (!record.quantity.is_curve()) cells.push_back(number(result.value));
     const std::optional<double>& error = record.comparison.error[i];
-    cells.push_back(error ? number(100.0 * *error) : Json(nullptr));
+    if (record.has_errors()) cells.push_back(error ? number(100.0 * *error) : Json(nullptr));
     cells.push_back(result.segment_iterations());
     cells.push_back(number(result.seconds));
     cells.push_back(remark_of(record, i));
@@ -127,24 +126,28 @@ Json left_out(const SweepRecord& record, std::size_t shown) {
   return report::web_notes("Left out", notes, "note");
 }
 
+/// Of more curves than a picture has, what to do: all that `curve_chart` refuses where there are
+/// any.
+Json curves_block(const PlotCases& cases) {
+  try {
+    return web_chart("Curves", curve_chart(cases));
+  } catch (const InputError&) {
+    return report::web_notes(
+        "Curves", {"of all cases there are too many: plastica plot --case draws some"}, "note");
+  }
+}
+
 WebTab pictures_tab(const SweepRecord& record) {
   WebTab tab{"Pictures", Json::array()};
   const PlotCases cases{record, std::vector<bool>(record.cases(), true)};
-  const auto add = [&](const char* title, Chart (*chart)(const PlotCases&)) {
-    try {
-      tab.blocks.push_back(web_chart(title, chart(cases)));
-    } catch (const InputError&) {
-      tab.blocks.push_back(report::web_notes(
-          title, {"of all cases there are too many curves: plastica plot --case draws some"},
-          "note"));
-    }
-  };
   if (has_trade_points(record) && record.cases() <= kMostRows) {
     tab.blocks.push_back(trade_block(record));
   }
-  if (has_convergence(record)) add("Convergence", convergence_chart);
-  if (has_values(record)) add("Values", value_chart);
-  if (has_curves(record)) add("Curves", curve_chart);
+  if (has_convergence(record)) {
+    tab.blocks.push_back(web_chart("Convergence", convergence_chart(cases)));
+  }
+  if (has_values(record)) tab.blocks.push_back(web_chart("Values", value_chart(cases)));
+  if (has_curves(record)) tab.blocks.push_back(curves_block(cases));
   return tab;
 }
 

@@ -23,6 +23,23 @@ TEST(SceneWarnings, AreNoneForACoupon) {
   EXPECT_EQ(scene_warnings(prepare(scene, {})), std::vector<std::string>{});
 }
 
+// Gauss points of the outer interval: at 1/2 + 1/(2 sqrt 3) = 0.789 of its width.
+TEST(SceneWarnings, SayThatFewFibresYieldLate) {
+  const auto with = [](int fibres, YieldModel yields) {
+    Scene scene = cantilever();
+    scene.yield_model = yields;
+    SolverOptions options;
+    options.fibres = fibres;
+    return scene_warnings(prepare(scene, options));
+  };
+  // The outermost of four lie at 0.789 of the half depth, of eight at 0.894, of twelve at 0.930.
+  EXPECT_TRUE(
+      warns(with(4, YieldModel::Fibre), "solver.fibres = 4: the outermost fibres yield at 1.27"));
+  EXPECT_TRUE(warns(with(8, YieldModel::Fibre), "the outermost fibres yield at 1.12"));
+  EXPECT_FALSE(warns(with(12, YieldModel::Fibre), "outermost"));
+  EXPECT_FALSE(warns(with(4, YieldModel::Interaction), "outermost"));
+}
+
 TEST(SceneWarnings, SayThatAShortStretchBetweenSupportsDoesNotBend) {
   const auto propped_at = [](double at) {
     return warns(warnings_of([&](Scene& s) {

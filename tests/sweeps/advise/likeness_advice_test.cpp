@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "sweeps/advise/advice.hpp"
+#include "sweeps/advise/advice_text.hpp"
 #include "tests/sweeps/advise/advised_scenes.hpp"
 
 // Advice where a run and a finer one are alike, and both wrong.
@@ -102,6 +103,18 @@ TEST(Advice, IsNotTakenInByFibresThatAreTheSame) {
     EXPECT_NEAR(*std::ranges::max_element(probe, size), largest, 0.01 * std::abs(largest)) << m;
     EXPECT_NEAR(probe.back(), truth.back(), 0.01 * std::abs(largest)) << m;
   }
+}
+
+/// Six per cent of elastic strain, of a Young's modulus in MPa that was taken for Pa: no choice of
+/// segments or words mends that.
+TEST(Advice, WarnsOfTheSettingAsARunDoes) {
+  plastica::Setup setup = tip_cantilever(0.1, "['0 N', '-2000 N', '0 N']");
+  EXPECT_TRUE(advise(setup, asked(0.01)).warnings.empty());
+  setup.scene.material.youngs_modulus = 210e6;
+  const Advice advice = advise(setup, asked(0.01));
+  ASSERT_EQ(advice.end, AdviceEnd::Found) << advice.reason;
+  ASSERT_FALSE(advice.warnings.empty());
+  EXPECT_NE(advice_text(advice, asked(0.01), "bar.toml").find("warning: "), std::string::npos);
 }
 
 }  // namespace

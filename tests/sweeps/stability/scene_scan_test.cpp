@@ -47,6 +47,20 @@ TEST(SceneScan, FindsHowFewSegmentsAreAccurate) {
   EXPECT_GE(scan.fields[0].above.value, 1000.0);
 }
 
+// Young's modulus in MPa that was taken for Pa.
+TEST(SceneScan, WarnsOfTheSceneAsItIs) {
+  plastica::Setup setup = shipped_scene("cantilever");
+  const SceneScanOptions options{.within = 0.01, .reach = 2.0, .max_work = 4.0};
+  EXPECT_TRUE(scan_of(setup, {"beam.segments"}, options).warnings.empty());
+  setup.scene.material.youngs_modulus *= 1e-3;
+  for (Load& load : setup.scene.loads) {
+    for (double& force : load.force) force *= 1e-3;
+  }
+  const SceneScan scan = scan_of(setup, {"beam.segments"}, options);
+  ASSERT_FALSE(scan.warnings.empty());
+  EXPECT_NE(scene_scan_text(scan, options).find("\n  warning     "), std::string::npos);
+}
+
 TEST(SceneScan, IsNotTakenInByPlacesThatStandAlikeInTwoDivisions) {
   const SceneScan coarse = scan_of(places_alike(4), {"beam.segments"});
   EXPECT_EQ(coarse.own.validity, Validity::Inaccurate);
