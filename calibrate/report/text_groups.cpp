@@ -104,6 +104,10 @@ std::string characteristic_label(std::string_view name, const GroupSummary& grou
   return label_of(name, modulus_of(group, records), proof_label(records));
 }
 
+std::string characteristic_label(std::string_view name, std::span<const FitRecord> records) {
+  return label_of(name, modulus_label(records), proof_label(records));
+}
+
 std::string groups_text(std::span<const FitRecord> records, const ReportOptions& options,
                         const Ink& ink) {
   const SpecimenDraws draws{options.specimen_resamples, options.seed, options.confidence};

@@ -21,6 +21,8 @@ std::string modulus_label(std::span<const FitRecord> records);
 /// @param records  of all groups
 std::string characteristic_label(std::string_view name, const GroupSummary& group,
                                  std::span<const FitRecord> records);
+/// The same over all specimens: "E, G" of tests of both kinds.
+std::string characteristic_label(std::string_view name, std::span<const FitRecord> records);
 
 /// Mean and deviation of the characteristics and parameters of each group, the intervals of the
 /// parameters' means if specimens are resampled.

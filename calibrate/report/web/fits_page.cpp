@@ -69,13 +69,6 @@ std::string group_of(const FitRecord& record, const std::string& key) {
   return {};
 }
 
-std::string label_of_column(const CharacteristicEntry& entry,
-                            const std::vector<FitRecord>& records) {
-  if (entry.name == "youngs_modulus") return modulus_label(records);
-  if (entry.name == "rp02") return proof_label(records);
-  return std::string(entry.label);
-}
-
 Json specimens_block(const std::vector<FitRecord>& records, bool laws) {
   const std::vector<std::string> keys = group_keys(records);
   const std::vector<const FitOutcome*> fits = outcomes_of(records);
@@ -98,7 +91,7 @@ Json specimens_block(const std::vector<FitRecord>& records, bool laws) {
     }
     units.push_back(
         plastica::report::display_unit(entry.dimension, largest, entry.name == "youngs_modulus"));
-    table.add_numbers(label_of_column(entry, records), std::string(units.back().name),
+    table.add_numbers(characteristic_label(entry.name, records), std::string(units.back().name),
                       "of the measured curve: " + std::string(entry.name));
   }
   table.add_words("flags");
