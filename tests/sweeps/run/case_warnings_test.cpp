@@ -121,10 +121,11 @@ TEST(CaseWarnings, KeepNoCaseFromBeingResumed) {
   for (const std::string rest :
        {"[error]\nquantity = 'natural_frequency'\n", "[error]\nquantity = 'loaded_frequency'\n",
         "[error]\nquantity = 'buckling_factor'\n", kTip.c_str()}) {
-    const Sweep sweep = sweep_of(
-        kPropped, "[set]\nrules.yield_model = 'interaction'\n[[axis]]\nfield = 'scale.loads'\n"
-                  "values = [0.1, 1.35, 1.6]\n" +
-                      rest);
+    const Sweep sweep =
+        sweep_of(kPropped,
+                 "[set]\nrules.yield_model = 'interaction'\n[[axis]]\nfield = 'scale.loads'\n"
+                 "values = [0.1, 1.35, 1.6]\n" +
+                     rest);
     SweepRun run(sweep, {});
     const auto results = run.run();
     EXPECT_EQ(SweepRun(sweep, {.earlier = earlier_of(run, results)}).resumed(), 3U) << rest;
