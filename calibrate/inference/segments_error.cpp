@@ -86,6 +86,12 @@ SegmentsError segments_error(double at_half, double at_own, double at_twice, dou
   error.extrapolated = theory::richardson(values[0], values[1], ratio, error.order);
   error.extrapolated_error = error.safety_factor * std::abs(error.extrapolated - values[0]);
   error.error = error.safety_factor * std::abs(error.extrapolated - at_own);
+  if (values.size() == 3) {
+    const double other = theory::limit_of_two_orders(sizes, values);
+    error.extrapolated_error =
+        std::max(error.extrapolated_error, kSafe * std::abs(other - values[0]));
+    error.error = std::max(error.error, kSafe * std::abs(other - at_own));
+  }
   return error;
 }
 

@@ -61,6 +61,8 @@ class Adviser {
   /// than the richest ones and no run has ended otherwise.
   bool look_whether_settled(const Candidate& candidate, const std::vector<double>& factors,
                             SettledWords& settled);
+  /// Measures the axes in which errors of unlike orders may cancel at two sizes in a row.
+  bool measure_hidden(Candidate& candidate);
   /// Measures what the words leave out, and runs the finest beside the candidate.
   bool verify(Candidate& candidate);
   /// Looks whether what is at rest in a candidate, and in the run that verifies it, moves in a

@@ -11,6 +11,33 @@ constexpr double kSupposedOrder = 1.0;
 constexpr double kHighestOrder = 2.0;
 /// Sizes that differ by less show no order.
 constexpr double kLeastRatio = 1.3;
+constexpr double kSameError = 1.1;
+/// Changes that fall faster than with so much more than the highest order do so by cancelling.
+constexpr double kBeyond = 0.5;
+
+/// Whether changes are of one sign, and fall as an order does that a method may have.
+/// @param ratio  size of the coarser over that of the finer change, > 1
+bool falls_in_order(double coarse, double fine, double ratio) {
+  if (coarse == 0.0 && fine == 0.0) return true;
+  return std::abs(coarse) <= std::pow(ratio, kHighestOrder + kBeyond) * std::abs(fine) &&
+         (coarse > 0.0) == (fine > 0.0);
+}
+
+/// What changes of some quantity may hide that do not: of a h + b h^2 halved twice the error at h
+/// is 8/3 of the finer change less 1/3 of the coarser one.
+double hidden_by(const std::vector<SignedDeviation>& coarse,
+                 const std::vector<SignedDeviation>& fine, double ratio) {
+  double hidden = 0.0;
+  if (coarse.size() != fine.size()) return hidden;
+  for (std::size_t q = 0; q < fine.size(); ++q) {
+    const double before = coarse[q].value;
+    const double now = fine[q].value;
+    const bool known = std::isfinite(before) && std::isfinite(now);
+    if (!known || falls_in_order(before, now, ratio)) continue;
+    hidden = std::max(hidden, (8.0 * std::abs(now) + std::abs(before)) / 3.0);
+  }
+  return hidden;
+}
 
 }  // namespace
 
@@ -28,18 +55,49 @@ AxisError AxisModels::measured(std::size_t axis, double size, double finer_size,
   error.order = kSupposedOrder;
   for (const Seen& before : seen_[axis]) {
     const double ratio = before.size / size;
-    const bool tells = (ratio > kLeastRatio || ratio < 1.0 / kLeastRatio) &&
-                       before.error.change > 0.0 && change > 0.0 && std::isfinite(change);
+    const bool apart = ratio > kLeastRatio || ratio < 1.0 / kLeastRatio;
+    if (apart && std::isfinite(change)) {
+      error.hidden = ratio > 1.0 ? hidden_by(before.parts, off.parts, ratio)
+                                 : hidden_by(off.parts, before.parts, 1.0 / ratio);
+    }
+    const bool tells = apart && before.error.change > 0.0 && change > 0.0 && std::isfinite(change);
     if (!tells) continue;
     error.order = seen_order(before.size, before.error.change, size, change, kHighestOrder);
     error.seen = true;
   }
   error.error = left_of(error.change, error.ratio, error.order);
   if (std::isfinite(change)) {
-    seen_[axis].push_back({size, error, off.quantities});
+    seen_[axis].push_back({size, error, off.quantities, off.parts});
     known_[axis] = true;
     most_quantities_ = std::max(most_quantities_, off.quantities);
   }
+  return error;
+}
+
+AxisError AxisModels::measured_twice(std::size_t axis, double size, double finer_size,
+                                     double finest_size, const Deviation& off,
+                                     const Deviation& finer_off) {
+  Seen& last = seen_[axis].back();
+  AxisError error = last.error;
+  const double ratio = size / finer_size;
+  const bool falls = finer_off.largest > 0.0;
+  error.change = std::max(off.largest, finer_off.largest);
+  error.hidden = 0.0;
+  error.seen = true;
+  error.order = falls ? seen_order(size, off.largest, finer_size, finer_off.largest, kHighestOrder)
+                      : kHighestOrder;
+  error.error = left_of(error.change, ratio, error.order);
+  if (!std::isfinite(error.change)) return error;
+  const SignedDeviation both =
+      off_limit_of_two_orders({finest_size, finer_size, size}, off, finer_off);
+  if (std::abs(both.value) > error.error) {
+    // The order of the term that is left in the end, unless both say nearly the same.
+    if (std::abs(both.value) > kSameError * error.error) error.order = kSupposedOrder;
+    error.error = std::abs(both.value);
+    error.quantity = both.quantity;
+  }
+  error.ratio = ratio;
+  last = {size, error, off.quantities, off.parts};
   return error;
 }
 
@@ -50,6 +108,7 @@ AxisError AxisModels::foretold(std::size_t axis, double size) const {
   const double order = error.seen ? error.order : ratio > 1.0 ? kHighestOrder : kSupposedOrder;
   const double factor = std::pow(ratio, order);
   error.change *= factor;
+  error.hidden *= factor;
   error.error *= factor;
   return error;
 }

@@ -18,6 +18,13 @@ class AxisModels {
   /// @param size, finer_size  of the setting and of the run that is finer along the axis
   /// @param off  of the result, from the finer run's
   AxisError measured(std::size_t axis, double size, double finer_size, const Deviation& off);
+  /// The error along an axis of two changes one after the other, where errors of order 1 and 2 may
+  /// cancel: of each quantity the larger of what the order of both changes says, if that is one,
+  /// and of `theory::limit_of_two_orders`. Takes the place of what was last noted.
+  /// @param size, finer_size, finest_size  of the three runs
+  /// @param off, finer_off  of the first from the second, and of that from the third
+  AxisError measured_twice(std::size_t axis, double size, double finer_size, double finest_size,
+                           const Deviation& off, const Deviation& finer_off);
   /// The error that the last change of an axis foretells, at another size: with the order that was
   /// seen, else with 1 where it is finer and 2 where it is coarser, so that it is not too small.
   AxisError foretold(std::size_t axis, double size) const;
@@ -47,6 +54,7 @@ class AxisModels {
     double size = 0.0;
     AxisError error{};
     int quantities = 0;  ///< that were compared
+    std::vector<SignedDeviation> parts{};
   };
 
   std::vector<std::vector<Seen>> seen_;  ///< by axis, in the order of the settings

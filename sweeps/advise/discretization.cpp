@@ -11,6 +11,7 @@
 #include <variant>
 
 #include "plastica/model/numbered_place.hpp"
+#include "plastica/model/support_kind.hpp"
 #include "plastica/run/path_stops.hpp"
 
 namespace plastica::sweeps {
@@ -90,6 +91,21 @@ double resolving_step(const Setup& setup) {
   }
   look(setup.scene.gravity_history);
   return shortest / kStepsASwing;
+}
+
+bool has_first_order_errors(const Setup& setup) {
+  const auto is_within = [](const Place& at) { return at.fraction > 0.0 && at.fraction < 1.0; };
+  const auto reads_segment = [&](const Probe& probe) {
+    return is_within(probe.at) &&
+           (probe.quantity == ProbeQuantity::Rotation || probe.quantity == ProbeQuantity::Spin ||
+            probe.quantity == ProbeQuantity::Velocity);
+  };
+  const auto is_a_spring = [&](const Support& support) {
+    return is_within(support.at) && !support.to && traits_of(support).springs;
+  };
+  return std::ranges::any_of(setup.scene.probes, reads_segment) ||
+         (setup.solver.translation == JointTranslation::Elastic &&
+          std::ranges::any_of(setup.scene.supports, is_a_spring));
 }
 
 double FinenessAxis::size(double value) const {

@@ -42,6 +42,11 @@ double resolving_step(const Setup& setup);
 ///         something by the number of a segment
 std::vector<FinenessAxis> fineness_axes(const Setup& setup);
 
+/// Whether something in the scene is half a segment off, so that its error has a term of first
+/// order in the segments beside that of second order: a rotation, spin or velocity probed within
+/// the beam, which is that of the segment before, and joints that shear at an elastic support there.
+bool has_first_order_errors(const Setup& setup);
+
 /// The scene with a setting.
 Setup setup_at(const Setup& setup, const std::vector<FinenessAxis>& axes, const Setting& setting);
 

@@ -69,17 +69,6 @@ class Grading {
     return std::max(std::ceil(segments * std::sqrt(error / allowed)), kFewest);
   }
 
-  /// Whether some point of the beam is probed where joints shift: at a joint it moves as the
-  /// segment before, which is half a shift off, of first order.
-  bool has_probe_at_shift() const {
-    const bool shifts = runs_.setup_of(even_.trial).solver.translation == JointTranslation::Elastic;
-    return shifts && std::ranges::any_of(scene_.probes, [](const Probe& probe) {
-             const bool of_a_point = probe.quantity == ProbeQuantity::Displacement ||
-                                     probe.quantity == ProbeQuantity::Velocity;
-             return of_a_point && probe.at.fraction > 0.0 && probe.at.fraction < 1.0;
-           });
-  }
-
   bool can_run(const std::vector<Trial>& trials) {
     for (const Trial& trial : trials) {
       if (!is_accepted(runs_.setup_of(trial))) return false;
@@ -98,7 +87,9 @@ class Grading {
     AxisError& along = made.errors[0];
     along.change = runs_.off(made.trial, halved).largest;
     along.ratio = 2.0;
-    along.order = even_.errors[0].seen && !has_probe_at_shift() ? even_.errors[0].order : 1.0;
+    along.order = even_.errors[0].seen && !has_first_order_errors(runs_.setup_of(even_.trial))
+                      ? even_.errors[0].order
+                      : 1.0;
     along.error = left_of(along.change, along.ratio, along.order);
     made.numbers = even_.numbers - even_.errors[0].error + along.error;
     const Deviation off = runs_.off(made.trial, *even_.finest);

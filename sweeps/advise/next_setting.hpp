@@ -10,11 +10,15 @@ namespace plastica::sweeps {
 
 /// What one axis adds to the error of a setting.
 struct AxisError {
-  double change = 0.0;     ///< of the result when the axis is made finer alone [1]; may be infinite
-  double ratio = 2.0;      ///< size over the finer size, > 1
-  double order = 1.0;      ///< with which the error falls along the axis [1]
-  double error = 0.0;      ///< change/(1 - ratio^-order): what is left down to the limit [1]
-  bool seen = false;       ///< whether the order was seen, and not supposed
+  double change = 0.0;  ///< of the result when the axis is made finer alone [1]; may be infinite
+  double ratio = 2.0;   ///< size over the finer size, > 1
+  double order = 1.0;   ///< with which the error falls along the axis [1]
+  double error = 0.0;   ///< change/(1 - ratio^-order): what is left down to the limit [1]
+  bool seen = false;    ///< whether the order was seen, and not supposed
+  /// What is left at most of a quantity whose changes have another sign than before, or fall faster
+  /// than any method's order: errors of unlike orders may cancel, and the change is small by that
+  /// [1].
+  double hidden = 0.0;
   std::string quantity{};  ///< whose change it is
 };
 

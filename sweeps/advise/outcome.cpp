@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "plastica/base/status.hpp"
+#include "plastica/theory/convergence.hpp"
 #include "sweeps/run/first_break.hpp"
 
 namespace plastica::sweeps {
@@ -55,9 +56,18 @@ Deviation incomparable(std::string reason) {
   return {std::numeric_limits<double>::infinity(), {}, std::move(reason)};
 }
 
+/// A difference of histories has the sign of its part along the finer one, if that is most of it.
+double with_sign(double deviation, double along, double squares) {
+  constexpr double kMost = 0.7;
+  if (std::abs(along) < kMost * deviation * squares) return std::nan("");
+  return std::copysign(deviation, along);
+}
+
 /// Adds a quantity's deviation if it is the largest so far. What is not finite is the largest.
-void take(Deviation& so_far, double deviation, std::string quantity) {
+/// @param part  the deviation with its sign
+void take(Deviation& so_far, double part, double deviation, std::string quantity) {
   ++so_far.quantities;
+  so_far.parts.push_back({quantity, part});
   if (deviation <= so_far.largest) return;
   so_far.largest = std::isfinite(deviation) ? deviation : std::numeric_limits<double>::infinity();
   so_far.quantity = std::move(quantity);
@@ -84,17 +94,26 @@ void compare_probe(const WatchedProbe& probe, std::span<const double> coarse,
   double scale = 0.0;
   double difference = 0.0;
   double squares = 0.0;
+  double along = 0.0;
   for (const auto& [i, k] : matched) {
     largest = std::max(largest, std::abs(coarse[i]));
     scale = std::max(scale, std::abs(fine[k]));
     difference += (coarse[i] - fine[k]) * (coarse[i] - fine[k]);
     squares += fine[k] * fine[k];
+    along += (coarse[i] - fine[k]) * fine[k];
   }
-  if (std::max(scale, largest) <= probe.least) return;
+  if (std::max(scale, largest) <= probe.least) {
+    so_far.parts.insert(so_far.parts.end(), 3, {{}, std::nan("")});
+    return;
+  }
+  const double history = std::sqrt(difference / squares);
+  take(so_far, with_sign(history, along, squares), history, probe.name + ": history");
+  const auto take_one = [&](double part, std::string_view of) {
+    take(so_far, part, std::abs(part), fmt::format("{}: {}", probe.name, of));
+  };
   const auto [last, last_fine] = matched.back();
-  take(so_far, std::sqrt(difference / squares), probe.name + ": history");
-  take(so_far, std::abs(largest - scale) / scale, probe.name + ": largest");
-  take(so_far, std::abs(coarse[last] - fine[last_fine]) / scale, probe.name + ": last");
+  take_one((largest - scale) / scale, "largest");
+  take_one((coarse[last] - fine[last_fine]) / scale, "last");
 }
 
 std::string break_text(const Outcome& outcome) {
@@ -167,10 +186,27 @@ Deviation deviation(const Outcome& coarse, const Outcome& fine,
   }
   for (std::size_t i = 0; i < fine.numbers.size(); ++i) {
     const auto& [name, value] = fine.numbers[i];
-    const double off = std::abs(coarse.numbers[i].value - value);
-    if (off > 0.0 || value != 0.0) take(found, off / std::abs(value), name);
+    const double off = (coarse.numbers[i].value - value) / std::abs(value);
+    if (coarse.numbers[i].value == 0.0 && value == 0.0) {
+      found.parts.push_back({name, std::nan("")});
+    } else {
+      take(found, off, std::abs(off), name);
+    }
   }
   return found;
+}
+
+SignedDeviation off_limit_of_two_orders(const std::array<double, 3>& sizes, const Deviation& coarse,
+                                        const Deviation& fine) {
+  SignedDeviation worst;
+  const std::size_t quantities = coarse.parts.size() == fine.parts.size() ? fine.parts.size() : 0;
+  for (std::size_t q = 0; q < quantities; ++q) {
+    const double middle = fine.parts[q].value;  // over the finest run
+    const double most = middle + coarse.parts[q].value;
+    const double off = most - theory::limit_of_two_orders(sizes, std::array{0.0, middle, most});
+    if (std::abs(off) > std::abs(worst.value)) worst = {coarse.parts[q].quantity, off};
+  }
+  return worst;
 }
 
 }  // namespace plastica::sweeps

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -42,6 +43,13 @@ struct Outcome {
 
 Outcome outcome_of(const BatchRow& row, const std::vector<WatchedProbe>& watched);
 
+/// How far one quantity is off.
+struct SignedDeviation {
+  std::string quantity{};  ///< "tip: history"
+  /// [1]; NaN: not compared, or a history most of whose difference is not along the finer one.
+  double value = 0.0;
+};
+
 /// How far a run is off a finer one.
 struct Deviation {
   /// The largest of all quantities [1], >= 0; infinite where the two cannot be compared.
@@ -49,6 +57,9 @@ struct Deviation {
   std::string quantity{};  ///< whose it is: "tip: history"
   std::string reason{};    ///< why the two cannot be compared
   int quantities = 0;      ///< that were compared: 0 where all stays within rounding
+  /// In one order for all runs of a scene that end alike: three of each watched probe, then the
+  /// numbers.
+  std::vector<SignedDeviation> parts{};
 };
 
 /// Whether two runs come to the same kind of end: one status, the same numbers, and breaks alike.
@@ -62,5 +73,13 @@ bool end_alike(const Outcome& coarse, const Outcome& fine);
 /// @param than  what the finer one is, for the reason
 Deviation deviation(const Outcome& coarse, const Outcome& fine,
                     const std::vector<WatchedProbe>& watched, std::string_view than = "finer");
+
+/// How far the coarsest of three runs is off its limit if what one axis does is a h + b h^2: the
+/// worst quantity by `theory::limit_of_two_orders`. Two runs may agree where both terms cancel.
+/// @param sizes   h of the three, the finest first
+/// @param coarse  of the coarsest from the next one
+/// @param fine    of that from the finest
+SignedDeviation off_limit_of_two_orders(const std::array<double, 3>& sizes, const Deviation& coarse,
+                                        const Deviation& fine);
 
 }  // namespace plastica::sweeps

@@ -4,6 +4,8 @@
 #include <optional>
 #include <vector>
 
+#include "sweeps/compare/extrapolation.hpp"
+
 namespace plastica::sweeps {
 namespace {
 
@@ -16,7 +18,7 @@ std::optional<theory::GridConvergence> grid_of(const RefinementGroup& group,
     return comparison.reason[i].starts_with(kNotConverged);
   });
   if (refused || values.size() < 3) return std::nullopt;
-  return theory::grid_convergence(sizes, values);
+  return theory::grid_convergence(sizes, values, {.highest_order = kHighestOrder});
 }
 
 }  // namespace

@@ -55,11 +55,14 @@ Extrapolated extrapolate_one(const ReferenceSets& sets, std::vector<std::size_t>
   if (!out.value) {
     out.reason = kNothingExtrapolated;
   } else if (sizes.size() >= kLeastSizes) {
-    // The index is of the finest value: 1.25 times what it is off the extrapolated one.
-    const auto grid = theory::grid_convergence(sizes, values);
-    const bool monotone = grid.kind == theory::ConvergenceKind::Monotone;
-    const double part = monotone ? (grid.safety_factor - 1.0) / grid.safety_factor : 1.0;
-    if (grid.uncertainty) out.uncertainty = part * *grid.uncertainty;
+    // What the safety factor adds to the distance of the finest from its limit; and where an order
+    // between 1 and 2 is really one of each, what that makes of the limit.
+    const auto grid = theory::grid_convergence(sizes, values, {.highest_order = kHighestOrder});
+    const double margin = (grid.safety_factor - 1.0) * std::abs(*out.value - values.back());
+    const std::size_t coarsest = sizes.size() - kLeastSizes;
+    const double other = theory::limit_of_two_orders(std::span(sizes).subspan(coarsest),
+                                                     std::span(values).subspan(coarsest));
+    out.uncertainty = std::max(margin, grid.safety_factor * std::abs(other - *out.value));
   }
   return out;
 }
@@ -69,7 +72,7 @@ Extrapolated extrapolate_one(const ReferenceSets& sets, std::vector<std::size_t>
 std::optional<double> extrapolated_along(const std::vector<double>& sizes,
                                          const std::vector<double>& values) {
   if (sizes.size() < kLeastSizes) return std::nullopt;
-  const auto grid = theory::grid_convergence(sizes, values);
+  const auto grid = theory::grid_convergence(sizes, values, {.highest_order = kHighestOrder});
   if (grid.kind == theory::ConvergenceKind::Unchanged) return values.back();
   // Of values that go to and fro an order says little: of equal swings it is 0, and its limit far.
   if (grid.kind != theory::ConvergenceKind::Monotone) return std::nullopt;

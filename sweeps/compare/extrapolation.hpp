@@ -13,7 +13,13 @@ namespace plastica::sweeps {
 
 /// Why there is no limit of values along one axis.
 inline constexpr std::string_view kNothingExtrapolated =
-    "nothing can be extrapolated: it takes three values that converge from one side";
+    "nothing can be extrapolated: it takes three values that converge from one side, no faster "
+    "than "
+    "with order 2";
+
+/// Of all joints and schemes; values that converge faster do so by luck, or because errors of
+/// unlike orders cancel. [1]
+inline constexpr double kHighestOrder = 2.0;
 
 /// A limit, and how sure it is.
 struct Limit {
@@ -24,18 +30,20 @@ struct Limit {
 };
 
 /// Fits f = f_0 + sum over axes of a_k (h_k/H_k)^p_k, H_k the finest size, by least squares; values
-/// count the less the coarser they are. The orders are searched within 0.3 … 6 (variable
+/// count the less the coarser they are. The orders are searched within 0.3 … 2.5 (variable
 /// projection); an axis that moves no value by more than rounding is left out (constant
 /// and order 0).
-/// The uncertainty is three standard errors of f_0 of the fit linearized in all its numbers, or the
-/// change of f_0 without the coarsest sizes, whichever is more.
+/// The uncertainty is the most of: three standard errors of f_0 of the fit linearized in all its
+/// numbers; the change of f_0 without the coarsest sizes; and that with terms of the orders 1 and 2
+/// along each axis in the place of one of order p_k, if there are values enough.
 /// @param sizes  h of each value along each axis (n x n_axes), > 0
 /// @param values  (n)
 /// @return none where an order runs to its bound, or where fewer values than numbers are left
 std::optional<Limit> fit_limit(std::span<const double> sizes, std::size_t axes,
                                std::span<const double> values);
 
-/// Of three values or more along one axis, see theory/convergence.hpp; none where they diverge.
+/// Of three values or more along one axis, see theory/convergence.hpp; none where they diverge, go
+/// to and fro, or converge faster than with `kHighestOrder`.
 std::optional<double> extrapolated_along(const std::vector<double>& sizes,
                                          const std::vector<double>& values);
 

@@ -3,8 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
+#include "plastica/theory/convergence.hpp"
+#include "sweeps/compare/extrapolation.hpp"
 #include "sweeps/run/first_break.hpp"
 
 namespace plastica::sweeps {
@@ -13,14 +16,15 @@ namespace {
 /// Order p of errors against the finest value, from (r3^p - 1)/(r2^p - 1) = e3/e2: what is left of
 /// C h^p if the finest is taken for the limit. The left side rises with p.
 /// @param r2, r3  sizes over that of the finest, 1 < r2 < r3
-/// @return none outside of 0.5 … 6, which no scheme here has
+/// @param e2, e3  errors, of one sign
+/// @return none outside of 0.5 … 2.5: more is luck, or errors of unlike orders that cancel
 std::optional<double> order_against_finest(double r2, double e2, double r3, double e3) {
   constexpr double kLow = 0.5;
-  constexpr double kHigh = 6.0;
+  constexpr double kHigh = kHighestOrder + 0.5;
   const auto excess = [&](double p) {
     return (std::pow(r3, p) - 1.0) / (std::pow(r2, p) - 1.0) - e3 / e2;
   };
-  if (!(e2 > 0.0) || excess(kLow) > 0.0 || excess(kHigh) < 0.0) return std::nullopt;
+  if (e2 == 0.0 || excess(kLow) > 0.0 || excess(kHigh) < 0.0) return std::nullopt;
   double low = kLow;
   double high = kHigh;
   for (int k = 0; k < 60; ++k) {
@@ -35,20 +39,22 @@ std::optional<double> error_along(const ReferenceSets& sets, const std::vector<s
                                   std::size_t axis, const Comparison& comparison) {
   constexpr double kSafety = 1.25;
   constexpr double kSafetyOfAssumed = 3.0;
-  constexpr double kMaxOrder = 2.0;  // of all schemes and joints; more is luck
   const auto ratio = [&](std::size_t k) {
     return sets.size_at(line[k], axis) / sets.size_at(line[0], axis);
   };
-  const auto size = [&](std::size_t k) { return std::abs(*comparison.error[line[k]]); };
+  const auto error = [&](std::size_t k) { return *comparison.error[line[k]]; };
   if (!comparison.error[line[1]]) return std::nullopt;
   const bool has_third = line.size() > 2 && comparison.error[line[2]];
-  if (!has_third) return kSafetyOfAssumed * size(1) / (ratio(1) - 1.0);
-  const auto order = order_against_finest(ratio(1), size(1), ratio(2), size(2));
-  const double p = order ? std::min(*order, kMaxOrder) : 1.0;
+  if (!has_third) return kSafetyOfAssumed * std::abs(error(1)) / (ratio(1) - 1.0);
+  // Errors of values have a sign, so that those that go to and fro show no order.
+  const auto order = order_against_finest(ratio(1), error(1), ratio(2), error(2));
+  const double p = order ? std::min(*order, kHighestOrder) : 1.0;
   // Of a pure power both say the same; a difference that is small by luck is outvoted.
-  const double off =
-      std::max(size(1) / (std::pow(ratio(1), p) - 1.0), size(2) / (std::pow(ratio(2), p) - 1.0));
-  return (order ? kSafety : kSafetyOfAssumed) * off;
+  const double off = std::max(std::abs(error(1)) / (std::pow(ratio(1), p) - 1.0),
+                              std::abs(error(2)) / (std::pow(ratio(2), p) - 1.0));
+  const double both = theory::limit_of_two_orders(std::array{1.0, ratio(1), ratio(2)},
+                                                  std::array{0.0, error(1), error(2)});
+  return std::max((order ? kSafety : kSafetyOfAssumed) * off, kSafety * std::abs(both));
 }
 
 std::string outcome_of(const CaseResult& result) {

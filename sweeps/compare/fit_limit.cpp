@@ -9,7 +9,8 @@ namespace plastica::sweeps {
 namespace {
 
 constexpr double kLowOrder = 0.3;
-constexpr double kHighOrder = 6.0;
+constexpr double kHighOrder = kHighestOrder + 0.5;
+constexpr double kSafety = 1.25;
 
 using Matrix = std::vector<std::vector<double>>;
 
@@ -144,6 +145,21 @@ double error_of_limit(const FitData& data, const std::vector<double>& order, con
   return std::sqrt(fit.residual / freedom) / std::abs(triangle[numbers - 1][numbers - 1]);
 }
 
+/// f_0 with a term of order 1 and one of order 2 along each axis: linear, so that nothing is
+/// searched, and right where errors of both orders cancel. None where the values do not tell.
+std::optional<double> limit_of_both_orders(const FitData& data) {
+  FitData doubled{2 * data.axes, {}, data.value, data.weight};
+  std::vector<double> order;
+  for (std::size_t k = 0; k < data.axes; ++k) order.insert(order.end(), {1.0, kHighestOrder});
+  for (std::size_t i = 0; i < data.value.size(); ++i) {
+    for (std::size_t k = 0; k < data.axes; ++k)
+      doubled.ratio.insert(doubled.ratio.end(), 2, data.at(i, k));
+  }
+  const Linear fit = linear_fit(doubled, order);
+  if (fit.x.empty()) return std::nullopt;
+  return fit.x[0];
+}
+
 std::optional<Limit> fit_all(std::span<const double> sizes, std::size_t axes,
                              std::span<const double> values) {
   if (values.size() <= 1 + 2 * axes) return std::nullopt;
@@ -156,7 +172,11 @@ std::optional<Limit> fit_all(std::span<const double> sizes, std::size_t axes,
   if (fit.x.empty()) return std::nullopt;
   const double error = error_of_limit(data, order, fit);
   if (!std::isfinite(error)) return std::nullopt;
-  return Limit{fit.x[0], 3.0 * error, {fit.x.begin() + 1, fit.x.end()}, order};
+  Limit limit{fit.x[0], 3.0 * error, {fit.x.begin() + 1, fit.x.end()}, order};
+  if (const auto other = limit_of_both_orders(data)) {
+    limit.uncertainty = std::max(limit.uncertainty, kSafety * std::abs(*other - limit.value));
+  }
+  return limit;
 }
 
 /// The values whose sizes are among the finest of each axis.

@@ -47,6 +47,7 @@ Json statuses_of(const SweepRecord& record) {
 std::string_view word_of(theory::ConvergenceKind kind) {
   switch (kind) {
     case theory::ConvergenceKind::Monotone: return "monotone";
+    case theory::ConvergenceKind::TooFast: return "too_fast";
     case theory::ConvergenceKind::Oscillatory: return "oscillatory";
     case theory::ConvergenceKind::Divergent: return "divergent";
     case theory::ConvergenceKind::Unchanged: return "unchanged";

@@ -25,13 +25,14 @@ constexpr double kOfSegments = 0.25;
 constexpr double kOfOthers = 0.5;
 
 /// The same scene, finer in every axis; none where it is as fine as can be.
-std::optional<Setup> finer(const Setup& setup) {
+/// @param of_segments  factor on the size of the segments
+std::optional<Setup> finer(const Setup& setup, double of_segments = kOfSegments) {
   const std::vector<FinenessAxis> axes = fineness_axes(setup);
   const Setting own = own_setting(setup, axes);
   Setting fine;
   for (std::size_t k = 0; k < axes.size(); ++k) {
     const bool segments = axes[k].field->path == "beam.segments";
-    fine.push_back(axes[k].scaled(own[k], segments ? kOfSegments : kOfOthers));
+    fine.push_back(axes[k].scaled(own[k], segments ? of_segments : kOfOthers));
   }
   if (fine == own) return std::nullopt;
   Setup made = setup_at(setup, axes, fine);
@@ -90,16 +91,39 @@ void PointRunner::compare_with_finer(const Setup& setup, JudgedRun& run) const {
   run.compared = true;
   run.deviation = off.largest;
   run.quantity = off.quantity;
-  if (off.largest <= options_.within) return;
+  const bool of_limit =
+      off.largest <= options_.within && is_further_off_limit(setup, *fine, other, run);
+  if (run.deviation <= options_.within) return;
   run.verdict.validity = Validity::Inaccurate;
   if (!usable(other.status)) {
     run.verdict.reason = "a finer run is " + std::string(name_of(other.status));
   } else if (!off.reason.empty()) {
     run.verdict.reason = off.reason;
   } else {
-    run.verdict.reason = off.quantity + " is off a finer run by " +
-                         report::significant(100.0 * off.largest, 3) + " %";
+    run.verdict.reason = run.quantity + " is off " +
+                         (of_limit ? "the limit of finer runs" : "a finer run") + " by " +
+                         report::significant(100.0 * run.deviation, 3) + " %";
   }
+}
+
+bool PointRunner::is_further_off_limit(const Setup& setup, const Setup& fine,
+                                       const Outcome& of_fine, JudgedRun& run) const {
+  const std::optional<Setup> between = finer(setup, kOfOthers);
+  const double own = 1.0 / setup.scene.beam.segments;
+  const double middle = between ? 1.0 / between->scene.beam.segments : own;
+  const double finest = 1.0 / fine.scene.beam.segments;
+  if (!has_first_order_errors(setup) || middle == own || middle == finest) {
+    return false;
+  }
+  double steps = 0.0;
+  const Outcome of_middle = outcome_of(simulated(*between, steps), watched_);
+  const Deviation coarse = deviation(run.outcome, of_middle, watched_);
+  const SignedDeviation both = off_limit_of_two_orders({finest, middle, own}, coarse,
+                                                       deviation(of_middle, of_fine, watched_));
+  if (std::abs(both.value) <= run.deviation) return false;
+  run.deviation = std::abs(both.value);
+  run.quantity = both.quantity;
+  return true;
 }
 
 JudgedRun PointRunner::run(const Setup& setup, bool warned) const {

@@ -43,6 +43,11 @@ class PointRunner {
  private:
   BatchRow simulated(const Setup& setup, double& steps) const;
   void compare_with_finer(const Setup& setup, JudgedRun& run) const;
+  /// Where there are errors of first and second order (`has_first_order_errors`), they may cancel
+  /// between a run and a finer one: the limit of both and of one between them may be further off.
+  /// @return whether it is; `run` has that then
+  bool is_further_off_limit(const Setup& setup, const Setup& fine, const Outcome& of_fine,
+                            JudgedRun& run) const;
 
   const Setup& setup_;
   const SceneScanOptions& options_;

@@ -39,6 +39,10 @@ struct JointModel {
   /// Permanent strains of bending about x, about y, torsion and bending about both at which it
   /// breaks [1]; infinite: never.
   std::array<double, 4> limit{kNever, kNever, kNever, kNever};
+  /// What the joint stretches and shears by under a force along its x, y, z [m/N]; 0: it does not.
+  std::array<double, 3> shift_compliance{};
+  /// Of a force along its x, y, z at its node, what acts on the segment beyond [1].
+  std::array<double, 3> share_beyond{0.5, 0.5, 0.5};
   double width = 0.0;   ///< b [m]; of a round section its diameter
   double height = 0.0;  ///< h [m]
   bool round = false;
@@ -148,6 +152,17 @@ JointSet<L> joint_set(const Scene& scene, const Layout& layout, const Build<L>& 
       joint.resists[axis] = plan.active[k];
       // The numbers of a joint beside a spring have more compliance than its length.
       if (plan.node_spring[k] > 0.0) joint.length[axis] = plan.length[axis];
+    }
+    if (node > 0 && set.numbers[number].stretches) {
+      const NodeShares shares = node_shares(layout, node, {});
+      for (std::size_t k = 0; k < L::kTranslations; ++k) {
+        const SectionJoint<L>& own = set.numbers[number];
+        const std::size_t axis = view.section_axes().translation(k);
+        const auto stiffness =
+            static_cast<double>(axis == 2 ? own.stiffness[law::kAxial] : own.shear_stiffness[k]);
+        if (stiffness > 0.0) joint.shift_compliance[axis] = joint.length[law::kAxial] / stiffness;
+        joint.share_beyond[axis] = shares.shifting(axis, axis);
+      }
     }
     // With what it takes over of an end; between unlike regions, of its owner alone.
     if (node == 1) joint.begin -= layout.bare_half[0][joint.first];

@@ -97,7 +97,9 @@ inline JointPlan joint_plan(const Layout& layout, std::size_t i) {
     joint.axes_a = axis_cosines(layout.joint_frame[i], layout.segment_frame[i - 1]);
     joint.axes_b = axis_cosines(layout.joint_frame[i], layout.segment_frame[i]);
   }
-  for (std::size_t k = 0; k < joint.length.size(); ++k) {
+  joint.length[3] = layout.shift_before[i] + layout.shift_beyond[i];
+  joint.before[3] = i > 0 ? layout.shift_before[i] : 0.0;
+  for (std::size_t k = 0; k < 3; ++k) {
     if (first) joint.length[k] += layout.bare_half[0][k];
     if (first) joint.before[k] += layout.bare_half[0][k];
     if (last) joint.length[k] += layout.bare_half[1][k];

@@ -8,6 +8,7 @@
 #include "plastica/chain/support_axes.hpp"
 #include "plastica/model/beam_axis.hpp"
 #include "plastica/model/region.hpp"
+#include "plastica/model/support_kind.hpp"
 
 namespace plastica::chain {
 namespace {
@@ -88,13 +89,39 @@ void set_joint_lengths(const Scene& scene, Layout& layout) {
   }
 }
 
+/// Whether a rigid support holds a place, or may push there.
+bool is_held(const Scene& scene, std::size_t node, const std::vector<double>& ends) {
+  return std::ranges::any_of(scene.supports, [&](const Support& support) {
+    const SupportTraits& traits = traits_of(support);
+    if (support.to || traits.springs || traits.releases) return false;
+    const HeldFreedoms held = support.held();
+    return (held[0] || held[1] || held[2] || support.has_normal()) &&
+           segment_end_at(support.at, ends) == static_cast<int>(node);
+  });
+}
+
+/// See `Layout::shift_before`.
+void set_shift_lengths(const Scene& scene, Layout& layout) {
+  const std::size_t n = layout.size();
+  auto& before = layout.shift_before = layout.length_before;
+  auto& beyond = layout.shift_beyond;
+  for (std::size_t i = 0; i <= n; ++i) beyond.push_back(layout.joint_length[i] - before[i]);
+  if (!has_whole_ends(layout)) {
+    if (n > 1) before[1] += 0.5 * layout.segment_length.front();
+    beyond[n - 1] += 0.5 * layout.segment_length.back();
+  }
+  if (!scene.beam.joint_lengths.empty()) return;
+  for (std::size_t i = 2; i < n; ++i) {
+    if (!is_held(scene, i, layout.ends)) continue;
+    beyond[i - 1] += before[i];
+    before[i] = 0.0;
+  }
+}
+
 /// See `Layout::bare_half`.
 void set_bare_halves(const Scene& scene, Layout& layout) {
   const std::array<double, 2> half{0.5 * layout.segment_length.front(),
                                    0.5 * layout.segment_length.back()};
-  if (!has_whole_ends(layout)) {
-    for (std::size_t e = 0; e < 2; ++e) layout.bare_half[e][3] = half[e];
-  }
   if (layout.end_rule != EndRule::HalfJoint || !scene.beam.joint_lengths.empty()) return;
   constexpr std::array<double, 3> kNothing{};
   for (std::size_t e = 0; e < 2; ++e) {
@@ -192,6 +219,7 @@ Layout make_layout(const Scene& scene, std::vector<double> ends,
   }
   place_frames(scene.beam, layout);
   set_joint_lengths(scene, layout);
+  set_shift_lengths(scene, layout);
   set_bare_halves(scene, layout);
   set_regions(scene, yields, layout);
   return layout;

@@ -51,10 +51,16 @@ struct Layout {
   /// What of these lies in the segment before the node [m] (N + 1).
   std::vector<double> length_before;
   /// Half of the segment at the start, and at the end, where no joint at the end strains it, so
-  /// that the next one does [m]. For bending about x, about y and twist: where a moment, a
+  /// that the next one does [m], for bending about x, about y and twist: where a moment, a
   /// rotational spring or the inertia of a point mass acts on the end and nothing holds its
-  /// rotation. For stretch and shear: always. 0 where there is no need, or the end rule sees to it.
-  std::array<std::array<double, 4>, 2> bare_half{};
+  /// rotation. 0 where there is no need, or the end rule sees to it.
+  std::array<std::array<double, 3>, 2> bare_half{};
+  /// Of the length over which a joint stretches and shears, what lies before and beyond its node
+  /// [m] (N + 1). The joints next to the ends have the ends' halves. A support within the beam that
+  /// holds rigidly acts on the segment before its node: the half before it is the joint's before,
+  /// if there is one within the beam.
+  std::vector<double> shift_before;
+  std::vector<double> shift_beyond;
   EndRule end_rule = EndRule::HalfJoint;  ///< never Auto
   /// Of a polyline, whose segments are straight up to a corner. The chords of an arc are not, and
   /// its joints follow it.

@@ -75,6 +75,36 @@ double ChainRecord<L, kElastic>::joint_value(const Probe& probe, const NodeStrai
   return of_section(stress);
 }
 
+/// A node lies between two halves of its joint that give way by a and b per force. A force F there
+/// is carried by a as V + F and by b as V, and acts as F a/(a + b) on the segment beyond
+/// (`Builder::add_single_load`), so that the joint has f = V + F a/(a + b) and the gap d = (a + b)
+/// f. The node is a (V + F) off the segment before: a/(a + b) d + a b/(a + b) F.
+template <class L, bool kElastic>
+typename L::Point ChainRecord<L, kElastic>::sheared_node(std::size_t node, const Work& w) const {
+  const auto& chain = build_->chain;
+  const auto& segment_end = chain.segments[node - 1].arm;
+  typename L::Point force{};
+  for (const auto& load : chain.loads) {
+    const bool at_end = load.segment == node - 1 && chain::same_node(chain, load.arm, segment_end);
+    const bool at_start =
+        load.segment == node && chain::same_node(chain, load.arm, typename L::Point{});
+    if (!at_end && !at_start) continue;
+    const S factor = constant<S>(chain.histories[load.history].at(w.time));
+    force += factor * chain::unit_wrench(load, w.placement).force;
+  }
+  const auto& frame = w.placement.near[node];
+  const typename L::Point before = w.placement.point(node - 1, segment_end);
+  const Space gap = in_space(L::rotate_back(frame, w.placement.position[node] - before));
+  const Space acts = in_space(L::rotate_back(frame, force));
+  const chain::JointModel& joint = (*joints_)[node];
+  Space off;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const double share = joint.share_beyond[k];
+    off[k] = share * (gap[k] + (1.0 - share) * joint.shift_compliance[k] * acts[k]);
+  }
+  return before + L::rotate(frame, view_.point(off));
+}
+
 /// Displacement or rotation of a point.
 template <class L, bool kElastic>
 typename ChainRecord<L, kElastic>::Space ChainRecord<L, kElastic>::point_value(
@@ -86,11 +116,10 @@ typename ChainRecord<L, kElastic>::Space ChainRecord<L, kElastic>::point_value(
       model_->layout.segment_frame[point.segment] * point.arm + model_->layout.node[point.segment];
   typename L::Point now = w.placement.point(point.segment, view_.point(point.arm));
   if constexpr (kElastic) {
-    // At a joint that has stretched and sheared, the middle of the gap.
     const std::size_t beyond = point.segment + 1;
     const bool joins = beyond < build_->chain.size() && !w.q.open[beyond] &&
                        segment_end_at(probe.at, model_->layout.ends) == static_cast<int>(beyond);
-    if (joins) now = constant<S>(0.5) * (now + w.placement.position[beyond]);
+    if (joins) now = sheared_node(beyond, w);
   }
   return in_space(now - view_.point(undeformed));
 }

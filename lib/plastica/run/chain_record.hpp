@@ -139,6 +139,8 @@ class ChainRecord {
   void set_shape(const Work& w, const Joints& joints, const NodeStrains& strains);
   void keep_shape(std::size_t frame, ChainHistory& history) const;
   Space point_value(const Probe& probe, const Work& w) const;
+  /// Where the node of a joint is that has stretched and sheared, between both of its segments.
+  typename L::Point sheared_node(std::size_t node, const Work& w) const;
   Space motion_value(const Probe& probe, const Work& w) const;
   double stored_energy(const Work& w, const Joints& joints) const;
   /// Of a segment from the undeformed beam, as a rotation vector in world axes.

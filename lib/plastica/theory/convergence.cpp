@@ -181,6 +181,32 @@ void classify(const std::array<double, 3>& f, GridConvergence& result) {
   result.kind = sign > 0.0 ? ConvergenceKind::Monotone : ConvergenceKind::Oscillatory;
 }
 
+/// Takes no more from the observed order of three values than a method of the highest order allows.
+void mistrust_order(std::span<const double> h, std::span<const double> f, double highest,
+                    GridConvergence& result) {
+  constexpr double kBeyond = 0.5;
+  constexpr double kSafetyOfAssumed = 3.0;
+  if (result.kind == ConvergenceKind::Monotone && *result.observed_order > highest + kBeyond) {
+    result.kind = ConvergenceKind::TooFast;
+  }
+  if (result.kind == ConvergenceKind::Monotone) {
+    result.order = std::min(*result.observed_order, highest);
+    const double reduction = std::expm1(*result.order * std::log(result.r21));
+    result.extrapolated = f[0] + (f[0] - f[1]) / reduction;
+    result.uncertainty =
+        result.safety_factor *
+        std::max(std::abs(*result.extrapolated - f[0]), std::abs(limit_of_two_orders(h, f) - f[0]));
+  } else if (result.kind == ConvergenceKind::TooFast ||
+             result.kind == ConvergenceKind::Oscillatory) {
+    result.order.reset();
+    result.extrapolated.reset();
+    result.safety_factor = kSafetyOfAssumed;
+    const double off = std::max(std::abs(f[1] - f[0]) / (h[1] / h[0] - 1.0),
+                                std::abs(f[2] - f[0]) / (h[2] / h[0] - 1.0));
+    result.uncertainty = result.safety_factor * off;
+  }
+}
+
 }  // namespace
 
 OrderFit observed_order(std::span<const double> sizes, std::span<const double> errors,
@@ -230,6 +256,17 @@ double richardson(double fine, double coarse, double ratio, double order) {
   return fine + (fine - coarse) / std::expm1(order * std::log(ratio));
 }
 
+double limit_of_two_orders(std::span<const double> sizes, std::span<const double> values) {
+  assert(sizes.size() == 3 && values.size() == 3);
+  double limit = 0.0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const double a = sizes[(i + 1) % 3];
+    const double b = sizes[(i + 2) % 3];
+    limit += values[i] * a / (a - sizes[i]) * b / (b - sizes[i]);
+  }
+  return limit;
+}
+
 GridConvergence grid_convergence(std::span<const double> sizes, std::span<const double> values,
                                  const GridOptions& options) {
   const std::vector<std::size_t> at = finest_first(sizes, values, "values");
@@ -265,9 +302,15 @@ GridConvergence grid_convergence(std::span<const double> sizes, std::span<const 
                                         : std::numeric_limits<double>::infinity();
   result.extrapolated = f[0] + step / reduction;
   result.uncertainty = result.safety_factor * std::abs(step) / reduction;
-  result.extrapolated_error = ratio_of(*result.extrapolated - f[0], *result.extrapolated);
+  if (three && options.highest_order) {
+    const std::array<double, 3> h{sizes[at[0]], sizes[at[1]], sizes[at[2]]};
+    mistrust_order(h, f, *options.highest_order, result);
+  }
+  if (result.extrapolated) {
+    result.extrapolated_error = ratio_of(*result.extrapolated - f[0], *result.extrapolated);
+  }
   result.fine_index = ratio_of(*result.uncertainty, f[0]);
-  if (!three || !result.order) return result;
+  if (!three || !result.order || options.highest_order) return result;
   const double coarse_reduction = std::expm1(*result.order * std::log(*result.r32));
   result.coarse_index = ratio_of(result.safety_factor * (f[1] - f[2]) / coarse_reduction, f[1]);
   if (result.coarse_index && result.fine_index && *result.fine_index > 0.0) {

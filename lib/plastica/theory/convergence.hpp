@@ -63,9 +63,16 @@ std::vector<std::optional<double>> pairwise_orders(std::span<const double> sizes
 /// @param order   p > 0
 double richardson(double fine, double coarse, double ratio, double order);
 
+/// The value at size zero of three values with the error a h + b h^2: the parabola through them.
+/// Where both terms matter they may cancel at one size, and two values next to it agree though both
+/// are off: no single power says so, this does. Exact for a pure order of 1 or 2.
+/// @param sizes, values  three each, in any order
+double limit_of_two_orders(std::span<const double> sizes, std::span<const double> values);
+
 /// How values go with refinement.
 enum class ConvergenceKind {
   Monotone,     ///< differences shrink and keep their sign
+  TooFast,      ///< monotone, but faster than `GridOptions::highest_order`
   Oscillatory,  ///< differences shrink and change their sign
   Divergent,    ///< differences do not shrink as any order > 0 has it; nothing is extrapolated
   Unchanged,    ///< the two finest agree to 16 eps: converged, without an order to be seen
@@ -77,6 +84,13 @@ struct GridOptions {
   std::optional<double> safety_factor{};
   /// Order to extrapolate with in place of the observed one, > 0; two values need it.
   std::optional<double> order{};
+  /// The highest order that the method has, > 0; empty: any is believed. With it, three values that
+  /// fall by more than half an order faster, or go to and fro, show errors of unlike orders that
+  /// cancel: nothing is extrapolated, and the uncertainty is that of order 1 with F_s = 3, the
+  /// larger of what either coarser value says. Of all others p is at most this, and the uncertainty
+  /// no less than F_s times the distance from `limit_of_two_orders`; no coarse index is taken. Not
+  /// together with `order`.
+  std::optional<double> highest_order{};
 };
 
 /// Roache's grid convergence index: an estimate of the discretization error of the finest value
