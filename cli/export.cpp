@@ -21,6 +21,7 @@
 #include "cli/common_options.hpp"
 #include "cli/exit_code.hpp"
 #include "cli/export_beam.hpp"
+#include "cli/export_paraview.hpp"
 #include "cli/fit_reports.hpp"
 #include "cli/result_kind.hpp"
 #include "cli/run_files.hpp"
@@ -48,18 +49,23 @@ struct ExportArguments {
 
 constexpr std::array<std::string_view, 3> kTables{"json", "markdown", "latex"};
 
-/// What --to may be: the formats of beams, csv the first, and the others of tables.
+/// What --to may be: the formats of beams, csv the first, the others of tables, and ParaView's.
 std::vector<std::string> formats() {
   const auto engines = calibrate::engine_formats();
   std::vector<std::string> words(engines.begin(), engines.end());
   words.insert(words.begin() + 1, kTables.begin(), kTables.end());
+  words.insert(words.end(), kParaviewFormats.begin(), kParaviewFormats.end());
   return words;
 }
 
 /// The format of a table whose files end so; empty for others.
 std::string format_of(const std::string& ending) {
-  constexpr std::array<std::array<std::string_view, 2>, 4> kEndings{
-      {{".csv", "csv"}, {".json", "json"}, {".md", "markdown"}, {".tex", "latex"}}};
+  constexpr std::array<std::array<std::string_view, 2>, 6> kEndings{{{".csv", "csv"},
+                                                                     {".json", "json"},
+                                                                     {".md", "markdown"},
+                                                                     {".tex", "latex"},
+                                                                     {".vtkhdf", "vtkhdf"},
+                                                                     {".xdmf", "xdmf"}}};
   for (const auto& [end, format] : kEndings) {
     if (ending == end) return std::string(format);
   }
@@ -90,7 +96,9 @@ bool is_table(const std::string& to) {
 
 /// Whether the beam is wanted for an engine, not the numbers of the result.
 bool wants_beam(const ExportArguments& arguments) {
-  if (arguments.beam.to != "csv") return !is_table(arguments.beam.to);
+  if (arguments.beam.to != "csv") {
+    return !is_table(arguments.beam.to) && !is_for_paraview(arguments.beam.to);
+  }
   return arguments.what == "beam" || (arguments.what.empty() && !(arguments.beam.scene.empty() &&
                                                                   arguments.beam.target.empty()));
 }
@@ -177,9 +185,10 @@ std::string text_of_sweep(const ExportArguments& arguments) {
   return out.str();
 }
 
-std::string text_of(const ExportArguments& arguments) {
+/// Refuses options that do not go with the file's kind or with what is written.
+/// @throws InputError
+void check_options(const ExportArguments& arguments, ResultKind kind) {
   using enum ResultKind;
-  const ResultKind kind = kind_of_result(arguments.beam.file);
   const bool beam = wants_beam(arguments);
   const std::array options{
       ResultOption{"--time", !arguments.time.empty(), {Scene}},
@@ -190,7 +199,8 @@ std::string text_of(const ExportArguments& arguments) {
       ResultOption{"--to " + arguments.beam.to, beam, {Fits, SceneFits, Scene}},
       ResultOption{"--to " + arguments.beam.to,
                    arguments.beam.to == "markdown" || arguments.beam.to == "latex",
-                   {Sweep}}};
+                   {Sweep}},
+      ResultOption{"--to " + arguments.beam.to, is_for_paraview(arguments.beam.to), {Scene}}};
   refuse_options_of_others(kind, options);
   constexpr std::string_view kOfBeams =
       "goes with a beam: --what beam, or --to mjcf, agx, bullet, chrono or opensees";
@@ -202,12 +212,16 @@ std::string text_of(const ExportArguments& arguments) {
   refuse_option(!beam && !arguments.beam.gravity.empty(), "--gravity", kOfBeams);
   refuse_option(!beam && !arguments.beam.damping.empty(), "--damping", kOfBeams);
   refuse_option(!beam && !arguments.beam.contacts.empty(), "--contacts", kOfBeams);
-  if (beam) {
-    refuse_option(!arguments.what.empty() && arguments.what != "beam", "--what",
+  if (beam || is_for_paraview(arguments.beam.to)) {
+    refuse_option(!arguments.what.empty() && !(beam && arguments.what == "beam"), "--what",
                   "goes with --to csv or json");
     refuse_option(!arguments.time.empty(), "--time", "goes with --what joints only");
-    return beam_text(arguments.beam, kind);
   }
+}
+
+std::string text_of(const ExportArguments& arguments, ResultKind kind) {
+  using enum ResultKind;
+  if (wants_beam(arguments)) return beam_text(arguments.beam, kind);
   switch (kind) {
     case Fits: return text_of_fits<calibrate::FitStoreContents>(arguments, {"specimens", "curves"});
     case Scene: return text_of_scene(arguments);
@@ -240,7 +254,13 @@ int run_export(ExportArguments arguments) {
       refuse_input("--output", arguments.output, arguments.beam.scene);
   }
   take_format(arguments);
-  const std::string text = text_of(arguments);
+  const ResultKind kind = kind_of_result(arguments.beam.file);
+  check_options(arguments, kind);
+  if (is_for_paraview(arguments.beam.to)) {
+    write_for_paraview(arguments.beam.file, arguments.beam.to, arguments.output, arguments.force);
+    return kDone;
+  }
+  const std::string text = text_of(arguments, kind);
   if (arguments.output == "-") {
     put(text);
     return kDone;
@@ -261,7 +281,8 @@ void add_export(CLI::App& app, Action& action) {
       ->option_text("FILE.h5");
   sub->add_option(
          "--to", arguments->beam.to,
-         "Write csv or json; of a sweep also markdown or latex; the beam as mjcf (MuJoCo), "
+         "Write csv or json; of a sweep also markdown or latex; of a scene vtkhdf (ParaView from "
+         "5.12 on) or xdmf (older ones); the beam as mjcf (MuJoCo), "
          "agx, bullet, chrono or opensees; default: as the output's name ends, else csv")
       ->option_text("FORMAT");
   sub->add_option("--what", arguments->what, "Write these numbers as CSV; names below")
@@ -317,6 +338,7 @@ void add_export(CLI::App& app, Action& action) {
       "                       break angles\n"
       "Examples:\n"
       "  plastica export fit.h5 --to csv -o fit.csv\n"
+      "  plastica export scene.h5 -o scene.vtkhdf\n"
       "  plastica export fit.h5 --case s355 --scene scene.toml --to mjcf -o beam.xml\n"
       "  plastica export scene.h5 --to mjcf --up z --gravity \"9.81 m/s^2\" -o beam.xml\n"
       "  plastica export scene-fit.h5 --to mjcf -o beam.xml\n"

@@ -164,6 +164,10 @@ class Hdf5Group {
   }
   void set_attribute(std::string_view path, const std::string& name,
                      std::span<const std::string> texts);
+  void set_attribute(std::string_view path, const std::string& name,
+                     std::span<const std::int64_t> values);
+  /// A text of ASCII alone, stored with its length, as some formats of others want it.
+  void set_ascii_attribute(std::string_view path, const std::string& name, const std::string& text);
 
   bool has_attribute(std::string_view path, const std::string& name) const;
   /// Names of all attributes of the group or dataset at a path, by name.

@@ -224,6 +224,22 @@ void Hdf5Group::set_attribute(std::string_view path, const std::string& name,
   write_attribute(path, name, type.get(), pointers_to(texts).data(), space.get());
 }
 
+void Hdf5Group::set_attribute(std::string_view path, const std::string& name,
+                              std::span<const std::int64_t> values) {
+  const hsize_t count = values.size();
+  const Hdf5Handle space(H5Screate_simple(1, &count, nullptr));
+  write_attribute(path, name, H5T_NATIVE_INT64, values.data(), space.get());
+}
+
+void Hdf5Group::set_ascii_attribute(std::string_view path, const std::string& name,
+                                    const std::string& text) {
+  const Hdf5Handle type(H5Tcopy(H5T_C_S1));
+  H5Tset_size(type.get(), text.size());
+  H5Tset_strpad(type.get(), H5T_STR_NULLPAD);
+  const Hdf5Handle space(H5Screate(H5S_SCALAR));
+  write_attribute(path, name, type.get(), text.data(), space.get());
+}
+
 #define PLASTICA_INSTANTIATE(T)                                                                   \
   template void Hdf5Group::write<T>(std::string_view, T, const DatasetOptions&);                  \
   template void Hdf5Group::write<T>(std::string_view, std::span<const T>, const DatasetOptions&); \

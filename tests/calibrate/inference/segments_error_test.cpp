@@ -23,8 +23,10 @@ TEST(SegmentsError, FindsTheOrderAndTheLimitOfAPower) {
       EXPECT_NEAR(error.observed_order, p, 1e-12);
       EXPECT_NEAR(error.extrapolated, 100.0, 1e-11);
       EXPECT_EQ(error.safety_factor, 1.25);
-      EXPECT_NEAR(error.error, 1.25 * 3.0, 1e-11) << "about the value with N";
-      EXPECT_NEAR(error.extrapolated_error, 1.25 * 3.0 * std::pow(0.5, p), 1e-11);
+      // Of an order between both it may be one of each: the parabola's limit is further off.
+      const double apart = p == 1.5 ? 1.25 * (6.0 - 4.0 * std::sqrt(2.0)) : 0.0;
+      EXPECT_NEAR(error.error, 1.25 * 3.0 + apart, 1e-11) << "about the value with N";
+      EXPECT_NEAR(error.extrapolated_error, 1.25 * 3.0 * std::pow(0.5, p) + apart, 1e-11);
     }
   }
 }

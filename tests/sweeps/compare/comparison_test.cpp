@@ -96,7 +96,8 @@ TEST(Compare, ExtrapolatesNothingThatGoesToAndFro) {
 TEST(Compare, SaysWhereNothingCanBeExtrapolated) {
   const Made made(segments_axis("[4, 8, 16]") + against("richardson"), {1.0, 2.0, 4.0});
   EXPECT_EQ(made.compared().reason[0],
-            "nothing can be extrapolated: it takes three values that converge from one side");
+            "nothing can be extrapolated: it takes three values that converge from one side, no "
+            "faster than with order 2");
 }
 
 TEST(Compare, TakesAValueAndAScale) {

@@ -97,5 +97,25 @@ TEST(FitLimit, HasNoneOfValuesThatDoNotConverge) {
   EXPECT_FALSE(limit_of({8.0, 2.0, -40.0, 1.0, 2}).has_value()) << "four values, five numbers";
 }
 
+TEST(FitLimit, IsNoSurerThanItMayBeWhereErrorsOfTwoOrdersCancelAlongAnAxis) {
+  // 3 + h^2 - c h + t/2, h = 1/8 ... 1/64.
+  int found = 0;
+  for (double c = 0.0; c < 0.6; c += 0.01) {
+    std::vector<double> sizes;
+    std::vector<double> values;
+    for (const double n : {8.0, 16.0, 32.0, 64.0}) {
+      for (const double t : {0.04, 0.02, 0.01}) {
+        sizes.insert(sizes.end(), {1.0 / n, t});
+        values.push_back(3.0 + 1.0 / (n * n) - c / n + 0.5 * t);
+      }
+    }
+    const auto limit = fit_limit(sizes, 2, values);
+    if (!limit) continue;
+    ++found;
+    EXPECT_GE(limit->uncertainty, std::abs(limit->value - 3.0) - 1e-8) << c;
+  }
+  EXPECT_GT(found, 20);
+}
+
 }  // namespace
 }  // namespace plastica::sweeps

@@ -264,6 +264,47 @@ TEST(RefinedReference, SaysWhatNoAxisRefines) {
   EXPECT_TRUE(says(step.compared().notes, "the error of beam.segments is not in it"));
 }
 
+/// 1 + h^2 - c h of segments [m], h = 1/N; both terms matter where c is some 1/N.
+std::vector<double> of_both_orders(const std::vector<double>& segments, double c) {
+  std::vector<double> values;
+  for (const double n : segments) values.push_back(1.0 + 1.0 / (n * n) - c / n);
+  return values;
+}
+
+TEST(RefinedReference, IsNoBetterThanItIsWhereErrorsOfTwoOrdersCancel) {
+  for (const auto& [text, segments] : {std::pair{"[4, 8, 16]", std::vector{4.0, 8.0, 16.0}},
+                                       {"[6, 10, 16]", {6.0, 10.0, 16.0}},
+                                       {"[8, 12, 16, 24]", {8.0, 12.0, 16.0, 24.0}}}) {
+    int extrapolated = 0;
+    for (double c = -0.1; c < 1.0; c += 0.003) {
+      for (const char* what : {"finest", "richardson"}) {
+        const Made made(segments_axis(text) + against(what) + "scale = '1 m'\n",
+                        of_both_orders(segments, c));
+        const Comparison found = made.compared();
+        const auto& reference = found.reference.back();
+        if (!reference) continue;
+        const double off = std::abs(*reference - 1.0);
+        EXPECT_GE(found.reference_error.back().value_or(0.0), (1.0 - 1e-9) * off)
+            << what << ' ' << text << ' ' << c;
+        if (what[0] == 'r') ++extrapolated;
+      }
+    }
+    EXPECT_GT(extrapolated, 30) << text;
+  }
+}
+
+TEST(RefinedReference, IsNotExtrapolatedFromAnOrderThatNoMethodHas) {
+  // At c = 3/16 the values at 8 and 16 agree: what is seen is an order of 5.
+  const Made made(segments_axis("[4, 8, 16]") + against("richardson"),
+                  of_both_orders({4.0, 8.0, 16.0}, 0.18));
+  const SweepRecord record = made.record();
+  EXPECT_FALSE(record.has_errors());
+  EXPECT_TRUE(has(record.comparison.reason[0], "no faster than with order 2"));
+  const auto grid = convergence_of(made.groups[0], made.results, record.comparison).grid;
+  ASSERT_TRUE(grid.has_value());
+  EXPECT_EQ(grid->kind, theory::ConvergenceKind::TooFast);
+}
+
 TEST(ConvergenceOf, TakesAnOrderAtTheFinestOfTheOtherAxesAlone) {
   const Made made = grid(against("finest"));
   const Comparison found = made.compared();

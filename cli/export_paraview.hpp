@@ -1,0 +1,22 @@
+#pragma once
+
+#include <array>
+#include <string>
+#include <string_view>
+
+namespace plastica::cli {
+
+/// Formats that ParaView reads, which go to files alone.
+inline constexpr std::array<std::string_view, 2> kParaviewFormats{"vtkhdf", "xdmf"};
+
+bool is_for_paraview(std::string_view format);
+
+/// Writes the frames of a scene for ParaView; as xdmf with the numbers in a file beside it, whose
+/// name is the output's, ending in .vtkhdf.
+/// @param file    result of a scene
+/// @param format  one of `kParaviewFormats`
+/// @throws InputError for what is no scene or has no beam, and for an output that cannot be
+void write_for_paraview(const std::string& file, std::string_view format, const std::string& output,
+                        bool force);
+
+}  // namespace plastica::cli

@@ -1,0 +1,199 @@
+#!/usr/bin/env python3
+"""`plastica export --to vtkhdf` and xdmf: files by VTK's specification, read without our code and
+without VTK's, with the numbers that the result has.
+
+paraview_test.py COMMAND DATA
+"""
+
+import os
+import subprocess
+import sys
+import tempfile
+import unittest
+import xml.etree.ElementTree as ElementTree
+
+import h5py
+import numpy
+
+COMMAND, DATA = sys.argv[1:3]
+TOPOLOGIES = ("Vertices", "Lines", "Polygons", "Strips")
+
+
+def run(*arguments, code=0):
+    done = subprocess.run([COMMAND, *arguments], capture_output=True, text=True, check=False)
+    if done.returncode != code:
+        raise AssertionError(f"{arguments}: {done.returncode}\n{done.stdout}{done.stderr}")
+    return done.stdout + done.stderr
+
+
+class Step:
+    """One step of a file, read as the specification has it: parts, then offsets of each array."""
+
+    def __init__(self, root, number):
+        steps = root["Steps"]
+        part = steps["PartOffsets"][number]
+        assert steps["NumberOfParts"][number] == 1
+        count = root["NumberOfPoints"][part]
+        first = steps["PointOffsets"][number]
+        self.points = root["Points"][first : first + count]
+        self.cells = {}
+        for k, name in enumerate(TOPOLOGIES):
+            group = root[name]
+            cells = group["NumberOfCells"][part]
+            begin = steps["CellOffsets"][number, k] + part
+            offsets = group["Offsets"][begin : begin + cells + 1]
+            shift = steps["ConnectivityIdOffsets"][number, k]
+            corners = group["Connectivity"][shift : shift + group["NumberOfConnectivityIds"][part]]
+            assert offsets[0] == 0 and offsets[-1] == len(corners)
+            self.cells[name] = [corners[a:b] for a, b in zip(offsets, offsets[1:])]
+        total = sum(len(cells) for cells in self.cells.values())
+        self.point_data = {}
+        self.cell_data = {}
+        for kind, rows, found in (
+            ("PointData", count, self.point_data),
+            ("CellData", total, self.cell_data),
+        ):
+            for name, data in root[kind].items():
+                begin = steps[kind + "Offsets"][name][number]
+                found[name] = data[begin : begin + rows]
+                assert len(found[name]) == rows, name
+
+
+class Paraview(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.folder = tempfile.TemporaryDirectory()
+        cls.result = cls.path("crash.h5")
+        run("simulate", os.path.join(DATA, "scenes", "crash_bumper.toml"), "-o", cls.result)
+        run("export", cls.result, "-o", cls.path("crash.vtkhdf"))
+        cls.root = h5py.File(cls.path("crash.vtkhdf"))["VTKHDF"]
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.root.file.close()
+        cls.folder.cleanup()
+
+    @classmethod
+    def path(cls, name):
+        return os.path.join(cls.folder.name, name)
+
+    def test_has_the_attributes_and_types_of_the_specification(self):
+        kind = self.root.attrs.get_id("Type").get_type()
+        self.assertFalse(kind.is_variable_str(), "VTK reads a text of fixed length alone")
+        self.assertEqual(kind.get_cset(), 0, "ASCII")
+        self.assertEqual(self.root.attrs["Type"], b"PolyData")
+        self.assertEqual(list(self.root.attrs["Version"]), [2, 0])
+        steps = self.root["Steps"]
+        self.assertEqual(steps.attrs["NSteps"], len(steps["Values"]))
+        for name in TOPOLOGIES:
+            for part in ("NumberOfCells", "NumberOfConnectivityIds", "Connectivity", "Offsets"):
+                self.assertEqual(self.root[name][part].dtype.kind, "i")
+
+    def test_shows_every_frame_of_the_result(self):
+        with h5py.File(self.result) as result:
+            times = result["path/time"][:][result["path/frame_sample"][:]]
+            position = result["joints/position"][:]
+            strain = result["joints/plastic_strain"][:]
+            moment = result["joints/moment"][:]
+            nodes = result["beam/node"][:]
+        steps = self.root["Steps"]
+        numpy.testing.assert_array_equal(steps["Values"][:], times)
+        first = None
+        for number in range(len(times)):
+            step = Step(self.root, number)
+            quads = numpy.array(step.cells["Polygons"])
+            self.assertEqual(quads.shape[1], 4)
+            self.assertEqual(sorted(set(quads.ravel())), list(range(len(step.points))))
+            joint = step.cell_data["joint"]
+            numpy.testing.assert_allclose(step.cell_data["plastic_strain"], strain[number][joint], 1e-6)
+            numpy.testing.assert_allclose(
+                step.cell_data["moment"], moment[number][joint], rtol=1e-6, atol=1e-3
+            )
+            # The beam's start: the mean of the corners of the first ring.
+            ring = step.cells["Polygons"][0]
+            segment = step.cell_data["segment"]
+            count = len(step.points) // (segment.max() + 1) // 3
+            numpy.testing.assert_allclose(
+                step.points[:count].mean(axis=0), position[number][0], atol=1e-6
+            )
+            moved = step.points - step.point_data["displacement"]
+            if first is None:
+                first = moved
+                numpy.testing.assert_allclose(moved[:count].mean(axis=0), nodes[0], atol=1e-6)
+            numpy.testing.assert_allclose(moved, first, atol=2e-6)
+            self.assertTrue(ring.min() >= 0)
+        self.assertEqual(Step(self.root, 0).cell_data["fragment"].max(), 0)
+        self.assertGreater(step.cell_data["fragment"].max(), 0, "it breaks")
+
+    def test_xdmf_names_the_same_numbers(self):
+        said = run("export", self.result, "-o", self.path("old.xdmf"))
+        self.assertIn("old.vtkhdf, beside it", said)
+        grids = ElementTree.parse(self.path("old.xdmf")).findall("./Domain/Grid/Grid")
+        with h5py.File(self.path("old.vtkhdf")) as file:
+            root = file["VTKHDF"]
+            self.assertEqual(len(grids), root["Steps"].attrs["NSteps"])
+            for number in (0, len(grids) - 1):
+                grid = grids[number]
+                step = Step(root, number)
+                self.assertEqual(float(grid.find("Time").get("Value")), root["Steps/Values"][number])
+                numpy.testing.assert_array_equal(
+                    self.numbers(file, grid.find("Geometry/DataItem")), step.points
+                )
+                numpy.testing.assert_array_equal(
+                    self.numbers(file, grid.find("Topology/DataItem")).reshape(-1, 4),
+                    numpy.array(step.cells["Polygons"]),
+                )
+                named = {a.get("Name"): a for a in grid.findall("Attribute")}
+                of_all = {**step.cell_data, **step.point_data}
+                self.assertEqual(set(named), set(of_all))
+                for name, data in of_all.items():
+                    found = self.numbers(file, named[name].find("DataItem"))
+                    numpy.testing.assert_array_equal(found, data)
+
+    def numbers(self, file, item):
+        """What an item of HDF5 selects: "FILE:/DATASET|first:stride:count:shape"."""
+        where = item.text.split(":", 1)[1]
+        shape = [int(n) for n in item.get("Dimensions").split()]
+        if "|" not in where:
+            data = file[where][:]
+        else:
+            where, selected = where.split("|")
+            first, stride, count, whole = [
+                [int(n) for n in part.split()] for part in selected.split(":")
+            ]
+            self.assertEqual(list(file[where].shape), whole)
+            self.assertTrue(all(s == 1 for s in stride))
+            data = file[where][tuple(slice(f, f + c) for f, c in zip(first, count))]
+        self.assertEqual(list(data.shape), shape)
+        kinds = {"Int": "i", "Float": "f"}
+        self.assertEqual(data.dtype.kind, kinds[item.get("NumberType")])
+        self.assertEqual(data.dtype.itemsize, int(item.get("Precision")))
+        return data
+
+    def test_refuses_what_has_no_beam_and_what_is_no_file(self):
+        coupon = self.path("coupon.toml")
+        with open(coupon, "w", encoding="utf-8") as file:
+            file.write(
+                "[material]\nname = 'S355'\n[drive]\ndeformation = 'tension'\n"
+                "strain = ['0 %', '1 %']\n[[probe]]\nkind = 'stress'\n"
+            )
+        run("simulate", coupon, "-o", self.path("coupon.h5"))
+        cases = (
+            (("export", self.path("coupon.h5"), "-o", self.path("c.vtkhdf")), "is of a coupon"),
+            (("export", self.result, "--to", "vtkhdf"), "must be a file"),
+            (("export", self.result, "--to", "xdmf", "-o", self.path("a:b.xdmf")), "no colon"),
+            (("export", self.result, "--time", "1 ms", "-o", self.path("t.vtkhdf")), "--time"),
+            (("export", self.result, "--what", "joints", "-o", self.path("w.vtkhdf")), "--what"),
+            (("export", self.result, "-o", self.path("crash.vtkhdf")), "--force"),
+            (("export", self.result, "--to", "xdmf", "-o", self.path("a.csv")), "must not end in"),
+        )
+        for arguments, words in cases:
+            said = run(*arguments, code=2)
+            self.assertIn(words, said)
+            self.assertEqual(said.count("\n"), 1, said)
+        for left in ("c.vtkhdf", "t.vtkhdf", "w.vtkhdf", "a.csv"):
+            self.assertFalse(os.path.exists(self.path(left)))
+
+
+if __name__ == "__main__":
+    unittest.main(argv=sys.argv[:1])
