@@ -1,5 +1,5 @@
-# Packs the build as a Debian package, unpacks that into an empty folder, builds the project beside this
-# file against it as a user would, and runs it and the command: cmake -D build=… -D scratch=… -D generator=… -D compiler=… -P check.cmake
+# Packs the build as a Debian package, installs that into an empty root, builds the project beside this
+# file against it as a user would, runs it and the command, and removes the package: cmake -D build=… -D scratch=… -D generator=… -D compiler=… -P check.cmake
 function(step)
   execute_process(COMMAND ${ARGN} RESULT_VARIABLE result OUTPUT_VARIABLE text ERROR_VARIABLE text)
   if(NOT result EQUAL 0)
@@ -16,8 +16,13 @@ step(dpkg-deb --info ${package})
 if(NOT text MATCHES "Depends: [^\n]*libhdf5" OR NOT text MATCHES "Recommends: gnuplot-nox")
   message(FATAL_ERROR "the package does not say what it needs:\n${text}")
 endif()
-step(dpkg-deb --extract ${package} ${scratch}/unpacked)
-set(installed ${scratch}/unpacked/usr)
+set(root ${scratch}/root)
+file(MAKE_DIRECTORY ${root}/var/lib/dpkg/info ${root}/var/lib/dpkg/updates)
+file(TOUCH ${root}/var/lib/dpkg/status)
+# What the package needs is on this machine, not in that root.
+set(dpkg dpkg --root=${root} --log=${scratch}/dpkg.log --force-not-root --force-depends)
+step(${dpkg} --install ${package})
+set(installed ${root}/usr)
 step(${installed}/bin/plastica --help)
 string(REGEX MATCHALL "\n  [a-z]+  " commands "${text}")
 list(LENGTH commands count)
@@ -63,3 +68,9 @@ completed completed 355 MPa
 it rings, told
 section.width = -1: must be positive and finite
 ")
+
+step(${dpkg} --purge plastica)
+if(EXISTS ${installed})
+  file(GLOB_RECURSE left LIST_DIRECTORIES true ${installed}/*)
+  message(FATAL_ERROR "the package leaves behind ${installed} ${left}")
+endif()
