@@ -257,8 +257,8 @@ int run_export(ExportArguments arguments) {
   const ResultKind kind = kind_of_result(arguments.beam.file);
   check_options(arguments, kind);
   if (is_for_paraview(arguments.beam.to)) {
-    write_for_paraview(arguments.beam.file, arguments.beam.to, arguments.output, arguments.force);
-    return kDone;
+    return write_for_paraview(arguments.beam.file, arguments.beam.to, arguments.output,
+                              arguments.force);
   }
   const std::string text = text_of(arguments, kind);
   if (arguments.output == "-") {

@@ -15,8 +15,9 @@ bool is_for_paraview(std::string_view format);
 /// name is the output's, ending in .vtkhdf.
 /// @param file    result of a scene
 /// @param format  one of `kParaviewFormats`
+/// @return the exit code
 /// @throws InputError for what is no scene or has no beam, and for an output that cannot be
-void write_for_paraview(const std::string& file, std::string_view format, const std::string& output,
-                        bool force);
+int write_for_paraview(const std::string& file, std::string_view format, const std::string& output,
+                       bool force);
 
 }  // namespace plastica::cli

@@ -4,22 +4,22 @@
 #include <cmath>
 #include <limits>
 
+#include "plastica/theory/convergence.hpp"
+
 namespace plastica::sweeps {
 namespace {
 
 constexpr double kSupposedOrder = 1.0;
-constexpr double kHighestOrder = 2.0;
 /// Sizes that differ by less show no order.
 constexpr double kLeastRatio = 1.3;
 constexpr double kSameError = 1.1;
-/// Changes that fall faster than with so much more than the highest order do so by cancelling.
-constexpr double kBeyond = 0.5;
 
 /// Whether changes are of one sign, and fall as an order does that a method may have.
 /// @param ratio  size of the coarser over that of the finer change, > 1
 bool falls_in_order(double coarse, double fine, double ratio) {
   if (coarse == 0.0 && fine == 0.0) return true;
-  return std::abs(coarse) <= std::pow(ratio, kHighestOrder + kBeyond) * std::abs(fine) &&
+  return std::abs(coarse) <= std::pow(ratio, theory::kHighestOrder + theory::kBeyondHighestOrder) *
+                                 std::abs(fine) &&
          (coarse > 0.0) == (fine > 0.0);
 }
 
@@ -57,12 +57,13 @@ AxisError AxisModels::measured(std::size_t axis, double size, double finer_size,
     const double ratio = before.size / size;
     const bool apart = ratio > kLeastRatio || ratio < 1.0 / kLeastRatio;
     if (apart && std::isfinite(change)) {
-      error.hidden = ratio > 1.0 ? hidden_by(before.parts, off.parts, ratio)
-                                 : hidden_by(off.parts, before.parts, 1.0 / ratio);
+      const double hidden = ratio > 1.0 ? hidden_by(before.parts, off.parts, ratio)
+                                        : hidden_by(off.parts, before.parts, 1.0 / ratio);
+      error.hidden = std::max(error.hidden, hidden);
     }
     const bool tells = apart && before.error.change > 0.0 && change > 0.0 && std::isfinite(change);
     if (!tells) continue;
-    error.order = seen_order(before.size, before.error.change, size, change, kHighestOrder);
+    error.order = seen_order(before.size, before.error.change, size, change, theory::kHighestOrder);
     error.seen = true;
   }
   error.error = left_of(error.change, error.ratio, error.order);
@@ -77,15 +78,16 @@ AxisError AxisModels::measured(std::size_t axis, double size, double finer_size,
 AxisError AxisModels::measured_twice(std::size_t axis, double size, double finer_size,
                                      double finest_size, const Deviation& off,
                                      const Deviation& finer_off) {
-  Seen& last = seen_[axis].back();
-  AxisError error = last.error;
+  AxisError error;
+  error.quantity = off.quantity;
   const double ratio = size / finer_size;
   const bool falls = finer_off.largest > 0.0;
   error.change = std::max(off.largest, finer_off.largest);
   error.hidden = 0.0;
   error.seen = true;
-  error.order = falls ? seen_order(size, off.largest, finer_size, finer_off.largest, kHighestOrder)
-                      : kHighestOrder;
+  error.order =
+      falls ? seen_order(size, off.largest, finer_size, finer_off.largest, theory::kHighestOrder)
+            : theory::kHighestOrder;
   error.error = left_of(error.change, ratio, error.order);
   if (!std::isfinite(error.change)) return error;
   const SignedDeviation both =
@@ -97,7 +99,9 @@ AxisError AxisModels::measured_twice(std::size_t axis, double size, double finer
     error.quantity = both.quantity;
   }
   error.ratio = ratio;
-  last = {size, error, off.quantities, off.parts};
+  // Of this size the last that is seen.
+  std::erase_if(seen_[axis], [&](const Seen& one) { return one.size == size; });
+  seen_[axis].push_back({size, error, off.quantities, off.parts});
   return error;
 }
 
@@ -105,7 +109,9 @@ AxisError AxisModels::foretold(std::size_t axis, double size) const {
   const Seen& last = seen_[axis].back();
   AxisError error = last.error;
   const double ratio = size / last.size;
-  const double order = error.seen ? error.order : ratio > 1.0 ? kHighestOrder : kSupposedOrder;
+  const double order = error.seen    ? error.order
+                       : ratio > 1.0 ? theory::kHighestOrder
+                                     : kSupposedOrder;
   const double factor = std::pow(ratio, order);
   error.change *= factor;
   error.hidden *= factor;

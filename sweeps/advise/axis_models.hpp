@@ -20,7 +20,7 @@ class AxisModels {
   AxisError measured(std::size_t axis, double size, double finer_size, const Deviation& off);
   /// The error along an axis of two changes one after the other, where errors of order 1 and 2 may
   /// cancel: of each quantity the larger of what the order of both changes says, if that is one,
-  /// and of `theory::limit_of_two_orders`. Takes the place of what was last noted.
+  /// and of `theory::limit_of_two_orders`. Noted in the place of what was seen at that size.
   /// @param size, finer_size, finest_size  of the three runs
   /// @param off, finer_off  of the first from the second, and of that from the third
   AxisError measured_twice(std::size_t axis, double size, double finer_size, double finest_size,

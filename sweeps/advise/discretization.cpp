@@ -94,18 +94,12 @@ double resolving_step(const Setup& setup) {
 }
 
 bool has_first_order_errors(const Setup& setup) {
-  const auto is_within = [](const Place& at) { return at.fraction > 0.0 && at.fraction < 1.0; };
-  const auto reads_segment = [&](const Probe& probe) {
-    return is_within(probe.at) &&
-           (probe.quantity == ProbeQuantity::Rotation || probe.quantity == ProbeQuantity::Spin ||
-            probe.quantity == ProbeQuantity::Velocity);
+  const auto is_a_spring = [](const Support& support) {
+    const bool within = support.at.fraction > 0.0 && support.at.fraction < 1.0;
+    return within && !support.to && traits_of(support).springs;
   };
-  const auto is_a_spring = [&](const Support& support) {
-    return is_within(support.at) && !support.to && traits_of(support).springs;
-  };
-  return std::ranges::any_of(setup.scene.probes, reads_segment) ||
-         (setup.solver.translation == JointTranslation::Elastic &&
-          std::ranges::any_of(setup.scene.supports, is_a_spring));
+  return setup.solver.translation == JointTranslation::Elastic &&
+         std::ranges::any_of(setup.scene.supports, is_a_spring);
 }
 
 double FinenessAxis::size(double value) const {

@@ -43,8 +43,8 @@ double resolving_step(const Setup& setup);
 std::vector<FinenessAxis> fineness_axes(const Setup& setup);
 
 /// Whether something in the scene is half a segment off, so that its error has a term of first
-/// order in the segments beside that of second order: a rotation, spin or velocity probed within
-/// the beam, which is that of the segment before, and joints that shear at an elastic support there.
+/// order in the segments beside that of second order: joints that shear at an elastic support
+/// within.
 bool has_first_order_errors(const Setup& setup);
 
 /// The scene with a setting.

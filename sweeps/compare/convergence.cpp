@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "sweeps/compare/extrapolation.hpp"
+#include "plastica/theory/convergence.hpp"
 
 namespace plastica::sweeps {
 namespace {
@@ -18,7 +18,7 @@ std::optional<theory::GridConvergence> grid_of(const RefinementGroup& group,
     return comparison.reason[i].starts_with(kNotConverged);
   });
   if (refused || values.size() < 3) return std::nullopt;
-  return theory::grid_convergence(sizes, values, {.highest_order = kHighestOrder});
+  return theory::grid_convergence(sizes, values, {.highest_order = theory::kHighestOrder});
 }
 
 }  // namespace

@@ -57,7 +57,8 @@ Extrapolated extrapolate_one(const ReferenceSets& sets, std::vector<std::size_t>
   } else if (sizes.size() >= kLeastSizes) {
     // What the safety factor adds to the distance of the finest from its limit; and where an order
     // between 1 and 2 is really one of each, what that makes of the limit.
-    const auto grid = theory::grid_convergence(sizes, values, {.highest_order = kHighestOrder});
+    const auto grid =
+        theory::grid_convergence(sizes, values, {.highest_order = theory::kHighestOrder});
     const double margin = (grid.safety_factor - 1.0) * std::abs(*out.value - values.back());
     const std::size_t coarsest = sizes.size() - kLeastSizes;
     const double other = theory::limit_of_two_orders(std::span(sizes).subspan(coarsest),
@@ -72,7 +73,8 @@ Extrapolated extrapolate_one(const ReferenceSets& sets, std::vector<std::size_t>
 std::optional<double> extrapolated_along(const std::vector<double>& sizes,
                                          const std::vector<double>& values) {
   if (sizes.size() < kLeastSizes) return std::nullopt;
-  const auto grid = theory::grid_convergence(sizes, values, {.highest_order = kHighestOrder});
+  const auto grid =
+      theory::grid_convergence(sizes, values, {.highest_order = theory::kHighestOrder});
   if (grid.kind == theory::ConvergenceKind::Unchanged) return values.back();
   // Of values that go to and fro an order says little: of equal swings it is 0, and its limit far.
   if (grid.kind != theory::ConvergenceKind::Monotone) return std::nullopt;

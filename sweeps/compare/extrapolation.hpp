@@ -14,12 +14,7 @@ namespace plastica::sweeps {
 /// Why there is no limit of values along one axis.
 inline constexpr std::string_view kNothingExtrapolated =
     "nothing can be extrapolated: it takes three values that converge from one side, no faster "
-    "than "
-    "with order 2";
-
-/// Of all joints and schemes; values that converge faster do so by luck, or because errors of
-/// unlike orders cancel. [1]
-inline constexpr double kHighestOrder = 2.0;
+    "than with order 2";
 
 /// A limit, and how sure it is.
 struct Limit {
@@ -43,7 +38,7 @@ std::optional<Limit> fit_limit(std::span<const double> sizes, std::size_t axes,
                                std::span<const double> values);
 
 /// Of three values or more along one axis, see theory/convergence.hpp; none where they diverge, go
-/// to and fro, or converge faster than with `kHighestOrder`.
+/// to and fro, or converge faster than with `theory::kHighestOrder`.
 std::optional<double> extrapolated_along(const std::vector<double>& sizes,
                                          const std::vector<double>& values);
 

@@ -16,11 +16,12 @@ namespace {
 /// Order p of errors against the finest value, from (r3^p - 1)/(r2^p - 1) = e3/e2: what is left of
 /// C h^p if the finest is taken for the limit. The left side rises with p.
 /// @param r2, r3  sizes over that of the finest, 1 < r2 < r3
-/// @param e2, e3  errors, of one sign
-/// @return none outside of 0.5 … 2.5: more is luck, or errors of unlike orders that cancel
+/// @param e2, e3  errors, with their signs
+/// @return none of two signs, and outside of 0.5 … 2.5: more is luck, or errors of unlike orders
+/// that cancel
 std::optional<double> order_against_finest(double r2, double e2, double r3, double e3) {
   constexpr double kLow = 0.5;
-  constexpr double kHigh = kHighestOrder + 0.5;
+  constexpr double kHigh = theory::kHighestOrder + theory::kBeyondHighestOrder;
   const auto excess = [&](double p) {
     return (std::pow(r3, p) - 1.0) / (std::pow(r2, p) - 1.0) - e3 / e2;
   };
@@ -48,7 +49,7 @@ std::optional<double> error_along(const ReferenceSets& sets, const std::vector<s
   if (!has_third) return kSafetyOfAssumed * std::abs(error(1)) / (ratio(1) - 1.0);
   // Errors of values have a sign, so that those that go to and fro show no order.
   const auto order = order_against_finest(ratio(1), error(1), ratio(2), error(2));
-  const double p = order ? std::min(*order, kHighestOrder) : 1.0;
+  const double p = order ? std::min(*order, theory::kHighestOrder) : 1.0;
   // Of a pure power both say the same; a difference that is small by luck is outvoted.
   const double off = std::max(std::abs(error(1)) / (std::pow(ratio(1), p) - 1.0),
                               std::abs(error(2)) / (std::pow(ratio(2), p) - 1.0));

@@ -38,9 +38,10 @@ std::string change_of_outcome(const Sweep& sweep, const ReferenceSets& sets,
 
 /// About how far the finest case of a set is off its limit, over the scale of errors [1]: the sum
 /// of what Roache's grid convergence index says along each axis, from the errors of the two next
-/// coarser cases against it (safety factor 1.25, order at most `kHighestOrder`), or with the order
-/// 1 where they show none or a higher one, or there is one case (3); and no less than 1.25 times
-/// what `theory::limit_of_two_orders` says of the three. None where an axis has no second case.
+/// coarser cases against it (safety factor 1.25, order at most `theory::kHighestOrder`), or with
+/// the order 1 where they show none or a higher one, or there is one case (3); and no less
+/// than 1.25 times what `theory::limit_of_two_orders` says of the three. None where an axis has no
+/// second case.
 std::optional<double> error_of_finest(const Sweep& sweep, const ReferenceSets& sets,
                                       const ReferenceSet& set,
                                       const std::vector<CaseResult>& results,

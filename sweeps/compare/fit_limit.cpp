@@ -3,13 +3,14 @@
 #include <limits>
 #include <utility>
 
+#include "plastica/theory/convergence.hpp"
 #include "sweeps/compare/extrapolation.hpp"
 
 namespace plastica::sweeps {
 namespace {
 
 constexpr double kLowOrder = 0.3;
-constexpr double kHighOrder = kHighestOrder + 0.5;
+constexpr double kHighOrder = theory::kHighestOrder + theory::kBeyondHighestOrder;
 constexpr double kSafety = 1.25;
 
 using Matrix = std::vector<std::vector<double>>;
@@ -150,7 +151,8 @@ double error_of_limit(const FitData& data, const std::vector<double>& order, con
 std::optional<double> limit_of_both_orders(const FitData& data) {
   FitData doubled{2 * data.axes, {}, data.value, data.weight};
   std::vector<double> order;
-  for (std::size_t k = 0; k < data.axes; ++k) order.insert(order.end(), {1.0, kHighestOrder});
+  for (std::size_t k = 0; k < data.axes; ++k)
+    order.insert(order.end(), {1.0, theory::kHighestOrder});
   for (std::size_t i = 0; i < data.value.size(); ++i) {
     for (std::size_t k = 0; k < data.axes; ++k)
       doubled.ratio.insert(doubled.ratio.end(), 2, data.at(i, k));

@@ -82,12 +82,12 @@ def main():
     if abs(facts["ranges"]["plastic_strain"][1] - strains.max()) > 1e-7:
         faults.append(f"strain up to {facts['ranges']['plastic_strain'][1]}, not {strains.max()}")
     if facts["ranges"]["fragment"][1] < 1 or facts["moved"] != 3:
-        faults.append("no pieces, or no displacement")
+        faults.append("no fragments, or no displacement")
     if os.path.getsize(picture) < 4000:
         faults.append("the picture is empty")
     if faults:
         sys.exit("ParaView does not see what was written: " + "; ".join(faults))
-    print(f"{facts['cells']} cells at {len(times)} times, {facts['ranges']['fragment'][1] + 1:.0f} pieces")
+    print(f"{facts['cells']} cells at {len(times)} times, {facts['ranges']['fragment'][1] + 1:.0f} fragments")
 
 
 if __name__ == "__main__":

@@ -41,8 +41,10 @@ struct JointModel {
   std::array<double, 4> limit{kNever, kNever, kNever, kNever};
   /// What the joint stretches and shears by under a force along its x, y, z [m/N]; 0: it does not.
   std::array<double, 3> shift_compliance{};
-  /// Of a force along its x, y, z at its node, what acts on the segment beyond [1].
-  std::array<double, 3> share_beyond{0.5, 0.5, 0.5};
+  /// Of a force along its x, y, z at its node, what acts on the segment beyond [1]: the part of its
+  /// compliance that lies before the node.
+  std::array<double, 3> fraction_of_force{0.5, 0.5, 0.5};
+  std::array<double, 3> fraction_of_moment{0.5, 0.5, 0.5};  ///< likewise, about its x, y, z
   double width = 0.0;   ///< b [m]; of a round section its diameter
   double height = 0.0;  ///< h [m]
   bool round = false;
@@ -153,15 +155,19 @@ JointSet<L> joint_set(const Scene& scene, const Layout& layout, const Build<L>& 
       // The numbers of a joint beside a spring have more compliance than its length.
       if (plan.node_spring[k] > 0.0) joint.length[axis] = plan.length[axis];
     }
-    if (node > 0 && set.numbers[number].stretches) {
-      const NodeShares shares = node_shares(layout, node, {});
+    const bool within = node > 0 && node < n;
+    const NodeShares shares = within ? node_shares(layout, node, {}) : NodeShares{};
+    for (std::size_t k = 0; within && k < 3; ++k) {
+      joint.fraction_of_moment[k] = shares.rotational(k, k);
+    }
+    if (within && set.numbers[number].stretches) {
       for (std::size_t k = 0; k < L::kTranslations; ++k) {
         const SectionJoint<L>& own = set.numbers[number];
         const std::size_t axis = view.section_axes().translation(k);
         const auto stiffness =
             static_cast<double>(axis == 2 ? own.stiffness[law::kAxial] : own.shear_stiffness[k]);
         if (stiffness > 0.0) joint.shift_compliance[axis] = joint.length[law::kAxial] / stiffness;
-        joint.share_beyond[axis] = shares.shifting(axis, axis);
+        joint.fraction_of_force[axis] = shares.shifting(axis, axis);
       }
     }
     // With what it takes over of an end; between unlike regions, of its owner alone.

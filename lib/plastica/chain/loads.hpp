@@ -16,11 +16,15 @@ struct OuterForces {
   /// Largest component of the force of a spring to the ground [N]: of a bed that carries each load
   /// where it acts, so that no joint has a force, it is what an imbalance is small against.
   typename L::Scalar largest_spring{};
+  /// Sums of the sizes of what loads act with [N], [N m]: where all of it goes straight into a
+  /// support, the beam has no force, and their rounding is all that is left of an imbalance.
+  typename L::Scalar sum_of_forces{};
+  typename L::Scalar sum_of_moments{};
 
   void reset(std::size_t n, bool slopes = true) {
     wrench.assign(n, {});
     if (slopes) impedance.assign(n, {});
-    largest_spring = constant<typename L::Scalar>(0);
+    largest_spring = sum_of_forces = sum_of_moments = constant<typename L::Scalar>(0);
   }
 };
 
@@ -86,6 +90,12 @@ void add_loads(const Chain<L>& chain, const Placement<L>& placement, const Facto
     Impedance<L>& impedance = outer_forces.impedance[load.segment];
     wrench.force += factor * unit.force;
     wrench.moment += factor * unit.moment;
+    for (std::size_t k = 0; k < L::kTranslations; ++k) {
+      outer_forces.sum_of_forces = outer_forces.sum_of_forces + abs(factor * unit.force[k]);
+    }
+    for (std::size_t k = 0; k < L::kRotations; ++k) {
+      outer_forces.sum_of_moments = outer_forces.sum_of_moments + abs(factor * unit.moment[k]);
+    }
     if (!slopes) continue;
     if (load.follows) {
       impedance.tr -= slope * L::spun_by(unit.force);

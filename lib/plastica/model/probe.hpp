@@ -58,9 +58,9 @@ constexpr bool is_of_joint(ProbeQuantity quantity) {
   }
 }
 
-/// Whether it is where a point is or how far its segment has turned.
+/// Whether it is where a point is.
 constexpr bool is_of_point(ProbeQuantity quantity) {
-  return quantity == ProbeQuantity::Displacement || quantity == ProbeQuantity::Rotation;
+  return quantity == ProbeQuantity::Displacement;
 }
 
 /// Whether it is a number of the whole scene that every sample has.

@@ -101,8 +101,7 @@ void ChainMotionRunner<L, kElastic>::run(const MaterialValues<double>& material,
   body_.record.end_motion();
   body_.finish_axial(response);
   body_.record.end_frames(response);
-  response.energy_balance_error =
-      energy_balance_error(std::span(response.chain.energy).first(response.samples));
+  set_energy_balance(body_.model.scene.beam.length, response);
   response.momentum_error = step_->momentum_error();
   judge_balance(response);
   const auto& strain = body_.strains.strain;

@@ -77,8 +77,10 @@ double ChainRecord<L, kElastic>::joint_value(const Probe& probe, const NodeStrai
 
 /// A node lies between two halves of its joint that give way by a and b per force. A force F there
 /// is carried by a as V + F and by b as V, and acts as F a/(a + b) on the segment beyond
-/// (`Builder::add_single_load`), so that the joint has f = V + F a/(a + b) and the gap d = (a + b)
-/// f. The node is a (V + F) off the segment before: a/(a + b) d + a b/(a + b) F.
+/// (`Builder::add_single_load`), so that the joint has f = V + F a/(a + b) and the gap
+/// d = (a + b) f. The node is a (V + F) off the segment before: a/(a + b) d + a b/(a + b) F. In a
+/// motion the last term, which has no mass, would jump with the force: it is left out there. Axes
+/// are the joint's; at a corner, what couples those of its halves is left out, of first order.
 template <class L, bool kElastic>
 typename L::Point ChainRecord<L, kElastic>::sheared_node(std::size_t node, const Work& w) const {
   const auto& chain = build_->chain;
@@ -95,14 +97,75 @@ typename L::Point ChainRecord<L, kElastic>::sheared_node(std::size_t node, const
   const auto& frame = w.placement.near[node];
   const typename L::Point before = w.placement.point(node - 1, segment_end);
   const Space gap = in_space(L::rotate_back(frame, w.placement.position[node] - before));
-  const Space acts = in_space(L::rotate_back(frame, force));
+  const S at_rest = constant<S>(motion_ == nullptr ? 1 : 0);
+  const Space acts = in_space(L::rotate_back(frame, at_rest * force));
   const chain::JointModel& joint = (*joints_)[node];
   Space off;
   for (std::size_t k = 0; k < 3; ++k) {
-    const double share = joint.share_beyond[k];
-    off[k] = share * (gap[k] + (1.0 - share) * joint.shift_compliance[k] * acts[k]);
+    const double fraction_before = joint.fraction_of_force[k];
+    off[k] =
+        fraction_before * (gap[k] + (1.0 - fraction_before) * joint.shift_compliance[k] * acts[k]);
   }
   return before + L::rotate(frame, view_.point(off));
+}
+
+template <class L, bool kElastic>
+typename ChainRecord<L, kElastic>::Space ChainRecord<L, kElastic>::rotation(
+    const Work& w, std::size_t segment) const {
+  const auto undeformed = view_.frame(model_->layout.segment_frame[segment]);
+  return joint_spin(L::axes(undeformed) * L::angle_from(undeformed, w.placement.frame[segment]));
+}
+
+/// Of the loads at an inner node, in world axes.
+template <class L, bool kElastic>
+typename L::Spin ChainRecord<L, kElastic>::moment_at_node(std::size_t node, const Work& w) const {
+  const chain::Layout& layout = model_->layout;
+  typename L::Spin sum{};
+  for (const Load& load : model_->scene.loads) {
+    const Space moment{load.moment};
+    if (load.to || dot(moment, moment) == 0.0) continue;
+    if (segment_end_at(load.at, layout.ends) != static_cast<int>(node)) continue;
+    const S factor = constant<S>(load.history.at(w.time));
+    const auto& frame = layout.segment_frame[node - 1];
+    sum += factor * (load.follows ? L::axes(w.placement.frame[node - 1]) *
+                                        view_.spin(transpose(frame) * moment)
+                                  : view_.spin(moment));
+  }
+  return sum;
+}
+
+/// None where the joint is cut, or where a support holds or springs the node between its halves.
+template <class L, bool kElastic>
+SpreadJoint ChainRecord<L, kElastic>::spread_joint_at(const Probe& probe, const Work& w) const {
+  const chain::Layout& layout = model_->layout;
+  const SpreadJoint found =
+      spread_joint(layout, *joints_, fraction_of(probe.at, layout.ends), model_->scene.beam.length);
+  const auto is_here = [&](const auto& ground) { return ground.node == found.node; };
+  const bool held = std::ranges::any_of(build_->chain.ground_joints, is_here);
+  return found.node == 0 || w.q.open[found.node] || held ? SpreadJoint{} : found;
+}
+
+/// Of the beam at a point, from the undeformed beam, as a rotation vector in world axes.
+template <class L, bool kElastic>
+typename ChainRecord<L, kElastic>::Space ChainRecord<L, kElastic>::rotation_value(
+    const Probe& probe, const Work& w) const {
+  const SpreadJoint spread = spread_joint_at(probe, w);
+  if (spread.node == 0) {
+    const double fraction = fraction_of(probe.at, model_->layout.ends);
+    return rotation(w, chain::segment_point(model_->layout, fraction).segment);
+  }
+  const auto& near = w.placement.near[spread.node];
+  const S at_rest = constant<S>(motion_ == nullptr ? 1 : 0);  // as of a sheared node
+  const auto moment = transposed_times(L::axes(near), at_rest * moment_at_node(spread.node, w));
+  typename L::Spin angle = w.q.angle[spread.node];
+  for (std::size_t k = 0; k < L::kRotations; ++k) {
+    const std::size_t axis = view_.section_axes().rotation(k);
+    angle[k] =
+        constant<S>(spread.part[axis]) * angle[k] + constant<S>(spread.added[axis]) * moment[k];
+  }
+  const auto undeformed = view_.frame(model_->layout.joint_frame[spread.node]);
+  return joint_spin(L::axes(undeformed) *
+                    L::angle_from(undeformed, L::compose(near, L::rotation(angle))));
 }
 
 /// Displacement or rotation of a point.
@@ -111,7 +174,7 @@ typename ChainRecord<L, kElastic>::Space ChainRecord<L, kElastic>::point_value(
     const Probe& probe, const Work& w) const {
   const chain::SegmentPoint point =
       chain::segment_point(model_->layout, fraction_of(probe.at, model_->layout.ends));
-  if (probe.quantity == ProbeQuantity::Rotation) return rotation(w, point.segment);
+  if (probe.quantity == ProbeQuantity::Rotation) return rotation_value(probe, w);
   const auto undeformed =
       model_->layout.segment_frame[point.segment] * point.arm + model_->layout.node[point.segment];
   typename L::Point now = w.placement.point(point.segment, view_.point(point.arm));
@@ -136,11 +199,32 @@ typename ChainRecord<L, kElastic>::Space ChainRecord<L, kElastic>::motion_value(
   if (probe.quantity == ProbeQuantity::Velocity || probe.quantity == ProbeQuantity::Spin) {
     const chain::SegmentPoint point =
         chain::segment_point(model_->layout, fraction_of(probe.at, model_->layout.ends));
-    const std::size_t i = point.segment;
-    if (probe.quantity == ProbeQuantity::Spin) return joint_spin(spin_of(i));
-    const auto arm =
-        L::rotate(w.placement.frame[i], view_.point(point.arm) - chain.inertias[i].center);
-    return in_space((*motion_)[i].velocity + L::spun(spin_of(i), arm));
+    if (probe.quantity == ProbeQuantity::Spin) {
+      const SpreadJoint spread = spread_joint_at(probe, w);
+      if (spread.node == 0) return joint_spin(spin_of(point.segment));
+      // As the joint's angle is spread, so is its rate.
+      const auto before = spin_of(spread.node - 1);
+      const auto axes = L::axes(w.placement.near[spread.node]);
+      auto rate = transposed_times(axes, spin_of(spread.node) - before);
+      for (std::size_t k = 0; k < L::kRotations; ++k) {
+        rate[k] = constant<S>(spread.part[view_.section_axes().rotation(k)]) * rate[k];
+      }
+      return joint_spin(before + axes * rate);
+    }
+    const auto velocity_at = [&](std::size_t i, const typename L::Point& place) {
+      const auto arm = L::rotate(w.placement.frame[i], place - chain.inertias[i].center);
+      return (*motion_)[i].velocity + L::spun(spin_of(i), arm);
+    };
+    const std::size_t beyond = point.segment + 1;
+    typename L::Point velocity = velocity_at(point.segment, view_.point(point.arm));
+    if constexpr (kElastic) {
+      const bool joins = beyond < chain.size() && !w.q.open[beyond] &&
+                         segment_end_at(probe.at, model_->layout.ends) == static_cast<int>(beyond);
+      if (joins) {
+        velocity = constant<S>(0.5) * (velocity + velocity_at(beyond, typename L::Point{}));
+      }
+    }
+    return in_space(velocity);
   }
   typename L::Point momentum{};
   typename L::Spin angular{};

@@ -13,6 +13,7 @@
 #include "plastica/run/chain_shape.hpp"
 #include "plastica/run/growing_histories.hpp"
 #include "plastica/run/response.hpp"
+#include "plastica/run/spread_joint.hpp"
 #include "plastica/solve/motion_options.hpp"
 #include "plastica/solve/newton.hpp"
 #include "plastica/solve/pencil.hpp"
@@ -141,13 +142,13 @@ class ChainRecord {
   Space point_value(const Probe& probe, const Work& w) const;
   /// Where the node of a joint is that has stretched and sheared, between both of its segments.
   typename L::Point sheared_node(std::size_t node, const Work& w) const;
+  Space rotation_value(const Probe& probe, const Work& w) const;
+  SpreadJoint spread_joint_at(const Probe& probe, const Work& w) const;
+  typename L::Spin moment_at_node(std::size_t node, const Work& w) const;
   Space motion_value(const Probe& probe, const Work& w) const;
   double stored_energy(const Work& w, const Joints& joints) const;
   /// Of a segment from the undeformed beam, as a rotation vector in world axes.
-  Space rotation(const Work& w, std::size_t segment) const {
-    const auto undeformed = view_.frame(model_->layout.segment_frame[segment]);
-    return joint_spin(L::axes(undeformed) * L::angle_from(undeformed, w.placement.frame[segment]));
-  }
+  Space rotation(const Work& w, std::size_t segment) const;
   std::size_t node_at(const Place& place) const;
   /// The same of a probe of angles: a clamp that lets nothing turn has a moment, but no angle, and
   /// the joint beside it has both.

@@ -150,8 +150,7 @@ void ChainRunner<L, kElastic>::finish() {
       for (double& time : *times) time = body_.record.growing_factor_at(time);
     }
   }
-  response.energy_balance_error =
-      energy_balance_error(std::span(response.chain.energy).first(response.samples));
+  set_energy_balance(body_.model.scene.beam.length, response);
   const auto& strain = body_.strains.strain;
   response.permanent_strain = *std::max_element(strain.begin(), strain.end());
 }

@@ -138,7 +138,7 @@ class LaneScenario {
     }
     body_->record.end_motion();
     body_->record.end_frames(out);
-    out.energy_balance_error = energy_balance_error(std::span(out.chain.energy).first(out.samples));
+    set_energy_balance(model_->scene.beam.length, out);
     judge_balance(out);
     const auto& strain = body_->strains.strain;
     out.permanent_strain = *std::max_element(strain.begin(), strain.end());

@@ -2,11 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace plastica {
 
-double energy_balance_error(std::span<const Energies> samples) {
-  double largest = 0.0;
+double energy_balance_error(std::span<const Energies> samples, double rounding) {
+  double largest = rounding;
   double wrong = 0.0;
   for (const Energies& energy : samples) {
     wrong = std::max({wrong, std::fabs(energy.residual), -energy.numerical_dissipation});
@@ -17,6 +18,20 @@ double energy_balance_error(std::span<const Energies> samples) {
     }
   }
   return largest > 0.0 ? wrong / largest : 0.0;
+}
+
+void set_energy_balance(double length, Response& response) {
+  // A position has the rounding of the beam's length, a rotation that of 1; sums over steps have
+  // more.
+  constexpr double kRounding = 100.0 * std::numeric_limits<double>::epsilon();
+  double largest = 0.0;
+  const std::vector<double>& reaction = response.chain.reaction;
+  for (std::size_t i = 0; i < reaction.size(); ++i) {
+    const double arm = i % 6 < 3 ? length : 1.0;
+    largest = std::max(largest, arm * std::fabs(reaction[i]));
+  }
+  response.energy_balance_error = energy_balance_error(
+      std::span(response.chain.energy).first(response.samples), kRounding * largest);
 }
 
 void clear_motion(Response& response) {

@@ -42,9 +42,10 @@ struct Rounding {
   S moment{};
 };
 
-/// What springs and joints to the ground make of the rounding of positions and angles: their
-/// stiffness times it. (Angles within the beam are unknowns themselves, without such a rounding.)
-/// Nothing with float, whose tolerance has it already (`reachable`).
+/// What is left of loads that go straight into supports; and what springs and joints to the ground
+/// make of the rounding of positions and angles: their stiffness times it. (Angles within the beam
+/// are unknowns themselves, without such a rounding.) Nothing with float, whose tolerance has it
+/// already (`reachable`).
 template <class L, bool kElastic>
 Rounding<typename L::Scalar> rounding_of(const chain::Chain<L>& chain,
                                          const NewtonWork<L, kElastic>& w) {
@@ -52,12 +53,13 @@ Rounding<typename L::Scalar> rounding_of(const chain::Chain<L>& chain,
   Rounding<S> sum;
   if constexpr (!kIsDouble<S>) return sum;
   const S unit = constant<S>(kRoundings * std::numeric_limits<real_t<S>>::epsilon());
+  sum.force = unit * w.outer_forces.sum_of_forces;
   for (const auto& spring : chain.springs) {
     for (std::size_t k = 0; k < L::kTranslations; ++k) {
       sum.force += unit * spring.stiffness[k] * (chain.length + abs(spring.rest[k]));
     }
   }
-  sum.moment = sum.force * chain.length;
+  sum.moment = sum.force * chain.length + unit * w.outer_forces.sum_of_moments;
   for (const auto& joint : chain.ground_joints) {
     for (std::size_t k = 0; k < L::kRotations; ++k) {
       sum.moment += unit * abs(w.joints.tangent[joint.joint](k, k));

@@ -184,9 +184,11 @@ void classify(const std::array<double, 3>& f, GridConvergence& result) {
 /// Takes no more from the observed order of three values than a method of the highest order allows.
 void mistrust_order(std::span<const double> h, std::span<const double> f, double highest,
                     GridConvergence& result) {
-  constexpr double kBeyond = 0.5;
   constexpr double kSafetyOfAssumed = 3.0;
-  if (result.kind == ConvergenceKind::Monotone && *result.observed_order > highest + kBeyond) {
+  const bool differs = std::abs(f[2] - f[1]) > kRounding * std::max(std::abs(f[1]), std::abs(f[2]));
+  if ((result.kind == ConvergenceKind::Monotone &&
+       *result.observed_order > highest + kBeyondHighestOrder) ||
+      (result.kind == ConvergenceKind::Unchanged && differs)) {
     result.kind = ConvergenceKind::TooFast;
   }
   if (result.kind == ConvergenceKind::Monotone) {
@@ -276,6 +278,10 @@ GridConvergence grid_convergence(std::span<const double> sizes, std::span<const 
   }
   if (options.order && !(*options.order > 0.0)) {
     throw InputError({}, "order", fmt::to_string(*options.order), "must be positive");
+  }
+  if (options.order && options.highest_order) {
+    throw InputError({}, "order", fmt::to_string(*options.order),
+                     "must not be given together with the highest one");
   }
   if (options.safety_factor && !(*options.safety_factor > 0.0)) {
     throw InputError({}, "safety_factor", fmt::to_string(*options.safety_factor),

@@ -69,10 +69,18 @@ double richardson(double fine, double coarse, double ratio, double order);
 /// @param sizes, values  three each, in any order
 double limit_of_two_orders(std::span<const double> sizes, std::span<const double> values);
 
+/// Of all joints and schemes here; values that converge faster do so by luck, or because errors of
+/// unlike orders cancel. [1]
+inline constexpr double kHighestOrder = 2.0;
+/// An order that is seen may be so much higher, by the terms that it leaves out. [1]
+inline constexpr double kBeyondHighestOrder = 0.5;
+
 /// How values go with refinement.
 enum class ConvergenceKind {
-  Monotone,     ///< differences shrink and keep their sign
-  TooFast,      ///< monotone, but faster than `GridOptions::highest_order`
+  Monotone,  ///< differences shrink and keep their sign
+  /// Only with `GridOptions::highest_order`: monotone but faster than that, or the two finest agree
+  /// and the third does not.
+  TooFast,
   Oscillatory,  ///< differences shrink and change their sign
   Divergent,    ///< differences do not shrink as any order > 0 has it; nothing is extrapolated
   Unchanged,    ///< the two finest agree to 16 eps: converged, without an order to be seen
@@ -85,8 +93,8 @@ struct GridOptions {
   /// Order to extrapolate with in place of the observed one, > 0; two values need it.
   std::optional<double> order{};
   /// The highest order that the method has, > 0; empty: any is believed. With it, three values that
-  /// fall by more than half an order faster, or go to and fro, show errors of unlike orders that
-  /// cancel: nothing is extrapolated, and the uncertainty is that of order 1 with F_s = 3, the
+  /// fall by more than `kBeyondHighestOrder` faster, or go to and fro, show errors of unlike orders
+  /// that cancel: nothing is extrapolated, and the uncertainty is that of order 1 with F_s = 3, the
   /// larger of what either coarser value says. Of all others p is at most this, and the uncertainty
   /// no less than F_s times the distance from `limit_of_two_orders`; no coarse index is taken. Not
   /// together with `order`.

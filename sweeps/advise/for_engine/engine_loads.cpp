@@ -84,17 +84,36 @@ void EngineLoads::gather(const EngineChain& chain, double time,
   }
 }
 
+EngineLoads::BetweenSegments EngineLoads::between(const Place& place) const {
+  const double fraction = fraction_of(place, layout_.ends);
+  const std::size_t segment = point_at(place).segment;
+  const double middle = 0.5 * (layout_.ends[segment] + layout_.ends[segment + 1]);
+  const std::size_t before = fraction > middle || segment == 0 ? segment : segment - 1;
+  if (before + 1 == layout_.size() || (segment == 0 && fraction <= middle))
+    return {segment, segment, 0.0};
+  const double from = 0.5 * (layout_.ends[before] + layout_.ends[before + 1]);
+  const double to = 0.5 * (layout_.ends[before + 1] + layout_.ends[before + 2]);
+  return {before, before + 1, (fraction - from) / (to - from)};
+}
+
 double EngineLoads::observe(const EngineChain& chain, const Probe& probe) const {
   const chain::SegmentPoint point = point_at(probe.at);
   const Mat<double, 3, 3>& undeformed = layout_.segment_frame[point.segment];
+  const BetweenSegments around = between(probe.at);
+  const auto mean = [&](const Vec<double, 3>& a, const Vec<double, 3>& b) {
+    return a + around.part * (b - a);
+  };
+  const auto turned = [&](std::size_t i) {
+    const Mat<double, 3, 3>& frame = layout_.segment_frame[i];
+    return frame * chain::rotation_vector(transpose(frame) * chain.pose(i).frame);
+  };
   Vec<double, 3> value;
   switch (probe.quantity) {
-    case ProbeQuantity::Rotation:
-      value = undeformed *
-              chain::rotation_vector(transpose(undeformed) * chain.pose(point.segment).frame);
-      break;
+    case ProbeQuantity::Rotation: value = mean(turned(around.before), turned(around.beyond)); break;
     case ProbeQuantity::Velocity: value = chain.point_velocity(point.segment, point.arm); break;
-    case ProbeQuantity::Spin: value = chain.pose(point.segment).spin; break;
+    case ProbeQuantity::Spin:
+      value = mean(chain.pose(around.before).spin, chain.pose(around.beyond).spin);
+      break;
     default:
       value = chain.point(point.segment, point.arm) - layout_.node[point.segment] -
               undeformed * point.arm;

@@ -35,7 +35,15 @@ class EngineLoads {
     double weight = 1.0;  ///< of a spread one the length [m]
   };
 
+  /// The segments whose middles a place lies between, as the beam's slope is: to second order.
+  struct BetweenSegments {
+    std::size_t before = 0;
+    std::size_t beyond = 0;  ///< the same before the first middle, and beyond the last
+    double part = 0.0;       ///< of the way from one to the other
+  };
+
   chain::SegmentPoint point_at(const Place& place) const;
+  BetweenSegments between(const Place& place) const;
 
   Scene scene_;  ///< with the segments of the beam
   chain::Layout layout_;

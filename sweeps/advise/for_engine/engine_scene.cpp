@@ -53,8 +53,13 @@ void check_engine_support(const AdvisedEngine& engine, const Setup& setup, const
 }
 
 bool is_of_engine(ProbeQuantity quantity) {
-  return is_of_point(quantity) || quantity == ProbeQuantity::Velocity ||
-         quantity == ProbeQuantity::Spin;
+  switch (quantity) {
+    case ProbeQuantity::Displacement:
+    case ProbeQuantity::Rotation:
+    case ProbeQuantity::Velocity:
+    case ProbeQuantity::Spin: return true;
+    default: return false;
+  }
 }
 
 }  // namespace

@@ -7,8 +7,7 @@
 #include <vector>
 
 #include "plastica/run/natural_frequencies.hpp"
-#include "tests/support/chain_scene.hpp"
-#include "tests/support/tolerance.hpp"
+#include "tests/lib/run/sheared_beam.hpp"
 
 // Beams that stretch and shear: solver.translation = "elastic".
 
@@ -20,36 +19,14 @@ using testing::bending_stiffness_of;
 using testing::cantilever_scene;
 using testing::chain_scene;
 using testing::completed;
+using testing::elastic;
+using testing::expect_second_order;
+using testing::kPullForce;
 using testing::last_of;
 using testing::properties_of;
+using testing::shear_stiffness_of;
 using testing::tolerance;
-
-constexpr double kPullForce = 1e-2;  ///< [N]
-
-SolverOptions elastic(int steps = 1) {
-  SolverOptions options;
-  options.translation = JointTranslation::Elastic;
-  options.steps = steps;
-  return options;
-}
-
-double value_of(const Scene& scene) { return last_of(completed(scene, elastic()), 0); }
-
-double shear_stiffness_of(const Scene& scene) {
-  const SectionProperties p = properties_of(scene);
-  return resolved_shear_modulus(scene.material) * p.shear_coefficient_y * p.area;
-}
-
-/// Errors fall with the square of the segments, and are at most `most` over their square.
-void expect_second_order(const std::function<double(int)>& error, double most,
-                         std::array<int, 3> segments = {16, 64, 256}) {
-  const double coarse = error(segments[0]);
-  const double fine = error(segments[1]);
-  const double finest = error(segments[2]);
-  EXPECT_LT(std::fabs(coarse) * segments[0] * segments[0], most);
-  EXPECT_NEAR(std::log(coarse / fine) / std::log(segments[1] / segments[0]), 2.0, tolerance(0.06));
-  EXPECT_NEAR(std::log(fine / finest) / std::log(segments[2] / segments[1]), 2.0, tolerance(0.06));
-}
+using testing::value_of;
 
 TEST(ElasticTranslation, StretchesABarByItsWholeLength) {
   for (const int segments : {1, 2, 3, 16}) {
@@ -108,94 +85,6 @@ TEST(ElasticTranslation, BendsAndShearsATimoshenkoCantilever) {
         return value_of(scene) / exact - 1.0;
       },
       0.55);
-}
-
-TEST(ElasticTranslation, MovesThePointThatIsPulledByTheForceOfItsOwnSide) {
-  // Stretched up to the load alone: F L/2EA whatever the segments, and whatever the bar beyond.
-  for (const int segments : {2, 3, 4, 10}) {
-    for (const double beyond : {1.0, 0.3, 4.0}) {
-      Scene scene = cantilever_scene(segments);
-      Region other{{0.5, {}}, Place::end(), scene.section, scene.material};
-      other.section.height *= beyond;
-      scene.regions.push_back(other);
-      scene.loads.push_back({.at = {0.5, {}}, .force = {0.0, 0.0, 1e3}});
-      add_probe(scene, ProbeQuantity::Displacement, {0.5, {}}, Component::Z);
-      const double exact = 0.5e3 / (scene.material.youngs_modulus * properties_of(scene).area);
-      EXPECT_NEAR(value_of(scene) / exact, 1.0, tolerance(1e-9)) << segments << ' ' << beyond;
-    }
-  }
-}
-
-/// A short beam on a pin and a roller, three times as long as deep, with a probe of y.
-Scene stocky_beam(int segments, double probed) {
-  Scene scene = chain_scene(segments);
-  scene.section.height = 0.3;
-  scene.supports.push_back({.kind = SupportKind::Pin});
-  scene.supports.push_back({.at = Place::end(), .kind = SupportKind::Roller});
-  add_probe(scene, ProbeQuantity::Displacement, {probed, {}}, Component::Y);
-  return scene;
-}
-
-TEST(ElasticTranslation, BendsAndShearsUnderTheForceItself) {
-  // F a^2 b^2/3EIL + F ab/kappa G A L at the load.
-  for (const double at : {0.5, 0.25}) {
-    for (const bool follows : {false, true}) {
-      expect_second_order(
-          [&](int segments) {
-            Scene scene = stocky_beam(segments, at);
-            scene.loads.push_back(
-                {.at = {at, {}}, .force = {0.0, kPullForce, 0.0}, .follows = follows});
-            const double parts = at * (1.0 - at);
-            const double exact = kPullForce * (parts * parts / (3.0 * bending_stiffness_of(scene)) +
-                                               parts / shear_stiffness_of(scene));
-            return value_of(scene) / exact - 1.0;
-          },
-          2.0, {8, 32, 128});
-    }
-  }
-}
-
-TEST(ElasticTranslation, ShearsOnBothSidesOfASupportWithin) {
-  // The reaction that moves a place by w is w over what a unit force there moves it by.
-  expect_second_order(
-      [](int segments) {
-        constexpr double kMotion = 1e-6;
-        Scene scene = stocky_beam(segments, 1.0);
-        Support held{.at = {0.25, {}}, .kind = SupportKind::Roller};
-        held.translation = {0.0, kMotion, 0.0};
-        scene.supports.push_back(held);
-        scene.probes.clear();
-        add_probe(scene, ProbeQuantity::Reaction, {0.25, {}}, Component::Y);
-        const double parts = 0.25 * 0.75;
-        const double exact = kMotion / (parts * parts / (3.0 * bending_stiffness_of(scene)) +
-                                        parts / shear_stiffness_of(scene));
-        return value_of(scene) / exact - 1.0;
-      },
-      4.0, {8, 32, 128});
-}
-
-TEST(ElasticTranslation, SharesAForceBetweenTheSupportsBesideIt) {
-  // Three supports at 0, a, L and a force behind them: the reaction at a is P w(x, a)/w(a, a),
-  // where w(x, a) is what a unit force at x moves the place a by (Maxwell).
-  expect_second_order(
-      [](int segments) {
-        constexpr double kHeld = 0.25;
-        constexpr double kPulled = 0.625;
-        Scene scene = stocky_beam(segments, kPulled);
-        scene.supports.push_back({.at = {kHeld, {}}, .kind = SupportKind::Roller});
-        scene.loads.push_back({.at = {kPulled, {}}, .force = {0.0, kPullForce, 0.0}});
-        const double bending = bending_stiffness_of(scene);
-        const double shear = shear_stiffness_of(scene);
-        const auto moved = [&](double at, double by) {  // of L = 1, at <= by
-          const double b = 1.0 - by;
-          return b * at * (1.0 - b * b - at * at) / (6.0 * bending) + at * b / shear;
-        };
-        const double reaction = moved(kHeld, kPulled) / moved(kHeld, kHeld);
-        const double exact =
-            kPullForce * (moved(kPulled, kPulled) - reaction * moved(kHeld, kPulled));
-        return value_of(scene) / exact - 1.0;
-      },
-      8.0, {16, 64, 256});
 }
 
 /// The determinant of the free end's moment and shear force over frequency, of Timoshenko's

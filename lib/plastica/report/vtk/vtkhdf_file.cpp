@@ -14,7 +14,7 @@
 namespace plastica::report {
 namespace {
 
-constexpr int kDeflate = 4;
+constexpr int kDeflate = 1;
 constexpr io::DatasetOptions kPacked{.units = {}, .deflate = kDeflate};
 
 using Integers = std::vector<std::int64_t>;
@@ -35,15 +35,16 @@ class VtkhdfWriter {
   VtkhdfWriter(const io::SceneRecord& record, io::Hdf5Group root)
       : record_(record), mesh_(record), steps_(frames_of(record)), root_(std::move(root)) {}
 
-  void write() {
+  bool write(StopFlag stop) {
     root_.set_attribute(".", "Version", std::vector<std::int64_t>{2, 0});
     root_.set_ascii_attribute(".", "Type", "PolyData");
     // One part, whose cells serve all steps.
     root_.write("NumberOfPoints", count(mesh_.points()));
     write_cells();
     write_steps();
-    write_poses();
-    write_joints();
+    return write_points("Points", false, stop) &&
+           write_points("PointData/displacement", true, stop) && write_fragments(stop) &&
+           write_joints(stop);
   }
 
  private:
@@ -69,11 +70,9 @@ class VtkhdfWriter {
     constexpr std::size_t kTopologies = 4;
     io::Hdf5Group steps = root_.group("Steps");
     steps.set_attribute(".", "NSteps", static_cast<std::int64_t>(steps_));
-    std::vector<double> times;
-    for (std::size_t f = 0; f < steps_; ++f) times.push_back(time_of_frame(record_, f));
     const Integers zeros(steps_);
     const Integers zeros_of_all(steps_ * kTopologies);
-    steps.write("Values", times, {.units = "s"});
+    steps.write("Values", times_of_steps(record_));
     steps.write("PartOffsets", zeros);
     steps.write("NumberOfParts", Integers(steps_, 1));
     steps.write("PointOffsets", offsets_of(steps_, mesh_.points()));
@@ -91,34 +90,39 @@ class VtkhdfWriter {
     for (const JointQuantity& quantity : kJointQuantities) changing(quantity.name);
   }
 
-  void write_poses() {
-    std::vector<float> points;
-    std::vector<float> displacements;
-    std::vector<std::int32_t> fragments;
-    points.reserve(3 * steps_ * mesh_.points());
-    displacements.reserve(points.capacity());
-    fragments.reserve(steps_ * mesh_.cells());
+  bool write_points(const std::string& path, bool from_undeformed, StopFlag stop) {
     const std::vector<Point3> undeformed = mesh_.points_of(BeamPose(record_, kUndeformed));
+    std::vector<float> values;
+    values.reserve(3 * steps_ * mesh_.points());
     for (std::size_t f = 0; f < steps_; ++f) {
-      const BeamPose pose(record_, f);
-      const std::vector<Point3> now = mesh_.points_of(pose);
+      if (is_raised(stop)) return false;
+      const std::vector<Point3> now = mesh_.points_of(BeamPose(record_, f));
       for (std::size_t p = 0; p < now.size(); ++p) {
-        add_point(now[p], points);
-        add_point(sum(now[p], -1.0, undeformed[p]), displacements);
+        add_point(from_undeformed ? sum(now[p], -1.0, undeformed[p]) : now[p], values);
       }
-      const std::vector<std::int32_t> of_cells = mesh_.fragment_of(pose);
-      fragments.insert(fragments.end(), of_cells.begin(), of_cells.end());
     }
-    write_rows<float>("Points", points, 3, "m");
-    write_rows<float>("PointData/displacement", displacements, 3, "m");
-    root_.write("CellData/segment", mesh_.segment(), kPacked);
-    root_.write("CellData/joint", mesh_.joint(), kPacked);
-    root_.write("CellData/fragment", fragments, kPacked);
+    write_rows<float>(path, values, 3, "m");
+    return true;
   }
 
-  void write_joints() {
+  bool write_fragments(StopFlag stop) {
+    root_.write("CellData/segment", mesh_.segment(), kPacked);
+    root_.write("CellData/joint", mesh_.joint(), kPacked);
+    std::vector<std::int32_t> fragments;
+    fragments.reserve(steps_ * mesh_.cells());
+    for (std::size_t f = 0; f < steps_; ++f) {
+      if (is_raised(stop)) return false;
+      const std::vector<std::int32_t> of_cells = mesh_.fragment_of(BeamPose(record_, f));
+      fragments.insert(fragments.end(), of_cells.begin(), of_cells.end());
+    }
+    root_.write("CellData/fragment", fragments, kPacked);
+    return true;
+  }
+
+  bool write_joints(StopFlag stop) {
     const ChainHistory& chain = record_.response.chain;
     for (const JointQuantity& quantity : kJointQuantities) {
+      if (is_raised(stop)) return false;
       const std::size_t n = quantity.components;
       const std::vector<double>& of_joints = quantity.values(chain);
       std::vector<float> values;
@@ -133,6 +137,7 @@ class VtkhdfWriter {
       }
       write_rows<float>("CellData/" + std::string(quantity.name), values, n, quantity.unit);
     }
+    return true;
   }
 
   /// One number in a row is a list.
@@ -155,10 +160,34 @@ class VtkhdfWriter {
 
 }  // namespace
 
-void write_vtkhdf(const std::string& path, const io::SceneRecord& record, io::Overwrite overwrite) {
+bool has_rising_times(const io::SceneRecord& record) {
+  for (std::size_t f = 1; f < frames_of(record); ++f) {
+    if (!(time_of_frame(record, f) > time_of_frame(record, f - 1))) return false;
+  }
+  return true;
+}
+
+std::vector<double> times_of_steps(const io::SceneRecord& record) {
+  const bool rising = has_rising_times(record);
+  std::vector<double> times;
+  for (std::size_t f = 0; f < frames_of(record); ++f) {
+    times.push_back(rising ? time_of_frame(record, f) : static_cast<double>(f));
+  }
+  return times;
+}
+
+bool write_vtkhdf(const std::string& path, const io::SceneRecord& record, io::Overwrite overwrite,
+                  StopFlag stop) {
+  if (record.outline.segments() == 0) {
+    throw InputError({}, "", "", "a coupon has no beam to show");
+  }
+  if (frames_of(record) == 0) {
+    throw InputError({}, "", "", "there is no frame: the run ended before the first");
+  }
   io::Hdf5File file = io::Hdf5File::create(path, overwrite);
-  VtkhdfWriter(record, file.root().group(kVtkGroup)).write();
+  if (!VtkhdfWriter(record, file.root().group(kVtkGroup)).write(stop)) return false;
   file.commit();
+  return true;
 }
 
 }  // namespace plastica::report

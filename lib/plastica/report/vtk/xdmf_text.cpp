@@ -2,6 +2,8 @@
 
 #include <string>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 #include "plastica/report/scene_frames.hpp"
 #include "plastica/report/vtk/beam_fields.hpp"
@@ -15,9 +17,9 @@ namespace {
 class XdmfWriter {
  public:
   XdmfWriter(const io::SceneRecord& record, const std::string& heavy)
-      : record_(record),
-        mesh_(record),
+      : mesh_(record),
         steps_(frames_of(record)),
+        times_(times_of_steps(record)),
         group_(xml_text(heavy) + ":/" + kVtkGroup + "/") {}
 
   std::string text() {
@@ -32,7 +34,7 @@ class XdmfWriter {
  private:
   void add_step(std::size_t step) {
     out_ += fmt::format("<Grid Name=\"beam\" GridType=\"Uniform\">\n<Time Value=\"{:.17g}\"/>\n",
-                        time_of_frame(record_, step));
+                        times_[step]);
     out_ += fmt::format(
         "<Topology TopologyType=\"Quadrilateral\" NumberOfElements=\"{0}\">\n"
         "<DataItem Format=\"HDF\" NumberType=\"Int\" Precision=\"8\" Dimensions=\"{1}\">"
@@ -88,9 +90,9 @@ class XdmfWriter {
         table ? "1 1" : "1", shape(rows), shape(steps_ * rows));
   }
 
-  const io::SceneRecord& record_;
   BeamMesh mesh_;
   std::size_t steps_;
+  std::vector<double> times_;
   std::string group_;
   std::string out_;
 };
