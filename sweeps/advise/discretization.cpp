@@ -94,12 +94,17 @@ double resolving_step(const Setup& setup) {
 }
 
 bool has_first_order_errors(const Setup& setup) {
-  const auto is_a_spring = [](const Support& support) {
-    const bool within = support.at.fraction > 0.0 && support.at.fraction < 1.0;
-    return within && !support.to && traits_of(support).springs;
+  const auto is_within = [](const Place& at) { return at.fraction > 0.0 && at.fraction < 1.0; };
+  const auto is_a_spring = [&](const Support& support) {
+    return is_within(support.at) && !support.to && traits_of(support).springs;
   };
+  const auto acts_within = [&](const auto& item) { return is_within(item.at); };
+  const Scene& scene = setup.scene;
+  const bool moves = setup.solver.analysis == Analysis::Dynamics;
   return setup.solver.translation == JointTranslation::Elastic &&
-         std::ranges::any_of(setup.scene.supports, is_a_spring);
+         (std::ranges::any_of(scene.supports, is_a_spring) ||
+          std::ranges::any_of(scene.masses, acts_within) ||
+          (moves && std::ranges::any_of(scene.loads, acts_within)));
 }
 
 double FinenessAxis::size(double value) const {

@@ -43,8 +43,8 @@ double resolving_step(const Setup& setup);
 std::vector<FinenessAxis> fineness_axes(const Setup& setup);
 
 /// Whether something in the scene is half a segment off, so that its error has a term of first
-/// order in the segments beside that of second order: joints that shear at an elastic support
-/// within.
+/// order in the segments beside that of second order: joints that shear at an elastic support, a
+/// point mass or, in a motion, a load within the beam.
 bool has_first_order_errors(const Setup& setup);
 
 /// The scene with a setting.

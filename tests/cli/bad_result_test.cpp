@@ -83,7 +83,7 @@ TEST(BadRequest, OfAResultIsRefusedInOneLine) {
        "--joint: is for simulated scenes; this is a result of fits"},
       {{"export", "x.h5", "--to", "xls"},
        "--to = xls: must be one of csv, json, markdown, latex, mjcf, agx, bullet, chrono, "
-       "opensees"},
+       "opensees, vtkhdf, xdmf"},
       {{"export", "x.h5", "--what", "all"},
        "--what = all: must be one of specimens, fits, targets, curves, probes, joints, energies, "
        "events, fragments, spectrum, cases, beam"},

@@ -165,7 +165,7 @@ TEST_F(ExportBeam, ThatCannotBeIsRefusedInOneLine) {
   const std::vector<std::pair<std::vector<std::string>, std::string>> requests = {
       {{"--to", "mjfc"},
        "--to = mjfc: must be one of csv, json, markdown, latex, mjcf, agx, bullet, chrono, "
-       "opensees; did "
+       "opensees, vtkhdf, xdmf; did "
        "you mean mjcf?"},
       {{"--to", "mjcf", "--case", "a"},
        "--scene: is missing: a fit knows the material; a scene file has the beam"},

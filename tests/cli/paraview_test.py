@@ -16,6 +16,37 @@ import h5py
 import numpy
 
 COMMAND, DATA = sys.argv[1:3]
+ARCH = """
+[beam]
+length = "1 m"
+section = { shape = "rectangle", width = "20 mm", height = "10 mm" }
+material = "S355"
+segments = 32
+shape = "arc"
+arc_angle = "40 deg"
+arc_towards = ["0", "-1", "0"]
+
+[rules]
+yield_model = "elastic"
+[solver]
+steps = 60
+control = "arc_length"
+[[support]]
+at = "start"
+kind = "pin"
+[[support]]
+at = "end"
+kind = "pin"
+[[load]]
+at = 0.5
+force = ["0 N", "-10000 N", "0 N"]
+history = "ramp"
+[[probe]]
+name = "mid"
+kind = "displacement"
+at = 0.5
+component = "y"
+"""
 TOPOLOGIES = ("Vertices", "Lines", "Polygons", "Strips")
 
 
@@ -170,6 +201,28 @@ class Paraview(unittest.TestCase):
         self.assertEqual(data.dtype.itemsize, int(item.get("Precision")))
         return data
 
+    def test_numbers_steps_whose_times_fall(self):
+        """A flat arch that snaps through: its load, which is the time, falls and rises again."""
+        scene = self.path("arch.toml")
+        with open(scene, "w", encoding="utf-8") as file:
+            file.write(ARCH)
+        run("simulate", scene, "-o", self.path("arch.h5"))
+        said = run("export", self.path("arch.h5"), "-o", self.path("arch.xdmf"))
+        self.assertIn("the steps are numbered", said)
+        with h5py.File(self.path("arch.h5")) as result:
+            times = result["path/time"][:][result["path/frame_sample"][:]]
+        self.assertTrue((numpy.diff(times) < 0).any())
+        with h5py.File(self.path("arch.vtkhdf")) as file:
+            steps = list(file["VTKHDF/Steps/Values"][:])
+        self.assertEqual(steps, list(range(len(times))))
+        grids = ElementTree.parse(self.path("arch.xdmf")).findall("./Domain/Grid/Grid/Time")
+        self.assertEqual([float(grid.get("Value")) for grid in grids], steps)
+
+    def test_two_texts_of_one_stem_do_not_share_their_numbers(self):
+        for name in ("run.1", "run.2"):
+            run("export", self.result, "--to", "xdmf", "-o", self.path(name))
+            self.assertTrue(os.path.exists(self.path(name + ".vtkhdf")))
+
     def test_refuses_what_has_no_beam_and_what_is_no_file(self):
         coupon = self.path("coupon.toml")
         with open(coupon, "w", encoding="utf-8") as file:
@@ -179,9 +232,12 @@ class Paraview(unittest.TestCase):
             )
         run("simulate", coupon, "-o", self.path("coupon.h5"))
         cases = (
-            (("export", self.path("coupon.h5"), "-o", self.path("c.vtkhdf")), "is of a coupon"),
+            (("export", self.path("coupon.h5"), "-o", self.path("c.vtkhdf")), "a coupon has no beam to show"),
             (("export", self.result, "--to", "vtkhdf"), "must be a file"),
-            (("export", self.result, "--to", "xdmf", "-o", self.path("a:b.xdmf")), "no colon"),
+            *(
+                (("export", self.result, "--to", "xdmf", "-o", self.path(name)), "no colon")
+                for name in ("a:b.xdmf", "a|b.xdmf", "a\\b.xdmf", " a.xdmf")
+            ),
             (("export", self.result, "--time", "1 ms", "-o", self.path("t.vtkhdf")), "--time"),
             (("export", self.result, "--what", "joints", "-o", self.path("w.vtkhdf")), "--what"),
             (("export", self.result, "-o", self.path("crash.vtkhdf")), "--force"),

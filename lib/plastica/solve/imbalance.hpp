@@ -42,8 +42,8 @@ struct Rounding {
   S moment{};
 };
 
-/// What is left of loads that go straight into supports; and what springs and joints to the ground
-/// make of the rounding of positions and angles: their stiffness times it. (Angles within the beam
+/// What springs and joints to the ground make of the rounding of positions and angles: their
+/// stiffness times it. (Angles within the beam
 /// are unknowns themselves, without such a rounding.) Nothing with float, whose tolerance has it
 /// already (`reachable`).
 template <class L, bool kElastic>
@@ -53,13 +53,12 @@ Rounding<typename L::Scalar> rounding_of(const chain::Chain<L>& chain,
   Rounding<S> sum;
   if constexpr (!kIsDouble<S>) return sum;
   const S unit = constant<S>(kRoundings * std::numeric_limits<real_t<S>>::epsilon());
-  sum.force = unit * w.outer_forces.sum_of_forces;
   for (const auto& spring : chain.springs) {
     for (std::size_t k = 0; k < L::kTranslations; ++k) {
       sum.force += unit * spring.stiffness[k] * (chain.length + abs(spring.rest[k]));
     }
   }
-  sum.moment = sum.force * chain.length + unit * w.outer_forces.sum_of_moments;
+  sum.moment = sum.force * chain.length;
   for (const auto& joint : chain.ground_joints) {
     for (std::size_t k = 0; k < L::kRotations; ++k) {
       sum.moment += unit * abs(w.joints.tangent[joint.joint](k, k));
@@ -117,7 +116,18 @@ typename L::Scalar relative_imbalance(const chain::Chain<L>& chain, NewtonWork<L
   const S floor_moment = w.force_floor * chain.length;
   const S moment_scale = max(max(w.moment_scale, lever * w.force_scale), floor_moment);
   const S force_scale = max(max(w.force_scale, w.moment_scale / chain.length), w.force_floor);
-  const Rounding<S> rounding = rounding_of(chain, w);
+  Rounding<S> rounding = rounding_of(chain, w);
+  if constexpr (kIsDouble<S>) {
+    // Where loads go straight into supports and nothing strains the beam, there is but their
+    // rounding.
+    const S forces = w.outer_forces.sum_of_forces;
+    const S moments = w.outer_forces.sum_of_moments + forces * chain.length;
+    const S unstrained = constant<S>(1e-9);
+    const S unit = constant<S>(kRoundings * std::numeric_limits<real_t<S>>::epsilon());
+    const S none = constant<S>(0);
+    rounding.force += select(force_scale < unstrained * forces, unit * forces, none);
+    rounding.moment += select(moment_scale < unstrained * moments, unit * moments, none);
+  }
   moment = above_rounding(moment, w.stepped * rounding.moment);
   force = above_rounding(force, w.stepped * rounding.force);
   const S worst = larger_size(moment / max(moment_scale, tiny), force / max(force_scale, tiny));

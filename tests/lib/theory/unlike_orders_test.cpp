@@ -68,5 +68,19 @@ TEST(GridConvergence, WithAHighestOrderIsSafeWhereErrorsOfOrdersOneAndTwoCancel)
   }
 }
 
+TEST(GridConvergence, WithAHighestOrderDoesNotTakeTwoThatAgreeForConvergedIfTheThirdDoesNot) {
+  // -1 = 1 + h^2 - 3 h at h = 1 and 2, and 5 at 4: both are 2 off.
+  const std::vector<double> sizes{1.0, 2.0, 4.0};
+  const GridConvergence grid =
+      grid_convergence(sizes, std::vector{-1.0, -1.0, 5.0}, {.highest_order = 2.0});
+  EXPECT_EQ(grid.kind, ConvergenceKind::TooFast);
+  EXPECT_GE(*grid.uncertainty, 2.0);
+  EXPECT_FALSE(grid.extrapolated);
+  const GridConvergence same =
+      grid_convergence(sizes, std::vector{2.0, 2.0, 2.0}, {.highest_order = 2.0});
+  EXPECT_EQ(same.kind, ConvergenceKind::Unchanged);
+  EXPECT_EQ(*same.uncertainty, 0.0);
+}
+
 }  // namespace
 }  // namespace plastica::theory
