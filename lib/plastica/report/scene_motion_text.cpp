@@ -187,8 +187,11 @@ std::string energy_text(const io::SceneRecord& record, const Ink& ink) {
     add(label_of(entry), last.*entry.member, 5,
         std::string(entry.doc) + (begins ? ", and what it began with" : ""));
   }
+  // Where nothing moves all of it is rounding, which the balance does not count.
+  const double shown =
+      is_motion(record) ? std::min(*fraction, record.response.energy_balance_error) : *fraction;
   add("residual", last.residual, 3,
-      fmt::format("not explained; at most {:.2g} % of the {}", 100.0 * *fraction,
+      fmt::format("not explained; at most {:.2g} % of the {}", 100.0 * shown,
                   is_motion(record) ? "largest" : "energy on the path"));
   std::string text = '\n' + ink.heading("Energies at the last sample\n") + table.text(2, kWidth);
   const double momentum = record.response.momentum_error;
