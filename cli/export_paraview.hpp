@@ -12,7 +12,7 @@ inline constexpr std::array<std::string_view, 2> kParaviewFormats{"vtkhdf", "xdm
 bool is_for_paraview(std::string_view format);
 
 /// Writes the frames of a scene for ParaView; as xdmf with the numbers in a file beside it, whose
-/// name is the output's, ending in .vtkhdf.
+/// name ends in .vtkhdf in the place of .xdmf, or behind another ending.
 /// @param file    result of a scene
 /// @param format  one of `kParaviewFormats`
 /// @return the exit code

@@ -28,10 +28,10 @@ std::string_view name_of(SegmentsTrend trend);
 /// an end is rigidly clamped), f_0 = f(2N) + (f(2N) - f(N))/(2^p - 1). The errors are grid
 /// convergence indices, F_s times the distance to f_0, with F_s = 1.25, or 3 if p was assumed or is
 /// beyond the joints' by more than 1; of three values no less than 1.25 times the distance to the
-/// limit of a N^-1 + b N^-2 (`theory::limit_of_two_orders`), since a point under a force has both
-/// where joints shear, and where they cancel no power says so. Where no order is observed they are
-/// 3 times the spread of the values, and no less than a millionth of them: fits know their values
-/// no better. Source: Roache, J. Fluids Eng. 116 (1994) 405.
+/// limit of a N^-1 + b N^-2 (`theory::limit_of_two_orders`), since errors of both
+/// orders may cancel between two numbers of segments, and no power says so. Where no order is
+/// observed they are 3 times the spread of the values, and no less than a millionth of them: fits
+/// know their values no better. Source: Roache, J. Fluids Eng. 116 (1994) 405.
 struct SegmentsError {
   static constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 

@@ -118,15 +118,14 @@ std::string grid_note(const std::optional<theory::GridConvergence>& grid, const 
     case ConvergenceKind::Oscillatory:
       return "the three finest values go to and fro: nothing is extrapolated";
     case ConvergenceKind::TooFast:
-      return "the three finest values converge faster than any method here: errors of unlike "
-             "orders "
+      return "the three finest values converge faster than any method: errors of unlike orders "
              "cancel, and nothing is extrapolated";
     case ConvergenceKind::Monotone: break;
   }
-  std::string line =
-      fmt::format("three finest: order {:.3f}{}, extrapolated {:.9g}{}", *grid->observed_order,
-                  *grid->order < *grid->observed_order ? ", taken as 2" : "", *grid->extrapolated,
-                  unit == "1" ? "" : " " + unit);
+  std::string line = fmt::format("three finest: order {:.3f}", *grid->observed_order);
+  if (*grid->order < *grid->observed_order) line += fmt::format(", taken as {:g}", *grid->order);
+  line +=
+      fmt::format(", extrapolated {:.9g}{}", *grid->extrapolated, unit == "1" ? "" : " " + unit);
   if (grid->fine_index) {
     line += fmt::format(", GCI {} % (safety factor {:g})", percent_text(*grid->fine_index),
                         grid->safety_factor);

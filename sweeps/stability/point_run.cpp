@@ -108,13 +108,12 @@ void PointRunner::compare_with_finer(const Setup& setup, JudgedRun& run) const {
 
 bool PointRunner::is_further_off_limit(const Setup& setup, const Setup& fine,
                                        const Outcome& of_fine, JudgedRun& run) const {
+  if (!has_first_order_errors(setup)) return false;
   const std::optional<Setup> between = finer(setup, kOfOthers);
   const double own = 1.0 / setup.scene.beam.segments;
   const double middle = between ? 1.0 / between->scene.beam.segments : own;
   const double finest = 1.0 / fine.scene.beam.segments;
-  if (!has_first_order_errors(setup) || middle == own || middle == finest) {
-    return false;
-  }
+  if (middle == own || middle == finest) return false;
   double steps = 0.0;
   const Outcome of_middle = outcome_of(simulated(*between, steps), watched_);
   const Deviation coarse = deviation(run.outcome, of_middle, watched_);

@@ -220,8 +220,12 @@ typename ChainRecord<L, kElastic>::Space ChainRecord<L, kElastic>::motion_value(
     if constexpr (kElastic) {
       const bool joins = beyond < chain.size() && !w.q.open[beyond] &&
                          segment_end_at(probe.at, model_->layout.ends) == static_cast<int>(beyond);
-      if (joins) {
-        velocity = constant<S>(0.5) * (velocity + velocity_at(beyond, typename L::Point{}));
+      if (joins) {  // as `sheared_node` moves
+        const auto& frame = w.placement.near[beyond];
+        Space jump =
+            in_space(L::rotate_back(frame, velocity_at(beyond, typename L::Point{}) - velocity));
+        for (std::size_t k = 0; k < 3; ++k) jump[k] *= (*joints_)[beyond].fraction_of_force[k];
+        velocity += L::rotate(frame, view_.point(jump));
       }
     }
     return in_space(velocity);

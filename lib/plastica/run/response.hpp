@@ -79,14 +79,8 @@ struct Energies {
 
 /// Error of the energy balance, over the largest of its entries but the residual [1]: the largest
 /// |residual|, or what the scheme has made if that is more (none should make any).
-/// @param rounding  energy below which there is nothing but rounding [J], >= 0: what is off is over
-/// it
-///                  at least
+/// @param rounding  energy that is nothing but rounding [J], >= 0: the error is over that at least
 double energy_balance_error(std::span<const Energies> samples, double rounding = 0.0);
-struct Response;
-/// Sets that of a chain's response; where loads go straight into supports, and nothing moves,
-/// energies are rounding. @param length  of the beam [m]
-void set_energy_balance(double length, Response& response);
 
 /// A motion whose energy or momentum is off by more than this fraction is not to be trusted.
 inline constexpr double kBalanceTolerance = 0.01;
@@ -173,6 +167,11 @@ struct Response {
   /// fraction, by iterations and samples, of the time of all that ran beside it [s].
   double seconds = 0.0;
 };
+
+/// Sets `Response::energy_balance_error` of a chain. Where loads go straight into supports, and
+/// nothing moves, all energies are rounding.
+/// @param length  of the beam [m]
+void set_energy_balance(double length, Response& response);
 
 /// Before a run: nothing is known of its motion.
 void clear_motion(Response& response);

@@ -43,9 +43,8 @@ struct Rounding {
 };
 
 /// What springs and joints to the ground make of the rounding of positions and angles: their
-/// stiffness times it. (Angles within the beam
-/// are unknowns themselves, without such a rounding.) Nothing with float, whose tolerance has it
-/// already (`reachable`).
+/// stiffness times it. (Angles within the beam are unknowns themselves, without such a rounding.)
+/// Nothing with float, whose tolerance has it already (`reachable`).
 template <class L, bool kElastic>
 Rounding<typename L::Scalar> rounding_of(const chain::Chain<L>& chain,
                                          const NewtonWork<L, kElastic>& w) {

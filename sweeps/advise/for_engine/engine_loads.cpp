@@ -89,8 +89,8 @@ EngineLoads::BetweenSegments EngineLoads::between(const Place& place) const {
   const std::size_t segment = point_at(place).segment;
   const double middle = 0.5 * (layout_.ends[segment] + layout_.ends[segment + 1]);
   const std::size_t before = fraction > middle || segment == 0 ? segment : segment - 1;
-  if (before + 1 == layout_.size() || (segment == 0 && fraction <= middle))
-    return {segment, segment, 0.0};
+  const bool at_end = before + 1 == layout_.size() || (segment == 0 && fraction <= middle);
+  if (at_end) return {segment, segment, 0.0};
   const double from = 0.5 * (layout_.ends[before] + layout_.ends[before + 1]);
   const double to = 0.5 * (layout_.ends[before + 1] + layout_.ends[before + 2]);
   return {before, before + 1, (fraction - from) / (to - from)};

@@ -13,6 +13,7 @@
 #include "tests/support/has.hpp"
 #include "tests/support/message.hpp"
 #include "tests/sweeps/places_alike.hpp"
+#include "tests/sweeps/sprung_beam.hpp"
 
 namespace plastica::sweeps::stability {
 namespace {
@@ -45,6 +46,19 @@ TEST(SceneScan, FindsHowFewSegmentsAreAccurate) {
   // 64 times the work are 2 048 segments; from 1 012 the next factor is beyond.
   EXPECT_EQ(scan.fields[0].above.end, ScanEnd::Work);
   EXPECT_GE(scan.fields[0].above.value, 1000.0);
+}
+
+TEST(SceneScan, IsNotFooledByErrorsOfTwoOrdersThatCancel) {
+  // Six segments and four times as many differ by 0.4 %, and are 1.8 % and 1.3 % off.
+  const plastica::Setup setup = sprung_beam(6);
+  const SceneScan scan = scan_of(setup, {"beam.segments"}, {.within = 0.01});
+  EXPECT_EQ(scan.own.validity, Validity::Inaccurate);
+  EXPECT_TRUE(plastica::testing::has(scan.own.reason, "is off the limit of finer runs by"))
+      << scan.own.reason;
+  const Response response = simulate(setup.scene, setup.solver);
+  const double error = std::fabs(response.probes[0].back() / force_of_spring(setup) - 1.0);
+  EXPECT_NEAR(error, 0.018, 0.001);
+  EXPECT_GE(scan.deviation.value_or(0.0), error);
 }
 
 // Young's modulus in MPa that was taken for Pa.

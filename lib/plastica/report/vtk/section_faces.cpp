@@ -1,9 +1,7 @@
 #include "plastica/report/vtk/section_faces.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <set>
 
 #include "plastica/model/section_kind.hpp"
 
@@ -53,7 +51,7 @@ SectionFaces round_faces(double radius, double hole) {
   } else {
     // Strips from one side to the other.
     for (std::size_t k = 0; k + 1 < kSides / 2; ++k) {
-      made.faces.push_back({k, k + 1, kSides - 2 - k, (kSides - 1 - k) % kSides});
+      made.faces.push_back({k, k + 1, kSides - 2 - k, kSides - 1 - k});
     }
   }
   return made;
