@@ -23,8 +23,8 @@ bool falls_in_order(double coarse, double fine, double ratio) {
          (coarse > 0.0) == (fine > 0.0);
 }
 
-/// What changes of some quantity may hide: of a h + b h^2 that is halved twice the error at h is 8/3
-/// of the finer change less 1/3 of the coarser one, and of other ratios about as much.
+/// What changes of some quantity may hide: of a h + b h^2 that is halved twice the error at h is
+/// 8/3 of the finer change less 1/3 of the coarser one, and of other ratios about as much.
 double hidden_by(const std::vector<SignedDeviation>& coarse,
                  const std::vector<SignedDeviation>& fine, double ratio) {
   double hidden = 0.0;
