@@ -12,6 +12,7 @@
 #include "calibrate/config/fit_file.hpp"
 #include "calibrate/config/scene_fit_file.hpp"
 #include "calibrate/store/journaled_batch.hpp"
+#include "calibrate/target/curve_spool.hpp"
 #include "cli/calibrate_arguments.hpp"
 #include "cli/calibrate_scenes.hpp"
 #include "cli/column_options.hpp"
@@ -91,7 +92,12 @@ int calibrate_files(const CalibrateArguments& arguments) {
   for (calibrate::TargetBlock& block : file.targets) {
     block.options.accept = block.options.accept || arguments.accept;
   }
-  std::vector<calibrate::Target> targets = calibrate::import_all(file, arguments.threads);
+  if (!arguments.dry_run) {
+    check_outputs(file, output, arguments.json, arguments.force,
+                  found || arguments.shard.has_value());
+  }
+  const auto spool = arguments.dry_run ? nullptr : std::make_shared<calibrate::CurveSpool>(output);
+  std::vector<calibrate::Target> targets = calibrate::import_all(file, arguments.threads, spool);
   file.options.keep_trace = calibrate::cases_of(targets.size(), file.options).size() <= kTracedFits;
   if (file.options.intervals.specimens > 0 && targets.size() < 2) {
     throw InputError({}, "bootstrap_specimens", std::to_string(file.options.intervals.specimens),
@@ -103,9 +109,6 @@ int calibrate_files(const CalibrateArguments& arguments) {
     say_shard(output, arguments.shard);
     return kDone;
   }
-  check_outputs(file, output, arguments.json, arguments.force,
-                found || arguments.shard.has_value());
-
   calibrate::FitStoreContents contents;
   contents.inputs = input_texts(file);
   contents.meta = begin_fit_meta(arguments);
@@ -116,6 +119,7 @@ int calibrate_files(const CalibrateArguments& arguments) {
   how.progress = [&bar](const calibrate::BatchProgress& progress) {
     bar.update(progress.done, progress.failed + progress.rejected, progress.resumed);
   };
+  how.spool = spool;
   calibrate::JournaledBatch batch(targets, file.options, how);
   bar.set_total(batch.own());
   contents.options = file.options;

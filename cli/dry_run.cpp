@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "calibrate/problem/parameter_set.hpp"
+#include "calibrate/target/curve_spool.hpp"
 #include "calibrate/target/plausibility.hpp"
 #include "calibrate/trial/remesh.hpp"
 #include "cli/tell.hpp"
@@ -19,14 +20,17 @@ using calibrate::FitOptions;
 using calibrate::Target;
 using calibrate::TargetStatus;
 
-/// Bytes that a target and its fit hold: four curves and the trace of a fit of usual length.
-std::size_t memory_of(const Target& target, const FitOptions& options) {
-  constexpr std::size_t kCurves = 4;
+/// Bytes that a target and its fit hold in memory: all but curves, as measured, and the trace of a
+/// fit of usual length.
+std::size_t memory_of(const FitOptions& options) {
+  constexpr std::size_t kTarget = 11'000;
   const std::size_t usual = static_cast<std::size_t>(options.stopping.global_evaluations) + 100;
   const std::size_t evaluations = options.keep_trace ? usual : 0;
-  return sizeof(double) *
-         (2 * kCurves * target.raw.size() + evaluations * (options.parameters.size() + 1));
+  return kTarget + sizeof(double) * evaluations * (options.parameters.size() + 1);
 }
+
+/// Of its curves: as read, corrected and fitted.
+std::size_t curves_of(const Target& target) { return 3 * 2 * sizeof(double) * target.raw.size(); }
 
 void print_parameters(const Target& target, const FitOptions& options) {
   const calibrate::ParameterSet set(target, options);
@@ -83,10 +87,13 @@ void print_repetitions(std::span<const calibrate::SceneFitCase> fits) {
 void print_dry_run(std::span<const Target> targets, const FitOptions& options,
                    const std::string& output) {
   std::size_t ready = 0;
-  std::size_t bytes = 0;
+  constexpr std::size_t kProgram = 40'000'000;
+  std::size_t bytes = kProgram;
+  std::size_t curves = 0;
   for (const Target& target : targets) {
     ready += target.status == TargetStatus::Ready ? 1 : 0;
-    bytes += memory_of(target, options);
+    bytes += memory_of(options);
+    curves += curves_of(target);
     say("{:<32} {:>6} samples  {}\n", target.name, target.corrected.size(),
         target.status == TargetStatus::Ready ? "ready" : target.reason);
   }
@@ -94,8 +101,13 @@ void print_dry_run(std::span<const Target> targets, const FitOptions& options,
     return target.status == TargetStatus::Ready;
   });
   if (first != targets.end()) print_parameters(*first, options);
-  say("{} target{}, {} to fit, algorithm {}, about {:.1f} MB\n", targets.size(),
-      targets.size() == 1 ? "" : "s", ready, options.algorithm, static_cast<double>(bytes) / 1e6);
+  const bool on_disk = curves > calibrate::CurveSpool::kInMemory;
+  say("{} target{}, {} to fit, algorithm {}, about {:.0f} MB of memory{}\n", targets.size(),
+      targets.size() == 1 ? "" : "s", ready, options.algorithm,
+      static_cast<double>(on_disk ? bytes : bytes + curves) / 1e6,
+      on_disk ? fmt::format(" and, while it runs, {:.0f} MB on the disk",
+                            static_cast<double>(curves) / 1e6)
+              : "");
   say("level coupon: a strain history drives all joints alike: one stands for all\n");
   say("nothing was run; the result would be {}\n", output);
 }

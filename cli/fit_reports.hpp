@@ -9,13 +9,13 @@
 /// What commands write of the contents of a result file of fits, of curves or through scenes.
 namespace plastica::cli {
 
-/// Reads a file of either kind. @throws InputError
+/// Reads a file of either kind. @param samples  of fits of curves @throws InputError
 template <class Contents>
-Contents read_fits(const std::string& path) {
+Contents read_fits(const std::string& path, calibrate::FitSamples samples) {
   if constexpr (std::is_same_v<Contents, calibrate::SceneFitContents>) {
     return calibrate::read_scene_fit_store(path);
   } else {
-    return calibrate::read_fit_store(path);
+    return calibrate::read_fit_store(path, samples);
   }
 }
 

@@ -73,7 +73,7 @@ int run_fits(const CalibrateArguments& arguments, const std::string& output, boo
   if (arguments.shard) return run_shard(arguments, output, batch, fit);
   if (found && !batch.leads()) return kDone;
   if (found) {
-    contents = read_fits<Contents>(output);
+    contents = read_fits<Contents>(output, calibrate::FitSamples::Counted);
     take_complete_output(output, contents.run, batch);
     return report_fits(arguments, contents);
   }

@@ -50,7 +50,7 @@ int show_sweep(const ShowArguments& arguments) {
 /// Of fits of curves, or through scenes.
 template <typename Contents>
 int show_fits(const ShowArguments& arguments) {
-  Contents contents = read_fits<Contents>(arguments.file);
+  Contents contents = read_fits<Contents>(arguments.file, calibrate::FitSamples::Counted);
   if (arguments.which.empty()) {
     print_fits(contents, arguments.all);
   } else {

@@ -89,11 +89,12 @@ FitFile read_fit_file(const std::string& path) {
   return parse_fit_file(io::TomlDocument::read(path).text(), path);
 }
 
-std::vector<Target> import_all(const FitFile& file, int threads) {
+std::vector<Target> import_all(const FitFile& file, int threads,
+                               const std::shared_ptr<CurveSpool>& spool) {
   std::vector<Target> targets;
   UniqueNames names;
   for (const TargetBlock& block : file.targets) {
-    std::vector<Target> imported = import_targets(block.source, block.options, threads);
+    std::vector<Target> imported = import_targets(block.source, block.options, threads, spool);
     check_groups(imported, block.options);
     for (Target& target : imported) {
       target.name = names.add(target.name);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -26,7 +27,9 @@ FitFile parse_fit_file(std::string text, const std::string& path);
 
 /// Imports the specimens of all targets. A name that an earlier specimen has gets "#2", "#3", …
 /// @param threads  that read files side by side, 0: as many as the machine has; changes nothing
+/// @param spool  see `import_targets`
 /// @throws InputError as `import_targets`, but not for a bad specimen: that one is Rejected
-std::vector<Target> import_all(const FitFile& file, int threads = 0);
+std::vector<Target> import_all(const FitFile& file, int threads = 0,
+                               const std::shared_ptr<CurveSpool>& spool = nullptr);
 
 }  // namespace plastica::calibrate

@@ -12,6 +12,7 @@
 #include "calibrate/problem/given_weights.hpp"
 #include "calibrate/search/fit_interrupted.hpp"
 #include "calibrate/search/optimizer.hpp"
+#include "calibrate/target/curve_spool.hpp"
 #include "plastica/base/parallel_for.hpp"
 
 namespace plastica::calibrate {
@@ -79,7 +80,8 @@ std::vector<FitResult> fit_cases(std::span<const Target> targets, std::span<cons
   for (FitResult& result : results) result.reason = "not run";
   std::mutex mutex;
   parallel_for(cases.size(), {batch.threads, batch.stop, batch.next}, [&](std::size_t i, int) {
-    const Target& target = targets[cases[i].target];
+    const CorrectedTarget read(targets[cases[i].target]);
+    const Target& target = *read;
     try {
       if (cases[i].law) {
         results[i] = fit_law(target, options, *cases[i].law);

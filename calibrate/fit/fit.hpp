@@ -29,7 +29,8 @@ struct BatchFitOptions {
   /// count as not begun. May be null.
   StopFlag stop = nullptr;
   /// Called after each fit with its index, one call at a time, from any thread: journal, progress.
-  std::function<void(std::size_t index, const FitResult& result)> finished;
+  /// It may put the result's curve aside.
+  std::function<void(std::size_t index, FitResult& result)> finished;
   /// Which fits are to be done, see `ParallelOptions`. Empty: all.
   NextIndex next{};
 };

@@ -13,6 +13,7 @@
 #include "calibrate/fit/fit_law.hpp"
 #include "calibrate/problem/misfit.hpp"
 #include "calibrate/problem/parameter_set.hpp"
+#include "calibrate/target/curve_spool.hpp"
 #include "plastica/base/parallel_for.hpp"
 
 namespace plastica::calibrate {
@@ -84,9 +85,9 @@ void add_unseen(std::span<const Target> targets, std::span<const FitCase> cases,
     std::vector<double> left(group.size());
     parallel_for(group.size(), {threads}, [&](std::size_t i, int) {
       const FitCase& one = cases[group[i]];
-      const Target& target = targets[one.target];
-      const FitOptions own = options_of(*one.law, options, target.loading);
-      Foretold foretold(target, own);
+      const CorrectedTarget target(targets[one.target]);
+      const FitOptions own = options_of(*one.law, options, target->loading);
+      Foretold foretold(*target, own);
       double sum = 0.0, ran = 0.0;
       for (std::size_t k = 1; k <= mates; ++k) {
         const double by = foretold.by(results[group[(i + k) % group.size()]]);

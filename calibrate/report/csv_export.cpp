@@ -122,6 +122,7 @@ void write_targets_csv(std::ostream& out, std::span<const SceneFitRecord> record
 }
 
 void write_curves_csv(std::ostream& out, std::span<const FitRecord> records) {
+  require_curves(records);
   const bool compared = compares_laws(records);
   out << "specimen,strain [1],stress_measured [Pa],stress_fitted [Pa]\n";
   for (const FitRecord& record : records) {

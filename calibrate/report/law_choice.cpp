@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <string_view>
+#include <unordered_map>
 #include <utility>
 
 #include <fmt/format.h>
@@ -10,6 +11,7 @@
 
 #include "calibrate/fit/scene_laws.hpp"
 #include "calibrate/inference/lack_of_fit.hpp"
+#include "calibrate/target/curve_spool.hpp"
 
 namespace plastica::calibrate {
 namespace {
@@ -20,13 +22,14 @@ LawFit law_fit_of(const FitRecord& record) {
   fit.law = result.law;
   fit.fitted = result.status == FitStatus::Fitted;
   if (!fit.fitted) return fit;
-  fit.curves.push_back({.mean_square = result.misfit_rms * result.misfit_rms,
-                        .largest = result.misfit_fraction > 0.0
-                                       ? result.misfit_rms / result.misfit_fraction
-                                       : largest_magnitude(record.target.corrected.stress),
-                        .samples = result.effective_samples,
-                        .autocorrelation = result.autocorrelation,
-                        .noise = result.noise});
+  fit.curves.push_back(
+      {.mean_square = result.misfit_rms * result.misfit_rms,
+       .largest = result.misfit_fraction > 0.0
+                      ? result.misfit_rms / result.misfit_fraction
+                      : largest_magnitude(with_samples(record.target.corrected).stress),
+       .samples = result.effective_samples,
+       .autocorrelation = result.autocorrelation,
+       .noise = result.noise});
   for (const FittedParameter& p : result.parameters) {
     if (p.role != ParameterRole::Free || p.is_break() || !p.judgement) continue;
     fit.parameters.push_back(p.name());
@@ -53,17 +56,11 @@ using Records = std::vector<const Record*>;
 template <typename Record>
 std::vector<Records<Record>> targets_of(std::span<const Record> records) {
   std::vector<Records<Record>> targets;
+  std::unordered_map<std::string_view, std::size_t> index;
   for (const Record& record : records) {
-    // Neighbours as a rule: look at the last target first.
-    const auto same = [&](const Records<Record>& target) {
-      return name_of(*target.front()) == name_of(record);
-    };
-    const auto found = std::find_if(targets.rbegin(), targets.rend(), same);
-    if (found == targets.rend()) {
-      targets.push_back({&record});
-    } else {
-      found->push_back(&record);
-    }
+    const auto [at, is_new] = index.try_emplace(name_of(record), targets.size());
+    if (is_new) targets.emplace_back();
+    targets[at->second].push_back(&record);
   }
   return targets;
 }

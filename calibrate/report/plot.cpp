@@ -10,6 +10,7 @@
 #include "calibrate/report/law_choice.hpp"
 #include "calibrate/report/laws_figure.hpp"
 #include "calibrate/report/plot_kinds.hpp"
+#include "calibrate/report/plot_parts.hpp"
 #include "calibrate/report/scene_fit_figures.hpp"
 #include "plastica/base/check.hpp"
 #include "plastica/report/picture.hpp"
@@ -93,6 +94,7 @@ std::span<const PlotKind> plot_kinds() { return kCurveKinds; }
 std::span<const PlotKind> scene_fit_plot_kinds() { return kSceneKinds; }
 
 std::string plot_script(std::span<const FitRecord> records, const PlotRequest& request) {
+  report::require_curves(records);
   return make(records, request).text();
 }
 std::string plot_script(std::span<const SceneFitRecord> records, const PlotRequest& request) {
@@ -101,6 +103,7 @@ std::string plot_script(std::span<const SceneFitRecord> records, const PlotReque
 
 void draw_plot(std::span<const FitRecord> records, const PlotRequest& request,
                std::ostream& standard_output) {
+  report::require_curves(records);
   draw(records, request, standard_output);
 }
 void draw_plot(std::span<const SceneFitRecord> records, const PlotRequest& request,

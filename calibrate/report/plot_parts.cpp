@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
 #include <fmt/format.h>
 
@@ -32,6 +33,16 @@ const FittedParameter* find_parameter(const FitResult& result, std::string_view 
     if (parameter.name() == name) return &parameter;
   }
   return nullptr;
+}
+
+void require_curves(std::span<const FitRecord> records) {
+  for (const FitRecord& record : records) {
+    if (!record.target.raw.is_aside() && !record.target.corrected.is_aside() &&
+        !record.result.fitted.is_aside()) {
+      continue;
+    }
+    throw std::logic_error(record.name() + ": its curves are asked for, but are not here");
+  }
 }
 
 bool is_fitted(const FitRecord& record) { return record.result.status == FitStatus::Fitted; }

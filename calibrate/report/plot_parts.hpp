@@ -16,6 +16,10 @@ namespace plastica::calibrate::report {
 /// Groups that a picture shows at most; those behind are counted in its title.
 inline constexpr std::size_t kMaxPanels = 12;
 
+/// What draws or writes curves says so where they were only counted, or are put aside.
+/// @throws std::logic_error
+void require_curves(std::span<const FitRecord> records);
+
 bool is_fitted(const FitRecord& record);
 /// The parameter of a name, null if the fit has none.
 const FittedParameter* find_parameter(const FitResult& result, std::string_view name);

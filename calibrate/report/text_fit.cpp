@@ -42,7 +42,7 @@ std::string header(const FitRecord& record, const Ink& ink) {
   text += fit_entry("file", printable(target.file));
   text += fit_entry("test", fmt::format("{}, {}", word_of(target.test), word_of(target.loading)));
   text += fit_entry("measure", fmt::format("{} strain and stress", word_of(target.measure)));
-  std::string samples = fmt::format("{} measured", target.raw.size());
+  std::string samples = fmt::format("{} measured", target.raw.samples());
   if (record.result.samples > 0) samples += fmt::format(", {} fitted", record.result.samples);
   text += fit_entry("samples", samples);
   const std::string many = too_many_dropped(target);

@@ -30,6 +30,7 @@ struct Trace {
   std::vector<double> values;  ///< (n_evaluations x n), SI, row by row
   std::vector<double> costs;   ///< (n_evaluations) [Pa^2]
   std::size_t left_out = 0;    ///< evaluations that are counted, but neither in values nor in costs
+  std::size_t unread = 0;      ///< of a file's, that were counted alone (FitSamples)
 
   void leave_out() {
     left_out += costs.size();
@@ -76,7 +77,7 @@ struct FitResult : FitOutcome {
   /// where the model breaks between the two, with its stress before and 0 after.
   Curve fitted;
 
-  std::size_t evaluations() const { return trace.costs.size() + trace.left_out; }
+  std::size_t evaluations() const { return trace.costs.size() + trace.left_out + trace.unread; }
   /// Those that `correlation` is of: the free ones that the target depends on.
   std::vector<const FittedParameter*> correlated_parameters() const;
 };
@@ -88,6 +89,10 @@ struct FitRecord {
 
   const std::string& name() const { return target.name; }
 };
+
+/// Whether a result file's curves and evaluations are read one by one, or counted alone, as reports
+/// of large batches want them: then `Curve::samples` and `FitResult::evaluations` say how many.
+enum class FitSamples { Read, Counted };
 
 /// What a record is called, alike for all kinds of records.
 inline const std::string& name_of(const FitRecord& record) { return record.target.name; }

@@ -63,7 +63,7 @@ void write_fit_store(const std::string& path, const FitStoreContents& contents,
                      io::Overwrite overwrite) {
   const std::vector<const FitRecord*> records = store::in_order(contents.records);
   for (const FitRecord* record : records) check_to_write(*record, contents.options);
-  io::Hdf5File file = io::Hdf5File::create(path, overwrite);
+  io::Hdf5File file = io::Hdf5File::create(path, overwrite, contents.meta.threads);
   io::Hdf5Group& root = file.root();
   io::write_schema(root, kFitStoreSchema, kFitStoreVersion);
   io::write_run_id(root, contents.run);
@@ -83,7 +83,7 @@ void write_fit_store(const std::string& path, const FitStoreContents& contents,
   file.commit();
 }
 
-FitStoreContents read_fit_store(const std::string& path) {
+FitStoreContents read_fit_store(const std::string& path, FitSamples samples) {
   const io::Hdf5File file = io::Hdf5File::open(path);
   const io::Hdf5Group& root = file.root();
   const int version = io::check_schema(root, kFitStoreSchema, kOldestFitStore, kFitStoreVersion);
@@ -92,7 +92,8 @@ FitStoreContents read_fit_store(const std::string& path) {
   contents.options = store::read_options(root.open_group("options"), version);
   std::vector<FitRecord>& records = contents.records;
   records.resize(root.read_texts("fits/name").size());
-  store::ReadRows<FitRecord> rows({root, store::kFitRules, version},
+  if (!contents.options.laws.empty()) samples = FitSamples::Read;
+  store::ReadRows<FitRecord> rows({root, store::kFitRules, version, samples},
                                   store::pointers_to(std::span(records)));
   store::traverse_records(rows);
   const std::vector<FitOutcome*> fits = store::outcomes_of(rows.rows());

@@ -41,7 +41,9 @@ void write_fit_store(const std::string& path, const FitStoreContents& contents,
 
 /// Reads a result file: every field of every record, bit by bit, in the order of the names. An
 /// optional that holds a NaN comes back empty.
+/// @param samples  Counted: all but curves and evaluations, where no laws are compared (their
+///                 comparison asks for curves)
 /// @throws InputError if it is no such file, of another version, or not complete
-FitStoreContents read_fit_store(const std::string& path);
+FitStoreContents read_fit_store(const std::string& path, FitSamples samples = FitSamples::Read);
 
 }  // namespace plastica::calibrate

@@ -8,6 +8,7 @@
 #include "calibrate/fit/unseen.hpp"
 #include "calibrate/store/case_id.hpp"
 #include "calibrate/store/result_bytes.hpp"
+#include "calibrate/target/curve_spool.hpp"
 #include "plastica/base/parallel_for.hpp"
 #include "plastica/io/digest.hpp"
 
@@ -39,7 +40,7 @@ std::vector<std::string> ids_of(std::span<const Target> targets, const FitOption
     const std::uint64_t digest =
         one.law ? io::Digest().integer(options_digest).text(name_of(*one.law)).value()
                 : options_digest;
-    ids[i] = case_id(targets[one.target], digest);
+    ids[i] = case_id(*CorrectedTarget(targets[one.target]), digest);
   });
   return ids;
 }
@@ -64,17 +65,26 @@ JournaledBatch::JournaledBatch(std::span<const Target> targets, const FitOptions
   deal(make_run_id());
   resume([&](FitResult& result) {
     if (!options.keep_trace) result.trace.leave_out();
+    put_fitted_aside(result);
     return !options.keep_trace || result.trace.left_out == 0;
   });
+}
+
+void JournaledBatch::put_fitted_aside(FitResult& result) const {
+  if (how_.spool) put_aside(result.fitted, how_.spool);
 }
 
 std::string JournaledBatch::make_run_id() const {
   std::vector<std::string> ids = ids_;
   // Samples that were dropped decide nothing, but stand in the result.
+  std::vector<std::string> raw_ids(targets_.size());
+  parallel_for(targets_.size(), {how_.threads, nullptr}, [&](std::size_t i, int) {
+    const Curve raw = with_samples(targets_[i].raw);
+    const auto digest = io::Digest().reals(raw.strain).reals(raw.stress).value();
+    raw_ids[i] = targets_[i].name + ' ' + io::hexadecimal(digest);
+  });
+  ids.insert(ids.end(), raw_ids.begin(), raw_ids.end());
   for (const Target& target : targets_) {
-    io::Digest raw;
-    raw.reals(target.raw.strain).reals(target.raw.stress);
-    ids.push_back(target.name + ' ' + io::hexadecimal(raw.value()));
     // Nor do groups, by which the report takes means.
     for (const auto& [key, value] : target.group) {
       std::string id = target.name;
@@ -96,7 +106,10 @@ std::vector<FitResult> JournaledBatch::run() {
     missing.push_back(i);
     to_fit.push_back(cases_[i]);
   }
-  const auto finished = [&](std::size_t k, const FitResult& result) { keep(missing[k], result); };
+  const auto finished = [&](std::size_t k, FitResult& result) {
+    keep(missing[k], result);
+    put_fitted_aside(result);
+  };
   std::vector<FitResult> fitted;
   share(team(), to_fit.size(), how_.stop, [&](const NextIndex& next) {
     fitted =
@@ -104,6 +117,9 @@ std::vector<FitResult> JournaledBatch::run() {
                   {.threads = how_.threads, .stop = how_.stop, .finished = finished, .next = next});
   });
   gather(false);
+  for (std::optional<FitResult>& result : results_) {
+    if (result) put_fitted_aside(*result);
+  }
   end_run(progress_.done == progress_.total);
 
   std::vector<FitResult> results(cases_.size());
@@ -111,6 +127,7 @@ std::vector<FitResult> JournaledBatch::run() {
   for (std::size_t i = 0; i < cases_.size(); ++i) {
     if (results_[i]) results[i] = std::move(*results_[i]);
   }
+  results_ = {};
   // Of all fits together, and quick: no part of the journal.
   if (complete() && own() == size()) add_unseen(targets_, cases_, options_, how_.threads, results);
   return results;

@@ -37,7 +37,8 @@ class JournaledBatch : public JournaledFits<FitResult> {
   const std::vector<FitCase>& cases() const { return cases_; }
 
   /// Fits what is missing. Result i belongs to case i; a fit that was not begun, because of the
-  /// stop flag, has the reason "not run", as those of other shards have. To be called once.
+  /// stop flag, has the reason "not run", as those of other shards have. Their curves are in the
+  /// spool, if there is one. To be called once.
   /// @throws InputError as `fit_target`; io::StorageError if the journal cannot be written. What
   ///         was finished before is in the journal.
   std::vector<FitResult> run();
@@ -45,6 +46,7 @@ class JournaledBatch : public JournaledFits<FitResult> {
  private:
   /// Of targets, options, library version and instruction set.
   std::string make_run_id() const;
+  void put_fitted_aside(FitResult& result) const;
 
   std::span<const Target> targets_;
   const FitOptions& options_;

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <mutex>
 #include <optional>
 #include <string>
@@ -14,6 +15,8 @@
 #include "plastica/io/case_journal.hpp"
 
 namespace plastica::calibrate {
+
+class CurveSpool;
 
 /// How far a run of fits has come.
 struct BatchProgress {
@@ -32,6 +35,9 @@ struct JournaledOptions {
   StopFlag stop = nullptr;
   /// Called once before the first fit and after each, one call at a time, from any thread.
   std::function<void(const BatchProgress&)> progress{};
+  /// Takes the curves of fits of specimens, once they are in the journal; null: they stay in
+  /// memory.
+  std::shared_ptr<CurveSpool> spool{};
 };
 
 /// Fits that survive the interruption of their run, whatever they are of: each that has ended goes

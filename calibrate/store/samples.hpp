@@ -8,10 +8,12 @@
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
 #include "calibrate/store/columns.hpp"
+#include "calibrate/target/curve_spool.hpp"
 
 /// Curves of a result file: columns of samples, those of one row behind those of the other, and
 /// `offsets` where each row begins; not installed. Which columns says a function that calls
@@ -19,6 +21,28 @@
 ///   columns.maybe(NAME, UNITS, MEMBER)   the same, a pointer to it: null where a row has none;
 ///   columns.table(NAME, MEMBER, WIDTH)   so many numbers for each sample.
 namespace plastica::calibrate::store {
+
+/// A row with all that is stored of it, wherever it lies.
+template <typename Row>
+class Whole {
+ public:
+  explicit Whole(const Row& row) : row_(row) {}
+  const Row& operator*() const { return row_; }
+
+ private:
+  const Row& row_;
+};
+template <>
+class Whole<Curve> {
+ public:
+  explicit Whole(const Curve& row)
+      : read_(row.is_aside() ? with_samples(row) : Curve()), row_(row) {}
+  const Curve& operator*() const { return row_.is_aside() ? read_ : row_; }
+
+ private:
+  const Curve read_;
+  const Curve& row_;
+};
 
 template <typename Row>
 class SampleWriter {
@@ -28,16 +52,18 @@ class SampleWriter {
 
   template <typename Member>
   void operator()(const std::string& name, std::string_view units, const Member& member) {
-    std::vector<double> all;
-    std::vector<std::uint64_t> offsets{0};
-    for (const Row* row : rows_) {
-      const std::vector<double>& own = member(*row);
-      all.insert(all.end(), own.begin(), own.end());
-      offsets.push_back(all.size());
+    if (offsets_.empty()) {
+      offsets_ = {0};
+      for (const Row* row : rows_) offsets_.push_back(offsets_.back() + samples_of(*row, member));
     }
-    if (offsets_.empty()) offsets_ = offsets;
-    if (offsets != offsets_) refuse(name);
-    group_.write(name, all, {units, kDeflate});
+    io::Hdf5Column column = group_.column(name, offsets_.back(), {units, kDeflate});
+    for (std::size_t i = 0; i < rows_.size(); ++i) {
+      const Whole<Row> row(*rows_[i]);
+      const std::vector<double>& own = member(*row);
+      if (own.size() != offsets_[i + 1] - offsets_[i]) refuse(name);
+      column.append(own);
+    }
+    column.finish();
   }
 
   template <typename Member>
@@ -73,6 +99,14 @@ class SampleWriter {
   void write_offsets() { group_.write("offsets", offsets_, {{}, kDeflate}); }
 
  private:
+  template <typename Member>
+  static std::size_t samples_of(const Row& row, const Member& member) {
+    if constexpr (std::is_same_v<Row, Curve>) {
+      return row.samples();
+    } else {
+      return member(row).size();
+    }
+  }
   [[noreturn]] void refuse(const std::string& name) const {
     throw std::logic_error(group_.path() + "/" + name + ": a row does not have a number a sample");
   }
@@ -81,6 +115,11 @@ class SampleWriter {
   const std::vector<const Row*>& rows_;
   std::vector<std::uint64_t> offsets_;
 };
+
+inline void count_samples(Curve& curve, std::size_t samples) { curve.aside.samples = samples; }
+inline void count_samples(FitResult& result, std::size_t evaluations) {
+  result.trace.unread = evaluations;
+}
 
 template <typename Row>
 class SampleReader {
@@ -95,6 +134,14 @@ class SampleReader {
   template <typename Member>
   void operator()(const std::string& name, std::string_view units, const Member& member) {
     maybe(name, units, [&](Row& row) { return &member(row); });
+  }
+
+  /// Only counts the samples of each row.
+  void count() {
+    check_offsets("offsets", offsets_.empty() ? 0 : offsets_.back());
+    for (std::size_t i = 0; i < rows_.size(); ++i) {
+      count_samples(*rows_[i], offsets_[i + 1] - offsets_[i]);
+    }
   }
 
   template <typename Member>

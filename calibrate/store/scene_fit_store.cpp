@@ -103,7 +103,7 @@ void write_scene_fit_store(const std::string& path, const SceneFitContents& cont
   for (const SceneFitRecord* record : store::in_order(contents.records)) {
     records.push_back(stored(*record));
   }
-  io::Hdf5File file = io::Hdf5File::create(path, overwrite);
+  io::Hdf5File file = io::Hdf5File::create(path, overwrite, contents.meta.threads);
   io::Hdf5Group& root = file.root();
   io::write_schema(root, kSceneFitSchema, kSceneFitVersion);
   io::write_run_id(root, contents.run);

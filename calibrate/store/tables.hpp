@@ -118,6 +118,7 @@ struct FileToRead {
   const io::Hdf5Group& root;
   std::span<const io::ValueRule> rules;
   int version = kNewest;
+  FitSamples samples = FitSamples::Read;
 
   [[noreturn]] void refuse(const std::string& path, const std::string& rule) const {
     io::refuse_value(root, path, "", rule);
@@ -158,6 +159,9 @@ class ReadRows {
   template <typename Columns>
   void samples(const std::string& path, const Columns& columns) {
     SampleReader<Row> reader(file_.root.open_group(path), rows_, file_.rules);
+    if constexpr (requires(Row & row) { count_samples(row, std::size_t{}); }) {
+      if (file_.samples == FitSamples::Counted) return reader.count();
+    }
     columns(reader);
   }
 

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -8,11 +10,25 @@
 
 namespace plastica::calibrate {
 
+class CurveSpool;
+
+/// Where the samples of a curve lie that is put aside (curve_spool.hpp).
+struct PlaceOfCurve {
+  std::uint64_t offset = 0;  ///< of its first number, in numbers
+  std::size_t samples = 0;   ///< 0: it is not put aside
+};
+
 /// A stress-strain curve in SI: strain [1], stress [Pa], both (n).
 struct Curve {
   std::vector<double> strain;
   std::vector<double> stress;
+  PlaceOfCurve aside{};  ///< of large batches: where the samples are, in place of the above
+  std::shared_ptr<const CurveSpool> spool{};  ///< that has them; null: they were counted alone
+
   std::size_t size() const { return strain.size(); }
+  /// How many it has, here or put aside.
+  std::size_t samples() const { return is_aside() ? aside.samples : size(); }
+  bool is_aside() const { return aside.samples > 0; }
 };
 
 /// The largest |value|; 0 if there is none. NaN is left out.

@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "calibrate/guess/column_role.hpp"
+#include "calibrate/target/curve_spool.hpp"
 #include "calibrate/target/import_plan.hpp"
 #include "calibrate/target/kept_tables.hpp"
 #include "calibrate/target/make.hpp"
@@ -113,6 +114,7 @@ struct Block {
   const ImportPlan plan;
   const TargetOptions options;
   const std::optional<SpecimenTable> specimens;
+  const std::shared_ptr<CurveSpool>& spool;  ///< null: curves stay in memory
 };
 
 /// The specimens of a table.
@@ -160,6 +162,7 @@ Target import_curve(const Block& block, const SpecimenTable* specimens, const Cs
     warn_of_travel(table.names()[strain.index], table.units()[strain.index], target.warnings);
   }
   process_target(target, block.options);
+  if (block.spool) put_aside(target, block.spool);
   return target;
 }
 
@@ -262,7 +265,7 @@ bool TargetSource::asks_for_values() const {
 }
 
 std::vector<Target> import_targets(const TargetSource& source, const TargetOptions& options,
-                                   int threads) {
+                                   int threads, const std::shared_ptr<CurveSpool>& spool) {
   const ImportPlan plan = plan_of(source);
   check_units(plan);
   TargetOptions used = options;
@@ -278,7 +281,7 @@ std::vector<Target> import_targets(const TargetSource& source, const TargetOptio
   }
   const Block block{
       source, plan, used,
-      source.table ? std::optional<SpecimenTable>(std::in_place, source) : std::nullopt};
+      source.table ? std::optional<SpecimenTable>(std::in_place, source) : std::nullopt, spool};
   const std::vector<TableOfFile> tables = tables_of(source);
   std::vector<Imported> all(tables.size());
   parallel_for(all.size(), {threads, nullptr},

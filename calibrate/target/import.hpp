@@ -84,12 +84,14 @@ struct TargetSource {
 /// A strain that neither the block nor the file gives a unit is taken as a fraction; in tension,
 /// above 1, the target gets a warning.
 /// @param threads  that read files side by side, 0: as many as the machine has; changes nothing
+/// @param spool  takes the curves, each as soon as its target is made; null: they stay in memory
 /// @return a target per specimen in order of files and columns; one that cannot be read or
 ///         repaired, or lacks a column or the unit of its stress, is Rejected with its reason
 /// @throws InputError for a block that contradicts itself, a file that is missing, a column that
 ///         the table or every readable file lacks (so too a unit that the block does not give, or
 ///         that does not fit), a unit in the block that does not fit
 std::vector<Target> import_targets(const TargetSource& source, const TargetOptions& options = {},
-                                   int threads = 0);
+                                   int threads = 0,
+                                   const std::shared_ptr<CurveSpool>& spool = nullptr);
 
 }  // namespace plastica::calibrate

@@ -16,7 +16,7 @@ namespace plastica::calibrate {
 class KeptTables {
  public:
   /// @param most  that the tables may take of memory, about [bytes]
-  explicit KeptTables(std::size_t most = std::size_t{256} << 20U) : room_(most) {}
+  explicit KeptTables(std::size_t most = std::size_t{64} << 20U) : room_(most) {}
 
   /// Keeps a table, or lets go of it where there is no room.
   /// @param options  that it was read with

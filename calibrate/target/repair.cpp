@@ -130,7 +130,7 @@ std::string too_many_dropped(const Target& target) {
     dropped += repair.count;
     rules += (rules.empty() ? "" : ", ") + repair.kind + " " + std::to_string(repair.count);
   }
-  const auto all = static_cast<double>(target.raw.size());
+  const auto all = static_cast<double>(target.raw.samples());
   const double fraction = static_cast<double>(dropped) / std::max(all, 1.0);
   if (!(fraction > kMany)) return {};
   return fmt::format(
@@ -199,7 +199,8 @@ void drop_foot_reversals(Target& target, double tolerance) {
 
 void drop_unloading_loops(Target& target, const TargetOptions& options) {
   const Curve before = target.corrected;
-  const auto& [strain, stress] = before;
+  const std::vector<double>& strain = before.strain;
+  const std::vector<double>& stress = before.stress;
   const std::size_t n = before.size();
   if (n == 0) return;
   const double rm = *std::max_element(stress.begin(), stress.end());
@@ -226,7 +227,8 @@ void drop_unloading_loops(Target& target, const TargetOptions& options) {
 
 bool drop_unloading(Target& target, double modulus, const TargetOptions& options) {
   Curve& curve = target.corrected;
-  const auto& [strain, stress] = curve;
+  const std::vector<double>& strain = curve.strain;
+  const std::vector<double>& stress = curve.stress;
   const std::size_t n = curve.size();
   const double rm = *std::max_element(stress.begin(), stress.end());
   std::size_t top = 0;

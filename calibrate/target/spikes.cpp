@@ -127,11 +127,12 @@ void drop_outliers(const Samples& samples) {
   const std::vector<double> medians = medians_of_three(y);
   const double largest = largest_magnitude(std::span(medians).subspan(1, n - 2));
   if (!(largest > 0.0)) return;
-  const double threshold = std::max(0.2 * largest, 8.0 * noise_of(samples.abscissa, y));
+  const double noise = 8.0 * noise_of(samples.abscissa, y);
+  const double threshold = std::max(0.2 * largest, noise);
   constexpr double kSmall = 0.03;  // of the largest: less is no matter, or a step of the sensor
   const std::vector<double> x = samples.abscissa;
   const std::vector<double> rows = numbered(n);
-  const double small = std::max(kSmall * largest, 8.0 * noise_of(x, y));
+  const double small = std::max(kSmall * largest, noise);
   const std::size_t dropped = filter(samples, [&](std::size_t i) {
     if (i == 0 || i + 1 == n) return true;
     if (is_off_a_rise(x, rows, y, i, small)) return false;

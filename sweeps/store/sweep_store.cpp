@@ -272,7 +272,7 @@ void read_head(const Hdf5Group& root, SweepRecord& record) {
 
 void write_sweep_store(const std::string& path, const SweepRecord& record,
                        io::Overwrite overwrite) {
-  io::Hdf5File file = io::Hdf5File::create(path, overwrite);
+  io::Hdf5File file = io::Hdf5File::create(path, overwrite, record.meta.threads);
   Hdf5Group& root = file.root();
   io::write_schema(root, kSweepSchema, kSweepVersion);
   write_head(root, record);

@@ -23,12 +23,12 @@
 namespace plastica::fuzz {
 namespace {
 
-void report(const calibrate::FitStoreContents& contents) {
+void report(const calibrate::FitStoreContents& contents, bool has_curves = true) {
   std::ostringstream out;
   calibrate::batch_report(contents.records);
   for (const calibrate::FitRecord& record : contents.records) calibrate::fit_report(record);
   calibrate::write_fits_csv(out, contents.records);
-  calibrate::write_curves_csv(out, contents.records);
+  if (has_curves) calibrate::write_curves_csv(out, contents.records);
   calibrate::json_summary(contents.records);
 }
 
@@ -82,8 +82,11 @@ void read_result(const std::string& path, bool again) {
   if (!schema) return;
   if (*schema == calibrate::kFitStoreSchema) {
     read_and_write(
-        path, again, calibrate::read_fit_store,
+        path, again, [](const auto& from) { return calibrate::read_fit_store(from); },
         [](const auto& to, const auto& contents) { calibrate::write_fit_store(to, contents); });
+    const auto counted = result_or_refused(
+        [&] { return calibrate::read_fit_store(path, calibrate::FitSamples::Counted); });
+    if (counted) read_or_refused([&] { report(*counted, false); });
   } else if (*schema == calibrate::kSceneFitSchema) {
     read_and_write(path, again, calibrate::read_scene_fit_store,
                    [](const auto& to, const auto& contents) {

@@ -12,6 +12,7 @@
 #include "calibrate/report/fit_flags.hpp"
 #include "calibrate/report/format.hpp"
 #include "calibrate/report/law_choice.hpp"
+#include "calibrate/report/plot_parts.hpp"
 #include "calibrate/report/scene_fit_text.hpp"
 #include "calibrate/report/summary.hpp"
 #include "calibrate/report/text.hpp"
@@ -130,7 +131,7 @@ Json facts_of_fit(const FitRecord& record) {
                                                    significant(100.0 * result.misfit_fraction, 3),
                                                    result.misfit_word)
                                      : ""},
-       {"samples", fmt::format("{} of {} in the fit", result.samples, target.raw.size())},
+       {"samples", fmt::format("{} of {} in the fit", result.samples, target.raw.samples())},
        {"evaluations", std::to_string(result.evaluations())},
        {"seed", std::to_string(result.seed)}});
 }
@@ -174,6 +175,7 @@ WebTab detail_of(const FitRecord& record, bool laws, std::size_t count,
 }  // namespace
 
 WebPage fits_page(const FitStoreContents& contents, const std::string& file) {
+  report::require_curves(contents.records);
   std::vector<FitRecord> records = contents.records;
   const FitOptions& fit = contents.options;
   ReportOptions options;

@@ -6,18 +6,10 @@
 #include <vector>
 
 #include "plastica/io/csv.hpp"
-#include "plastica/io/csv_number.hpp"
+#include "plastica/io/csv_dialect.hpp"
 #include "plastica/io/csv_text.hpp"
 
 namespace plastica::io::csv_text {
-
-/// How a file writes its rows, as its lines show.
-struct Dialect {
-  char separator = ',';
-  NumberFormat format;
-  std::size_t width = 1;      ///< cells of a data row
-  std::vector<bool> numeric;  ///< (width): the column holds numbers, mostly
-};
 
 /// Where things are in a file; indices into its lines.
 struct Layout {
@@ -27,8 +19,7 @@ struct Layout {
   std::size_t first_data = 0;
 };
 
-/// Finds the separator and decimal mark under which the lines hold the most numbers in rows of one
-/// width, and with them the header, the unit row and the first row of data.
+/// Finds the dialect of lines, and with it the header, the unit row and the first row of data.
 ///
 /// Data begin at the first line that is a row of numbers, unless a header follows soon after it.
 /// The line above is the header, or the unit row below it; what stands before is metadata.

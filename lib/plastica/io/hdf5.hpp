@@ -3,6 +3,7 @@
 #include <concepts>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -80,6 +81,34 @@ class Hdf5Handle {
   std::int64_t id_ = -1;
 };
 
+namespace h5 {
+struct NewDataset;
+}
+
+/// A dataset of numbers that is written piece by piece, in order; it must not outlive its file.
+class Hdf5Column {
+ public:
+  Hdf5Column(Hdf5Column&& other) noexcept;
+  Hdf5Column& operator=(Hdf5Column&&) = delete;
+  ~Hdf5Column();
+
+  /// @throws StorageError; std::logic_error if these are more than the dataset takes
+  void append(std::span<const double> values);
+  /// To be called once all values are there. @throws StorageError; std::logic_error if one lacks
+  void finish();
+
+ private:
+  friend class Hdf5Group;
+  Hdf5Column(std::unique_ptr<h5::NewDataset> made, std::string file, std::string path);
+  void check(bool written) const;
+
+  std::unique_ptr<h5::NewDataset> made_;
+  std::string file_;
+  std::string path_;
+  std::size_t taken_ = 0;
+  std::vector<double> waiting_;  // of a dataset too short for chunks
+};
+
 /// A group of an open file. Paths are relative to it ("a/b"; "." is the group itself) or, with a
 /// slash in front, to the file's root. Groups must not outlive their file.
 ///
@@ -126,6 +155,8 @@ class Hdf5Group {
   void write_array(std::string_view path, std::span<const T> values,
                    std::span<const std::size_t> shape, const DatasetOptions& options = {});
   /// A group with the datasets `values` and `offsets`.
+  /// Begins a dataset of so many numbers.
+  Hdf5Column column(std::string_view path, std::size_t count, const DatasetOptions& options = {});
   template <Hdf5Number T>
   void write_ragged(std::string_view path, const Ragged<T>& rows,
                     const DatasetOptions& options = {});
@@ -181,8 +212,11 @@ class Hdf5Group {
 
  private:
   friend class Hdf5File;
-  Hdf5Group(Hdf5Handle handle, std::string file, std::string path)
-      : handle_(std::move(handle)), file_(std::move(file)), path_(std::move(path)) {}
+  Hdf5Group(Hdf5Handle handle, std::string file, std::string path, int threads = 1)
+      : handle_(std::move(handle)),
+        file_(std::move(file)),
+        path_(std::move(path)),
+        threads_(threads) {}
 
   std::string full_path(std::string_view path) const;
   bool has_links(const std::string& full) const;
@@ -194,6 +228,8 @@ class Hdf5Group {
   Hdf5Handle open_dataset(std::string_view path) const;
   Hdf5Handle open_attribute(std::string_view path, const std::string& name) const;
   void make_parents(std::string_view path);
+  h5::NewDataset create_dataset(std::string_view path, std::int64_t type,
+                                std::span<const std::size_t> shape, const DatasetOptions& options);
   void write_raw(std::string_view path, std::int64_t type, const void* values,
                  std::span<const std::size_t> shape, const DatasetOptions& options);
   void write_attribute(std::string_view path, const std::string& name, std::int64_t type,
@@ -205,6 +241,7 @@ class Hdf5Group {
   Hdf5Handle handle_;
   std::string file_;
   std::string path_;
+  int threads_;  // that deflate what is written
 };
 
 /// An HDF5 file behind a digest of its bytes (see content_digest.hpp). The same content, written in
@@ -212,8 +249,11 @@ class Hdf5Group {
 class Hdf5File {
  public:
   /// Begins a new file. It appears under its name when it is committed (see `OutputFile`).
+  /// @param threads  that deflate what is written, 0: as many as the machine has; they change no
+  ///                 byte
   /// @throws StorageError
-  static Hdf5File create(const std::string& path, Overwrite overwrite = Overwrite::Allowed);
+  static Hdf5File create(const std::string& path, Overwrite overwrite = Overwrite::Allowed,
+                         int threads = 1);
   /// Opens a file for reading, once it is known to be as it was written.
   /// @throws InputError if there is none, or it is no HDF5 file, or a damaged one
   static Hdf5File open(const std::string& path);

@@ -57,7 +57,7 @@ Hdf5File::Hdf5File(Hdf5File&& other) noexcept
       file_(std::move(other.file_)),
       root_(std::move(other.root_)) {}
 
-Hdf5File Hdf5File::create(const std::string& path, Overwrite overwrite) {
+Hdf5File Hdf5File::create(const std::string& path, Overwrite overwrite, int threads) {
   h5::keep_quiet();
   OutputFile output(path, overwrite);
 
@@ -70,7 +70,7 @@ Hdf5File Hdf5File::create(const std::string& path, Overwrite overwrite) {
   H5Pset_fclose_degree(access.get(), H5F_CLOSE_STRONG);
   Hdf5Handle file(H5Fcreate(output.part().c_str(), H5F_ACC_TRUNC, creation.get(), access.get()));
   if (file.get() < 0) throw StorageError(path, "cannot be written: " + h5::innermost_error());
-  Hdf5Group root(opened_root(file, path), path, "/");
+  Hdf5Group root(opened_root(file, path), path, "/", threads);
   return {std::move(file), std::move(root), std::move(output)};
 }
 

@@ -1,7 +1,9 @@
 #include <algorithm>
 #include <stdexcept>
+#include <utility>
 
 #include "plastica/io/hdf5.hpp"
+#include "plastica/io/hdf5_chunks.hpp"
 #include "plastica/io/hdf5_handle.hpp"
 
 namespace plastica::io {
@@ -43,14 +45,6 @@ std::vector<char> padded(std::span<const std::string> texts, std::size_t width) 
   return bytes;
 }
 
-/// Chunks of about 256 KiB: whole rows, in one dimension or two.
-void set_chunks(hid_t creation, std::vector<hsize_t> extents, std::size_t element_bytes) {
-  constexpr std::size_t kChunkBytes = std::size_t{1} << 18U;
-  const hsize_t row = element_bytes * (extents.size() == 2 ? extents[1] : 1);
-  extents[0] = std::clamp<hsize_t>(kChunkBytes / std::max<hsize_t>(row, 1), 1, extents[0]);
-  H5Pset_chunk(creation, static_cast<int>(extents.size()), extents.data());
-}
-
 }  // namespace
 
 void Hdf5Group::fail(std::string_view action, std::string_view path) const {
@@ -78,7 +72,7 @@ Hdf5Group Hdf5Group::group(std::string_view path) {
   Hdf5Handle made(
       H5Gcreate2(handle_.get(), full.c_str(), H5P_DEFAULT, creation.get(), H5P_DEFAULT));
   if (made.get() < 0) fail("create group", full);
-  return {std::move(made), file_, full};
+  return {std::move(made), file_, full, threads_};
 }
 
 void Hdf5Group::make_parents(std::string_view path) {
@@ -89,8 +83,9 @@ void Hdf5Group::make_parents(std::string_view path) {
   if (kind(parent) != Hdf5Kind::Group) group(parent);
 }
 
-void Hdf5Group::write_raw(std::string_view path, std::int64_t type, const void* values,
-                          std::span<const std::size_t> shape, const DatasetOptions& options) {
+h5::NewDataset Hdf5Group::create_dataset(std::string_view path, std::int64_t type,
+                                         std::span<const std::size_t> shape,
+                                         const DatasetOptions& options) {
   const std::string full = full_path(path);
   if (exists(full)) throw StorageError(file_, "cannot write " + full + ": it exists already");
   make_parents(full);
@@ -104,21 +99,83 @@ void Hdf5Group::write_raw(std::string_view path, std::int64_t type, const void* 
   for (const std::size_t extent : shape) count *= extent;
   const std::size_t element_bytes = H5Tget_size(type);
   constexpr std::size_t kSmall = 4096;
-  if (options.deflate > 0 && !extents.empty() && count * element_bytes > kSmall) {
-    set_chunks(creation.get(), extents, element_bytes);
+  const int level = std::min(options.deflate, 9);
+  const bool deflates = level > 0 && !extents.empty() && count * element_bytes > kSmall;
+  if (deflates) {
+    h5::set_chunks(creation.get(), shape, element_bytes);
     H5Pset_shuffle(creation.get());
-    H5Pset_deflate(creation.get(), static_cast<unsigned>(std::min(options.deflate, 9)));
+    H5Pset_deflate(creation.get(), static_cast<unsigned>(level));
   }
-  const Hdf5Handle dataset(H5Dcreate2(handle_.get(), full.c_str(), type, space.get(), H5P_DEFAULT,
-                                      creation.get(), H5P_DEFAULT));
-  if (dataset.get() < 0) fail("create", full);
-  if (count > 0) {
-    const Hdf5Handle transfer(h5::new_transfer(count, type));
-    if (H5Dwrite(dataset.get(), type, H5S_ALL, H5S_ALL, transfer.get(), values) < 0) {
-      fail("write", full);
-    }
-  }
+  h5::NewDataset made{Hdf5Handle(H5Dcreate2(handle_.get(), full.c_str(), type, space.get(),
+                                            H5P_DEFAULT, creation.get(), H5P_DEFAULT)),
+                      count,
+                      {}};
+  if (made.dataset.get() < 0) fail("create", full);
   if (!options.units.empty()) set_attribute(full, "units", options.units);
+  if (deflates) {
+    made.chunks.emplace(made.dataset.get(), creation.get(), shape, element_bytes, level, threads_);
+  }
+  return made;
+}
+
+void Hdf5Group::write_raw(std::string_view path, std::int64_t type, const void* values,
+                          std::span<const std::size_t> shape, const DatasetOptions& options) {
+  h5::NewDataset made = create_dataset(path, type, shape, options);
+  if (made.count == 0) return;
+  // Lives until an error is told: closing anything clears what HDF5 says of it.
+  const Hdf5Handle transfer(h5::new_transfer(made.count, type));
+  bool written = false;
+  if (made.chunks) {
+    const std::size_t bytes = made.count * H5Tget_size(type);
+    written = made.chunks->append({static_cast<const unsigned char*>(values), bytes}) &&
+              made.chunks->finish();
+  } else {
+    written = H5Dwrite(made.dataset.get(), type, H5S_ALL, H5S_ALL, transfer.get(), values) >= 0;
+  }
+  if (!written) fail("write", full_path(path));
+}
+
+Hdf5Column Hdf5Group::column(std::string_view path, std::size_t count,
+                             const DatasetOptions& options) {
+  const std::size_t shape[] = {count};
+  auto made =
+      std::make_unique<h5::NewDataset>(create_dataset(path, H5T_NATIVE_DOUBLE, shape, options));
+  return {std::move(made), file_, full_path(path)};
+}
+
+Hdf5Column::Hdf5Column(std::unique_ptr<h5::NewDataset> made, std::string file, std::string path)
+    : made_(std::move(made)), file_(std::move(file)), path_(std::move(path)) {}
+Hdf5Column::Hdf5Column(Hdf5Column&&) noexcept = default;
+Hdf5Column::~Hdf5Column() = default;
+
+void Hdf5Column::append(std::span<const double> values) {
+  if (values.size() > made_->count - taken_) {
+    throw std::logic_error("Hdf5Column::append: " + path_ + " is full");
+  }
+  taken_ += values.size();
+  if (!made_->chunks) {
+    waiting_.insert(waiting_.end(), values.begin(), values.end());
+    return;
+  }
+  const auto bytes = std::as_bytes(values);
+  check(
+      made_->chunks->append({reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size()}));
+}
+
+void Hdf5Column::finish() {
+  if (taken_ != made_->count) {
+    throw std::logic_error("Hdf5Column::finish: " + path_ + " is not full");
+  }
+  if (made_->chunks) return check(made_->chunks->finish());
+  if (waiting_.empty()) return;
+  const Hdf5Handle transfer(h5::new_transfer(waiting_.size(), H5T_NATIVE_DOUBLE));
+  check(H5Dwrite(made_->dataset.get(), H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, transfer.get(),
+                 waiting_.data()) >= 0);
+}
+
+void Hdf5Column::check(bool written) const {
+  if (written) return;
+  throw StorageError(file_, "cannot write " + path_ + ": " + h5::innermost_error());
 }
 
 template <Hdf5Number T>

@@ -80,7 +80,7 @@ SceneRecord make_scene_record(const SceneFile& file, const Model& model, Respons
 }
 
 void write_scene_store(const std::string& path, const SceneRecord& record, Overwrite overwrite) {
-  Hdf5File file = Hdf5File::create(path, overwrite);
+  Hdf5File file = Hdf5File::create(path, overwrite, record.meta.threads);
   Hdf5Group& root = file.root();
   write_schema(root, kSceneSchema, kSceneVersion);
   SceneWriter writer(root);

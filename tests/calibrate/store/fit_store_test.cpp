@@ -7,6 +7,7 @@
 #include <filesystem>
 
 #include "calibrate/fit/fit.hpp"
+#include "calibrate/target/curve_spool.hpp"
 #include "plastica/io/hdf5.hpp"
 #include "tests/calibrate/store/same_bits.hpp"
 #include "tests/calibrate/store/stored_objects.hpp"
@@ -37,7 +38,7 @@ std::vector<FitRecord> mixed_records() {
   FitRecord failed = rejected_record("c");
   failed.target = ideal_target("c", 3e8);
   failed.result.status = FitStatus::Failed;
-  failed.result.trace = {{1}, {2.0}, {INFINITY}, 0};
+  failed.result.trace = {{1}, {2.0}, {INFINITY}, 0, 0};
   return {filled_record("a"), rejected_record("b"), failed, filled_record("Ω")};
 }
 
@@ -46,6 +47,51 @@ FitStoreContents round_trip(const FitStoreContents& contents) {
   const std::string path = folder.file("out.h5");
   write_fit_store(path, contents);
   return read_fit_store(path);
+}
+
+TEST(FitStore, WritesTheSameBytesWhereCurvesArePutAside) {
+  const io::ScratchFolder folder;
+  FitStoreContents contents = contents_of(mixed_records());
+  for (int i = 0; i < 40; ++i) {
+    FitRecord& record = contents.records.emplace_back(filled_record("many-" + std::to_string(i)));
+    record.target.corrected = ideal_target("", 3e8, 300 + static_cast<std::size_t>(i)).corrected;
+  }
+  write_fit_store(folder.file("here.h5"), contents);
+  const auto spool = std::make_shared<CurveSpool>(folder.file("x.h5"), 2000);
+  for (FitRecord& record : contents.records) {
+    put_aside(record.target, spool);
+    put_aside(record.result.fitted, spool);
+  }
+  write_fit_store(folder.file("aside.h5"), contents);
+  EXPECT_TRUE(io::content_of(folder.file("here.h5")) == io::content_of(folder.file("aside.h5")));
+}
+
+TEST(FitStore, CountsSamplesWhereItIsToldTo) {
+  const io::ScratchFolder folder;
+  const std::string path = folder.file("out.h5");
+  write_fit_store(path, contents_of(mixed_records()));
+  const FitStoreContents whole = read_fit_store(path);
+  FitStoreContents counted = read_fit_store(path, FitSamples::Counted);
+  ASSERT_EQ(counted.records.size(), whole.records.size());
+  for (std::size_t i = 0; i < whole.records.size(); ++i) {
+    FitRecord& record = counted.records[i];
+    const FitRecord& other = whole.records[i];
+    EXPECT_EQ(record.result.evaluations(), other.result.evaluations());
+    for (auto member : {&Target::raw, &Target::corrected}) {
+      Curve& curve = record.target.*member;
+      EXPECT_EQ(curve.samples(), (other.target.*member).samples());
+      EXPECT_EQ(curve.size(), 0U);
+      if (curve.samples() > 0) {
+        EXPECT_THROW(with_samples(curve), std::logic_error);
+      }
+      curve = other.target.*member;
+    }
+    EXPECT_EQ(record.result.fitted.samples(), other.result.fitted.samples());
+    record.result.fitted = other.result.fitted;
+    record.result.trace = other.result.trace;
+    EXPECT_TRUE(same_bits(record.target, other.target)) << i;
+    EXPECT_TRUE(same_bits(record.result, other.result)) << i;
+  }
 }
 
 TEST(FitStore, GivesBackEveryFieldOfEveryRecordBitByBit) {

@@ -3,11 +3,13 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "calibrate/fit/fit.hpp"
+#include "calibrate/target/curve_spool.hpp"
 #include "tests/calibrate/store/same_bits.hpp"
 #include "tests/calibrate/store/synthetic_fits.hpp"
 #include "tests/lib/io/scratch_folder.hpp"
@@ -51,6 +53,35 @@ TEST_F(JournaledBatchTest, GivesTheSameBitsAsAPlainBatchForEveryNumberOfThreads)
     EXPECT_TRUE(batch.complete());
     batch.finish();
     EXPECT_FALSE(fs::exists(journal_));
+  }
+}
+
+/// Whatever of the curves lies in memory, on the disk, or on both.
+TEST_F(JournaledBatchTest, GivesTheSameBitsWhereCurvesArePutAside) {
+  const std::string run = JournaledBatch(targets_, options_, {.journal = {journal_}}).run_id();
+  for (const std::size_t in_memory : {0, 4000, 1 << 20}) {
+    for (const int threads : {1, 4}) {
+      const auto spool = std::make_shared<CurveSpool>(folder_.file("out.h5"), in_memory);
+      std::vector<Target> light = targets_;
+      for (Target& target : light) put_aside(target, spool);
+      EXPECT_EQ(light[0].corrected.size(), 0U);
+      const auto result_of = [&](bool resume) {
+        JournaledBatch batch(light, options_,
+                             {.journal = {journal_, resume}, .threads = threads, .spool = spool});
+        EXPECT_EQ(batch.run_id(), run);
+        EXPECT_EQ(batch.resumed(), resume ? light.size() : 0U);
+        std::vector<FitResult> results = batch.run();
+        EXPECT_TRUE(batch.complete());
+        for (FitResult& result : results) {
+          EXPECT_EQ(result.fitted.size(), 0U);
+          result.fitted = with_samples(result.fitted);
+        }
+        if (resume) batch.finish();
+        return results;
+      };
+      EXPECT_TRUE(same_bits(result_of(false), reference_)) << in_memory << ' ' << threads;
+      EXPECT_TRUE(same_bits(result_of(true), reference_)) << in_memory << ' ' << threads;
+    }
   }
 }
 

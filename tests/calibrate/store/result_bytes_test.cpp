@@ -16,7 +16,7 @@ struct CurveFits {
   static std::vector<Result> results() {
     FitResult failed;
     failed.status = FitStatus::Failed;
-    failed.trace = {{1}, {2.0}, {INFINITY}, 0};
+    failed.trace = {{1}, {2.0}, {INFINITY}, 0, 0};
     return {filled_record("Stab-ä").result, rejected_record("b").result, failed, FitResult()};
   }
   static void change_a_bit(Result& result) { result.trace.values[5] = 0.0; }  // was -0.0

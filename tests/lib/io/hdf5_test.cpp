@@ -41,6 +41,31 @@ TEST(Hdf5, SaysWhichVersionRuns) {
   EXPECT_EQ(std::count(version.begin(), version.end(), '.'), 2) << version;
 }
 
+TEST(Hdf5, WritesColumnsPieceByPieceAsAtOnce) {
+  const ScratchFolder folder;
+  for (const std::size_t count : {0, 1, 511, 512, 513, 100'000, 600'000}) {
+    const std::vector<double> values = ramp(count);
+    const DatasetOptions options{.units = "Pa", .deflate = 1};
+    Hdf5File whole = Hdf5File::create(folder.file("whole.h5"));
+    whole.root().write("values", values, options);
+    whole.commit();
+    Hdf5File pieces = Hdf5File::create(folder.file("pieces.h5"));
+    Hdf5Column column = pieces.root().column("values", count, options);
+    const std::span all(values);
+    for (std::size_t i = 0; i < count; i += 70'001) {
+      column.append(all.subspan(i, std::min<std::size_t>(70'001, count - i)));
+    }
+    EXPECT_THROW(column.append(ramp(1)), std::logic_error);
+    column.finish();
+    pieces.commit();
+    EXPECT_EQ(content_of(folder.file("whole.h5")), content_of(folder.file("pieces.h5"))) << count;
+  }
+  Hdf5File file = Hdf5File::create(folder.file("short.h5"));
+  Hdf5Column column = file.root().column("values", 2);
+  column.append(ramp(1));
+  EXPECT_THROW(column.finish(), std::logic_error);
+}
+
 TEST(Hdf5, GivesBackNumbersOfEveryType) {
   const ScratchFolder folder;
   const std::string path = folder.file("a.h5");

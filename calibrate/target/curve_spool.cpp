@@ -1,0 +1,147 @@
+#include "calibrate/target/curve_spool.hpp"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstdlib>
+#include <cstring>
+#include <stdexcept>
+#include <utility>
+#include <vector>
+
+#include "calibrate/target/target.hpp"
+#include "plastica/io/durable_file.hpp"
+#include "plastica/io/storage_error.hpp"
+
+namespace plastica::calibrate {
+namespace {
+
+/// Opens a file that has no name, for reading and writing. @return -1 and `errno` if that fails
+int open_nameless(const std::string& beside) {
+  const int made =
+      ::open(io::folder_of(beside).c_str(), O_TMPFILE | O_RDWR | O_CLOEXEC, S_IRUSR | S_IWUSR);
+  if (made >= 0 || (errno != EOPNOTSUPP && errno != EISDIR)) return made;
+  // File systems that know no such files have some with names, which can be taken away.
+  std::string name = io::folder_of(beside) + "/.plastica-curves-XXXXXX";
+  const int named = ::mkostemp(name.data(), O_CLOEXEC);
+  if (named >= 0) ::unlink(name.c_str());
+  return named;
+}
+
+}  // namespace
+
+CurveSpool::CurveSpool(std::string output, std::size_t bytes_in_memory)
+    : output_(std::move(output)),
+      room_(bytes_in_memory / sizeof(double)),
+      // Not set to zero: what nobody writes takes no memory.
+      memory_(new double[room_]) {}
+
+CurveSpool::~CurveSpool() {
+  if (descriptor_ >= 0) ::close(descriptor_);
+}
+
+PlaceOfCurve CurveSpool::put(std::span<const double> strain, std::span<const double> stress) {
+  if (strain.size() != stress.size()) {
+    throw std::logic_error("CurveSpool: strain and stress must be equally long");
+  }
+  PlaceOfCurve place{0, strain.size()};
+  int descriptor = -1;
+  {
+    const std::lock_guard lock(mutex_);
+    place.offset = end_;
+    end_ += 2 * strain.size();
+    if (end_ > room_) descriptor = file();
+  }
+  if (descriptor < 0) {
+    std::ranges::copy(strain, memory_.get() + place.offset);
+    std::ranges::copy(stress, memory_.get() + place.offset + strain.size());
+    return place;
+  }
+  std::vector<double> both(strain.begin(), strain.end());
+  both.insert(both.end(), stress.begin(), stress.end());
+  const auto* bytes = reinterpret_cast<const char*>(both.data());
+  std::size_t left = both.size() * sizeof(double);
+  auto at = static_cast<off_t>(place.offset * sizeof(double));
+  while (left > 0) {
+    const ssize_t written = ::pwrite(descriptor, bytes, left, at);
+    if (written < 0 && errno == EINTR) continue;
+    if (written < 0) fail("its folder does not take the curves of the run", errno);
+    bytes += written;
+    at += written;
+    left -= static_cast<std::size_t>(written);
+  }
+  return place;
+}
+
+void CurveSpool::get(const PlaceOfCurve& place, std::span<double> strain,
+                     std::span<double> stress) const {
+  const std::size_t n = place.samples;
+  if (strain.size() != n || stress.size() != n) {
+    throw std::logic_error("CurveSpool: the curve has another number of samples");
+  }
+  if (place.offset + 2 * n <= room_) {
+    std::copy_n(memory_.get() + place.offset, n, strain.begin());
+    std::copy_n(memory_.get() + place.offset + n, n, stress.begin());
+    return;
+  }
+  auto at = static_cast<off_t>(place.offset * sizeof(double));
+  for (const std::span<double> part : {strain, stress}) {
+    auto* bytes = reinterpret_cast<char*>(part.data());
+    std::size_t left = part.size_bytes();
+    while (left > 0) {
+      const ssize_t got = ::pread(descriptor_, bytes, left, at);
+      if (got < 0 && errno == EINTR) continue;
+      if (got <= 0)
+        fail("its folder does not give back the curves of the run", got < 0 ? errno : EIO);
+      bytes += got;
+      at += got;
+      left -= static_cast<std::size_t>(got);
+    }
+  }
+}
+
+int CurveSpool::file() {
+  if (descriptor_ < 0) descriptor_ = open_nameless(output_);
+  if (descriptor_ < 0) fail("its folder takes no file", errno);
+  return descriptor_;
+}
+
+void CurveSpool::fail(const char* action, int error) const {
+  throw io::StorageError(output_, std::string(action) + ": " + std::strerror(error));
+}
+
+void put_aside(Curve& curve, const std::shared_ptr<CurveSpool>& spool) {
+  if (curve.strain.empty()) return;
+  curve.aside = spool->put(curve.strain, curve.stress);
+  curve.spool = spool;
+  curve.strain = std::vector<double>();  // with their memory, which {} would keep
+  curve.stress = std::vector<double>();
+}
+
+void put_aside(Target& target, const std::shared_ptr<CurveSpool>& spool) {
+  put_aside(target.raw, spool);
+  put_aside(target.corrected, spool);
+}
+
+Curve with_samples(const Curve& curve) {
+  if (!curve.is_aside()) return curve;
+  if (!curve.spool) throw std::logic_error("with_samples: they were counted alone");
+  const std::size_t n = curve.samples();
+  Curve whole{std::vector<double>(n), std::vector<double>(n)};
+  curve.spool->get(curve.aside, whole.strain, whole.stress);
+  return whole;
+}
+
+CorrectedTarget::CorrectedTarget(const Target& target) : target_(&target) {
+  if (!target.corrected.is_aside()) return;
+  auto read = std::make_unique<Target>(target);
+  read->corrected = with_samples(target.corrected);
+  read_ = std::move(read);
+  target_ = read_.get();
+}
+
+CorrectedTarget::~CorrectedTarget() = default;
+
+}  // namespace plastica::calibrate

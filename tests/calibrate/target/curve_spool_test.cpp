@@ -1,0 +1,121 @@
+#include "calibrate/target/curve_spool.hpp"
+
+#include <gtest/gtest.h>
+
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <stdexcept>
+
+#include "calibrate/target/import.hpp"
+#include "calibrate/target/target.hpp"
+#include "plastica/base/parallel_for.hpp"
+#include "plastica/io/storage_error.hpp"
+#include "tests/calibrate/target/curve_files.hpp"
+#include "tests/lib/io/scratch_folder.hpp"
+
+namespace plastica::calibrate {
+namespace {
+
+Curve numbered_curve(std::size_t samples, double first) {
+  Curve curve;
+  for (std::size_t i = 0; i < samples; ++i) {
+    curve.strain.push_back(first + static_cast<double>(i));
+    curve.stress.push_back(-first - 0.5 * static_cast<double>(i));
+  }
+  return curve;
+}
+
+void expect_same(const Curve& a, const Curve& b) {
+  EXPECT_EQ(a.strain, b.strain);
+  EXPECT_EQ(a.stress, b.stress);
+}
+
+/// In memory, in the file, and with a curve that memory has no room left for.
+TEST(CurveSpool, GivesBackWhatItTook) {
+  const io::ScratchFolder folder;
+  for (const std::size_t bytes : {0, 1000, 100'000'000}) {
+    const auto spool = std::make_shared<CurveSpool>(folder.file("out.h5"), bytes);
+    std::vector<Curve> curves(200);
+    parallel_for(curves.size(), {4, nullptr}, [&](std::size_t i, int) {
+      curves[i] = numbered_curve(i, static_cast<double>(i * i));
+      put_aside(curves[i], spool);
+    });
+    for (std::size_t i = 0; i < curves.size(); ++i) {
+      EXPECT_EQ(curves[i].samples(), i);
+      EXPECT_EQ(curves[i].size(), 0U);
+      expect_same(with_samples(curves[i]), numbered_curve(i, static_cast<double>(i * i)));
+    }
+    // What is aside already is left where it is.
+    const std::uint64_t before = curves[9].aside.offset;
+    put_aside(curves[9], spool);
+    EXPECT_EQ(curves[9].aside.offset, before);
+    EXPECT_TRUE(folder.names().empty());  // its file has no name
+  }
+}
+
+TEST(CurveSpool, KeepsEachBit) {
+  const io::ScratchFolder folder;
+  const auto spool = std::make_shared<CurveSpool>(folder.file("out.h5"), 0);
+  const double other_nan = std::bit_cast<double>(std::uint64_t{0x7ff8000000000123});
+  const std::vector<double> odd{-0.0, 5e-324, INFINITY, other_nan};
+  Curve curve{odd, odd};
+  put_aside(curve, spool);
+  const Curve read = with_samples(curve);
+  for (std::size_t i = 0; i < odd.size(); ++i) {
+    EXPECT_EQ(std::bit_cast<std::uint64_t>(read.strain[i]), std::bit_cast<std::uint64_t>(odd[i]));
+  }
+}
+
+TEST(CurveSpool, SaysWhichFolderTakesNoFile) {
+  const io::ScratchFolder folder;
+  CurveSpool spool(folder.file("none/out.h5"), 0);
+  try {
+    spool.put(std::vector{1.0}, std::vector{2.0});
+    FAIL();
+  } catch (const io::StorageError& error) {
+    EXPECT_EQ(error.what(),
+              folder.file("none/out.h5") + ": its folder takes no file: No such file or directory");
+  }
+  EXPECT_THROW(spool.put(std::vector{1.0}, std::vector<double>{}), std::logic_error);
+}
+
+TEST(CurveSpool, TargetsOutliveTheirBatch) {
+  const io::ScratchFolder folder;
+  Target target;
+  target.name = "a";
+  target.raw = numbered_curve(5, 1.0);
+  target.corrected = numbered_curve(3, 2.0);
+  const Target before = target;
+  {
+    const CorrectedTarget here(target);
+    EXPECT_EQ(&*here, &target);  // nothing was aside: nothing is copied
+  }
+  put_aside(target, std::make_shared<CurveSpool>(folder.file("out.h5"), 0));
+  const CorrectedTarget read(target);
+  EXPECT_EQ(read->name, "a");
+  expect_same(read->corrected, before.corrected);
+  expect_same(with_samples(target.raw), before.raw);
+}
+
+TEST(CurveSpool, TakesTheCurvesOfAnImport) {
+  const testing::CurveFiles files("spool");
+  const TargetSource source = testing::CurveFiles::source(
+      {files.write_curve("a.csv", 1.0, 1e-6), files.write("bad.csv", "a,b\n1,2\n3,4\n")});
+  const io::ScratchFolder folder;
+  const auto spool = std::make_shared<CurveSpool>(folder.file("out.h5"), 0);
+  const std::vector<Target> here = import_targets(source);
+  const std::vector<Target> aside = import_targets(source, {}, 2, spool);
+  ASSERT_EQ(here.size(), aside.size());
+  for (std::size_t i = 0; i < here.size(); ++i) {
+    EXPECT_EQ(aside[i].name, here[i].name);
+    EXPECT_EQ(aside[i].reason, here[i].reason);
+    EXPECT_EQ(aside[i].raw.size() + aside[i].corrected.size(), 0U);
+    expect_same(with_samples(aside[i].raw), here[i].raw);
+    expect_same(with_samples(aside[i].corrected), here[i].corrected);
+  }
+}
+
+}  // namespace
+}  // namespace plastica::calibrate
