@@ -155,9 +155,8 @@ template <typename Contents>
 std::string text_of_fits(const ExportArguments& arguments, const std::vector<std::string>& kinds) {
   const std::string what = what_of(arguments, kinds);
   refuse_what_of_json(arguments);
-  const Contents contents =
-      read_fits<Contents>(arguments.beam.file, what == "curves" ? calibrate::FitSamples::Read
-                                                                : calibrate::FitSamples::Counted);
+  using enum calibrate::FitSamples;
+  const auto contents = read_fits<Contents>(arguments.beam.file, what == "curves" ? Read : Counted);
   if (arguments.beam.to == "json") return json_of(contents);
   std::ostringstream out;
   if (what == "curves") {
