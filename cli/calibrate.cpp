@@ -92,10 +92,6 @@ int calibrate_files(const CalibrateArguments& arguments) {
   for (calibrate::TargetBlock& block : file.targets) {
     block.options.accept = block.options.accept || arguments.accept;
   }
-  if (!arguments.dry_run) {
-    check_outputs(file, output, arguments.json, arguments.force,
-                  found || arguments.shard.has_value());
-  }
   const auto spool = arguments.dry_run ? nullptr : std::make_shared<calibrate::CurveSpool>(output);
   std::vector<calibrate::Target> targets = calibrate::import_all(file, arguments.threads, spool);
   file.options.keep_trace = calibrate::cases_of(targets.size(), file.options).size() <= kTracedFits;
@@ -109,6 +105,9 @@ int calibrate_files(const CalibrateArguments& arguments) {
     say_shard(output, arguments.shard);
     return kDone;
   }
+  check_outputs(file, output, arguments.json, arguments.force,
+                found || arguments.shard.has_value());
+
   calibrate::FitStoreContents contents;
   contents.inputs = input_texts(file);
   contents.meta = begin_fit_meta(arguments);

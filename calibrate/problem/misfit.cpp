@@ -4,11 +4,14 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <utility>
 
 #include "calibrate/problem/given_weights.hpp"
 #include "calibrate/problem/weighted_squares.hpp"
 #include "calibrate/search/fit_interrupted.hpp"
+#include "plastica/coupon/material.hpp"
 #include "plastica/model/hardening_kind.hpp"
+#include "plastica/run/parameters.hpp"
 
 namespace plastica::calibrate {
 namespace {
@@ -41,6 +44,18 @@ Scene unbroken_scene(const Target& target, const FitOptions& options) {
   }
   scene.probes = {{"stress", ProbeQuantity::Stress}};
   return scene;
+}
+
+/// Whether E and the yield stress alone move it, each in proportion.
+bool is_ideal_coupon(const Model& model) {
+  const coupon::CouponShape& shape = model.coupon;
+  const auto is_known = [](const Field* field) {
+    return field->material == MaterialField::YoungsModulus ||
+           field->material == MaterialField::YieldStress;
+  };
+  return !model.chain && shape.hardening == HardeningLaw::Ideal &&
+         shape.deformation != Deformation::Torsion && shape.formulas == Formulas::Mechanics &&
+         std::ranges::all_of(model.parameters, is_known);
 }
 
 }  // namespace
@@ -98,6 +113,7 @@ Misfit::Misfit(const Target& target, const FitOptions& options, const ParameterS
   by_all_.resize(parameters.size());
   model_values_.resize(paths.size());
   stress_slope_.resize(paths.size());
+  closed_normal_.resize(paths.size());
 }
 
 void Misfit::set_priors(const WeighedPriors& priors) {
@@ -168,7 +184,14 @@ double Misfit::cost(std::span<const double> active, std::span<double> gradient) 
   return std::isfinite(stress) ? stress + break_cost(limit(), {}, true) : stress;
 }
 
+void Misfit::begin_search() {
+  if (std::exchange(is_searched_, true) || !is_ideal_coupon(model_)) return;
+  rising_ = RisingIdeal::of(model_.drive, target_.corrected.stress, weight_);
+  run_values_.reset();
+}
+
 double Misfit::search_cost(std::span<const double> active, std::span<double> gradient) {
+  begin_search();
   const double stress = evaluate(active, gradient, false);
   return std::isfinite(stress) ? stress + break_cost(likely_limit(), {}, false) + prior_cost()
                                : stress;
@@ -182,7 +205,12 @@ double Misfit::search_squares(std::span<const double> active, std::span<double> 
   const std::size_t width = model_index_.size();
   const std::size_t n = active.size();
   model_normal_.resize(width * width);
-  weighted_normal(weight_, sensitivity_.stress, width, model_normal_);
+  if (is_closed_) {
+    std::ranges::fill(model_normal_, 0.0);
+    for (std::size_t i = 0; i < width; ++i) model_normal_[i * width + i] = closed_normal_[i];
+  } else {
+    weighted_normal(weight_, sensitivity_.stress, width, model_normal_);
+  }
   if (break_scale_ > 0.0 && break_residual() != 0.0) {
     for (std::size_t i = 0; i < width; ++i) {
       for (std::size_t j = 0; j < width; ++j) {
@@ -216,6 +244,7 @@ double Misfit::search_squares(std::span<const double> active, std::span<double> 
 
 bool Misfit::residuals(std::span<const double> active, std::span<double> residual) {
   if (!set_values(active) || !run_model(false)) return false;
+  need_samples(false);
   const double* stress = response_.probes[0].data();
   for (std::size_t s = 0; s < samples_; ++s) {
     residual[s] = stress[s] - target_.corrected.stress[s];
@@ -253,14 +282,55 @@ bool Misfit::run_model(bool with_slopes) {
     if (is_raised(stop_)) throw FitInterrupted();
     run_values_ = model_values_;
     run_slopes_ = with_slopes;
-    if (with_slopes) {
-      run_sensitivity(model_, model_values_, workspace_, response_, sensitivity_);
-    } else {
-      run(model_, model_values_, workspace_, response_);
+    is_closed_ = take_closed_form();
+    samples_are_there_ = sample_slopes_are_there_ = false;
+    if (!is_closed_) {
+      follow(with_slopes);
+      if (usable(response_.status)) sum_stress_cost(with_slopes);
     }
-    if (usable(response_.status)) sum_stress_cost(with_slopes);
   }
   return usable(response_.status) && std::isfinite(stress_cost_);
+}
+
+void Misfit::follow(bool with_slopes) {
+  if (with_slopes) {
+    run_sensitivity(model_, model_values_, workspace_, response_, sensitivity_);
+  } else {
+    run(model_, model_values_, workspace_, response_);
+  }
+  samples_are_there_ = true;
+  sample_slopes_are_there_ = with_slopes;
+}
+
+void Misfit::need_samples(bool with_slopes) {
+  if (samples_are_there_ && (sample_slopes_are_there_ || !with_slopes)) return;
+  follow(with_slopes);
+  // All else stays what it was, to the last bit.
+  if (is_closed_) take_closed_form();
+}
+
+bool Misfit::take_closed_form() {
+  MaterialValues<double> material;
+  if (!rising_ || !take_parameters(model_, model_values_, material)) return false;
+  const auto coupon = coupon::coupon_material(model_.coupon, material);
+  if (!(coupon.stiffness > 0.0) || !(coupon.yield > 0.0)) return false;
+  const auto sum = rising_->sum(coupon.stiffness, coupon.yield);
+  const RisingIdeal::Permanent permanent = rising_->permanent(coupon.stiffness, coupon.yield);
+  if (!sum || !std::isfinite(sum->squares) || !std::isfinite(permanent.by_stiffness)) return false;
+  response_.event.reset();
+  response_.status = Status::Completed;
+  response_.samples = model_.drive.size();
+  response_.permanent_strain = permanent.strain;
+  stress_cost_ = sum->squares;
+  for (std::size_t i = 0; i < model_.parameters.size(); ++i) {
+    const bool stiffens = model_.parameters[i]->material == MaterialField::YoungsModulus;
+    const double by = (stiffens ? coupon.stiffness : coupon.yield) / model_values_[i];
+    stress_slope_[i] = by * (stiffens ? sum->by_stiffness : sum->by_yield);
+    sensitivity_.permanent_strain[i] =
+        by * (stiffens ? permanent.by_stiffness : permanent.by_yield);
+    closed_normal_[i] = by * by * (stiffens ? sum->stiffness_normal : sum->yield_normal);
+  }
+  return true;
 }
 
 void Misfit::sum_stress_cost(bool with_slopes) {

@@ -8,6 +8,7 @@
 
 #include "calibrate/fit/options.hpp"
 #include "calibrate/problem/parameter_set.hpp"
+#include "calibrate/problem/rising_ideal.hpp"
 #include "calibrate/problem/weighed_priors.hpp"
 #include "calibrate/target/target.hpp"
 #include "plastica/run/simulate.hpp"
@@ -131,6 +132,14 @@ class Misfit {
   bool set_values(std::span<const double> active);
   /// Runs the model at the values set, unless it has been run there. @return whether it is usable
   bool run_model(bool with_slopes);
+  /// Runs the model sample by sample.
+  void follow(bool with_slopes);
+  /// Follows it at the values of the last run, unless that has been done.
+  void need_samples(bool with_slopes);
+  /// Many evaluations follow: sums that make them cheap are worth their time.
+  void begin_search();
+  /// Takes all but the samples from `rising_`, if that applies at the values set.
+  bool take_closed_form();
   /// Sums f_stress, and with slopes its derivatives by the model's parameters.
   void sum_stress_cost(bool with_slopes);
   /// d all model parameters / d active (n_model x n_active).
@@ -181,6 +190,12 @@ class Misfit {
   std::optional<std::vector<double>> run_values_;  ///< of the model
   bool run_slopes_ = false;
   bool was_run_ = false;
+  bool is_searched_ = false;
+  std::optional<RisingIdeal> rising_;  ///< of an ideal-plastic coupon whose strain only rises
+  bool is_closed_ = false;             ///< whether the last run is of it
+  bool samples_are_there_ = false;     ///< of the last run, in the response
+  bool sample_slopes_are_there_ = false;
+  std::vector<double> closed_normal_;  ///< of J^T J, whose other terms are 0 (n_model)
   double stress_cost_ = 0.0;
   std::vector<double> stress_slope_;  ///< d f_stress / d model parameter (n_model)
 };

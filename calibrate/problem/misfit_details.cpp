@@ -13,6 +13,7 @@ std::vector<double> Misfit::curvature(std::span<const double> active) {
   std::vector<double> curvature(n, 0.0);
   std::vector<double> by_active(n);
   if (!std::isfinite(cost(active, by_active))) return curvature;
+  need_samples(true);
   const std::vector<double> map = model_by_active(n);
   std::vector<double> slope(samples_);
   for (std::size_t k = 0; k < n; ++k) {
@@ -34,6 +35,7 @@ Misfit::Details Misfit::details(std::span<const double> active) {
   Details d;
   std::vector<double> gradient(active.size());
   const double total = cost(active, gradient);
+  need_samples(true);
   d.break_cost = break_cost(limit(), {}, true);
   d.stress_cost = total - d.break_cost;
   d.residual.resize(samples_);

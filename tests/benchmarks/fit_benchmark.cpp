@@ -95,7 +95,7 @@ void evaluation_of_a_cost(benchmark::State& state) {
   for (auto _ : state) {
     // Each at a point of its own: the model is not run again where it has just been.
     values[1] = yield * (1.0 + 1e-4 * static_cast<double>(++i % 100));
-    benchmark::DoNotOptimize(misfit.cost(values, gradient));
+    benchmark::DoNotOptimize(misfit.search_cost(values, gradient));
   }
 }
 BENCHMARK(evaluation_of_a_cost)->ArgName("gradient")->Arg(0)->Arg(1);
