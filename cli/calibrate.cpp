@@ -28,6 +28,7 @@
 #include "cli/shard_option.hpp"
 #include "cli/tell.hpp"
 #include "plastica/base/instruction_set.hpp"
+#include "plastica/io/result_file.hpp"
 
 namespace plastica::cli {
 namespace {
@@ -92,7 +93,12 @@ int calibrate_files(const CalibrateArguments& arguments) {
   for (calibrate::TargetBlock& block : file.targets) {
     block.options.accept = block.options.accept || arguments.accept;
   }
-  const auto spool = arguments.dry_run ? nullptr : std::make_shared<calibrate::CurveSpool>(output);
+  // Curves may go into the same folder. Whether an output is there already is said behind what is
+  // wrong with the inputs.
+  if (!arguments.dry_run) io::check_output_path(output, true);
+  const auto spool = arguments.dry_run
+                         ? nullptr
+                         : std::make_shared<calibrate::CurveSpool>(calibrate::spool_folder(output));
   std::vector<calibrate::Target> targets = calibrate::import_all(file, arguments.threads, spool);
   file.options.keep_trace = calibrate::cases_of(targets.size(), file.options).size() <= kTracedFits;
   if (file.options.intervals.specimens > 0 && targets.size() < 2) {

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 #include <set>
 #include <string_view>
 
@@ -29,8 +30,22 @@ std::size_t memory_of(const FitOptions& options) {
   return kTarget + sizeof(double) * evaluations * (options.parameters.size() + 1);
 }
 
-/// Of its curves: as read, corrected and fitted.
-std::size_t curves_of(const Target& target) { return 3 * 2 * sizeof(double) * target.raw.size(); }
+/// Of its curves: as read, corrected, and fitted by each law.
+std::size_t curves_of(const Target& target, const FitOptions& options) {
+  const std::size_t curves = 2 + std::max<std::size_t>(options.laws.size(), 1);
+  return curves * 2 * sizeof(double) * target.raw.size();
+}
+
+/// Of the largest of their files, as text and in cells, while it is read.
+std::size_t largest_table(std::span<const Target> targets) {
+  constexpr std::size_t kRow = 200;
+  std::map<std::string_view, std::size_t> rows;
+  std::size_t largest = 0;
+  for (const Target& target : targets) {
+    largest = std::max(largest, rows[target.file] += target.raw.size());
+  }
+  return kRow * largest;
+}
 
 void print_parameters(const Target& target, const FitOptions& options) {
   const calibrate::ParameterSet set(target, options);
@@ -88,12 +103,12 @@ void print_dry_run(std::span<const Target> targets, const FitOptions& options,
                    const std::string& output) {
   std::size_t ready = 0;
   constexpr std::size_t kProgram = 40'000'000;
-  std::size_t bytes = kProgram;
+  std::size_t bytes = kProgram + largest_table(targets);
   std::size_t curves = 0;
   for (const Target& target : targets) {
     ready += target.status == TargetStatus::Ready ? 1 : 0;
-    bytes += memory_of(options);
-    curves += curves_of(target);
+    bytes += memory_of(options) * std::max<std::size_t>(options.laws.size(), 1);
+    curves += curves_of(target, options);
     say("{:<32} {:>6} samples  {}\n", target.name, target.corrected.size(),
         target.status == TargetStatus::Ready ? "ready" : target.reason);
   }

@@ -163,6 +163,7 @@ int run(std::vector<std::string> words, const plastica::io::MergedShards* merged
 
 int main(int argc, char** argv) {
   plastica::cli::open_closed_streams();
+  plastica::cli::tell_of_full_files();
   plastica::keep_freed_memory();
   plastica::cli::RunTeam team;
   int code = plastica::cli::kMachineFailed;

@@ -81,6 +81,8 @@ int run_fits(const CalibrateArguments& arguments, const std::string& output, boo
   io::check_output_path(output, arguments.force);
   tell_of_journal(batch, arguments.quiet);
   contents.records = fit();
+  // So that this report and those made of the file later are the same.
+  calibrate::put_in_order(contents.records);
   if (!batch.leads()) return kDone;
   if (!batch.complete()) {
     tell_interrupted(output);

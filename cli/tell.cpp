@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <csignal>
 #include <cstdio>
 #include <new>
 #include <string_view>
@@ -61,6 +62,8 @@ void put(const std::string& text) {
     fmt::print("{}", text);
   }
 }
+
+void tell_of_full_files() { std::signal(SIGXFSZ, SIG_IGN); }
 
 void open_closed_streams() {
   // open() gives the lowest number that is free. Opened the wrong way round, so that reading what

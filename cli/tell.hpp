@@ -45,4 +45,7 @@ void put(const std::string& text);
 /// go into them. Writing to a standard output that was closed fails, as it should.
 void open_closed_streams();
 
+/// A file that may grow no further (`ulimit -f`) is an error that is told, not the program's end.
+void tell_of_full_files();
+
 }  // namespace plastica::cli

@@ -121,20 +121,39 @@ Json population_of(std::span<const SceneFitRecord> records, double confidence) {
           {"confidence", confidence}};
 }
 
+std::string dumped(const Json& json, int indent) {
+  return json.dump(indent, ' ', false, Json::error_handler_t::replace);
+}
+
+/// An object's text with the fits in front of what it has, an object each: as a whole those of ten
+/// thousand would take half a gigabyte.
+/// @param all  an object that is not empty
 template <typename Record>
-Json fits_of(std::span<const Record> records) {
-  Json fits = Json::array();
+std::string text_with_fits(std::span<const Record> records, const Json& all, int indent) {
+  const bool has_lines = indent >= 0;
+  const auto line = [&](int depth) {
+    const int blanks = has_lines ? depth * indent : 0;
+    return (has_lines ? "\n" : "") + std::string(static_cast<std::size_t>(blanks), ' ');
+  };
+  std::string text = "{" + line(1) + (has_lines ? "\"fits\": [" : "\"fits\":[");
   for (const Record& record : records) {
     Json fit = json_of(fit_entries(&record));
     add_outcome(fit, record.result, record.result.correlated_parameters());
     add_lists(fit, record);
-    fits.push_back(std::move(fit));
+    text += &record == records.data() ? line(2) : "," + line(2);
+    // Texts have no line ends of their own: JSON writes them as "\n".
+    for (const char c : dumped(fit, indent)) {
+      if (c == '\n') {
+        text += line(2);
+      } else {
+        text += c;
+      }
+    }
   }
-  return fits;
-}
-
-std::string text_of(const Json& all, int indent) {
-  return all.dump(indent, ' ', false, Json::error_handler_t::replace) + '\n';
+  if (!records.empty()) text += line(1);
+  text += "],";
+  text += std::string_view(dumped(all, indent)).substr(1);
+  return text + '\n';
 }
 
 }  // namespace
@@ -143,8 +162,12 @@ std::string text_of(const Json& all, int indent) {
 
 std::string json_summary(std::span<const FitRecord> records, int indent,
                          const SpecimenDraws& draws) {
-  std::vector<FitRecord> advised(records.begin(), records.end());
-  const std::span<const FitRecord> shown = std::span(advised).first(advised_first(advised));
+  std::vector<FitRecord> advised;
+  std::span<const FitRecord> shown = records;
+  if (compares_laws(records)) {
+    advised.assign(records.begin(), records.end());
+    shown = std::span(advised).first(advised_first(advised));
+  }
   Json groups = Json::array();
   for (const GroupSummary& group : summarize_groups(shown, draws)) {
     groups.push_back({{"group", pairs(group.group)},
@@ -155,23 +178,21 @@ std::string json_summary(std::span<const FitRecord> records, int indent,
                       {"parameters", statistics_of(group.parameters)}});
   }
   const Counts counts = count_statuses(shown);
-  Json all = {{"fits", fits_of(records)},
-              {"groups", std::move(groups)},
+  Json all = {{"groups", std::move(groups)},
               {"counts",
                {{"fitted", counts.fitted},
                 {"rejected", counts.rejected},
                 {"failed", counts.failed},
                 {"unusable", counts.unusable}}}};
   if (compares_laws(records)) all["laws"] = laws_json(records);
-  return text_of(all, indent);
+  return text_with_fits(records, all, indent);
 }
 
 std::string json_summary(std::span<const SceneFitRecord> records, double confidence, int indent) {
   const std::vector<SceneFitRecord> shown = of_law(records, "");
   const auto fitted = std::ranges::count(shown, FitStatus::Fitted,
                                          [](const SceneFitRecord& r) { return r.result.status; });
-  Json all = {{"fits", fits_of(records)},
-              {"population", population_of(shown, confidence)},
+  Json all = {{"population", population_of(shown, confidence)},
               {"counts",
                {{"fitted", fitted},
                 {"failed", std::ssize(shown) - fitted},
@@ -179,7 +200,7 @@ std::string json_summary(std::span<const SceneFitRecord> records, double confide
                    return !why_unusable(r.result).empty();
                  })}}}};
   if (compares_laws(records)) all["laws"] = laws_json(records);
-  return text_of(all, indent);
+  return text_with_fits(records, all, indent);
 }
 
 }  // namespace plastica::calibrate

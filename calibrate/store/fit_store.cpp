@@ -83,6 +83,8 @@ void write_fit_store(const std::string& path, const FitStoreContents& contents,
   file.commit();
 }
 
+void put_in_order(std::vector<FitRecord>& records) { store::sort_in_order(records); }
+
 FitStoreContents read_fit_store(const std::string& path, FitSamples samples) {
   const io::Hdf5File file = io::Hdf5File::open(path);
   const io::Hdf5Group& root = file.root();

@@ -39,6 +39,9 @@ struct FitStoreContents {
 void write_fit_store(const std::string& path, const FitStoreContents& contents,
                      io::Overwrite overwrite = io::Overwrite::Allowed);
 
+/// Puts records in the order in which a file has them: of their targets' names, then of their laws.
+void put_in_order(std::vector<FitRecord>& records);
+
 /// Reads a result file: every field of every record, bit by bit, in the order of the names. An
 /// optional that holds a NaN comes back empty.
 /// @param samples  Counted: all but curves and evaluations, where no laws are compared (their

@@ -121,6 +121,8 @@ void write_scene_fit_store(const std::string& path, const SceneFitContents& cont
   file.commit();
 }
 
+void put_in_order(std::vector<SceneFitRecord>& records) { store::sort_in_order(records); }
+
 SceneFitContents read_scene_fit_store(const std::string& path) {
   const io::Hdf5File file = io::Hdf5File::open(path);
   const io::Hdf5Group& root = file.root();

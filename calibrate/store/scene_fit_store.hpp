@@ -36,6 +36,9 @@ struct SceneFitContents {
 void write_scene_fit_store(const std::string& path, const SceneFitContents& contents,
                            io::Overwrite overwrite = io::Overwrite::Allowed);
 
+/// Puts records in the order in which a file has them: of their names, then of their laws.
+void put_in_order(std::vector<SceneFitRecord>& records);
+
 /// Reads a result file: every field of every record, bit by bit, in the order of the names
 /// and laws. A noise that is a NaN comes back empty.
 /// @throws InputError if it is no such file, of another version, or not complete

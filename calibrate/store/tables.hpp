@@ -231,6 +231,14 @@ std::vector<const Record*> in_order(const std::vector<Record>& records) {
   throw std::logic_error("a result file: " + name_of(**twice) + " is the name of two fits");
 }
 
+/// Puts records in that order.
+template <typename Record>
+void sort_in_order(std::vector<Record>& records) {
+  std::ranges::sort(records, std::less<>(), [](const Record& record) {
+    return std::pair<std::string_view, Law>(name_of(record), record.result.law);
+  });
+}
+
 /// Reports find the fits of a name beside each other, and a fit by its name and law.
 /// @throws InputError
 template <typename Record>

@@ -19,12 +19,11 @@ namespace plastica::calibrate {
 namespace {
 
 /// Opens a file that has no name, for reading and writing. @return -1 and `errno` if that fails
-int open_nameless(const std::string& beside) {
-  const int made =
-      ::open(io::folder_of(beside).c_str(), O_TMPFILE | O_RDWR | O_CLOEXEC, S_IRUSR | S_IWUSR);
+int open_nameless(const std::string& folder) {
+  const int made = ::open(folder.c_str(), O_TMPFILE | O_RDWR | O_CLOEXEC, S_IRUSR | S_IWUSR);
   if (made >= 0 || (errno != EOPNOTSUPP && errno != EISDIR)) return made;
   // File systems that know no such files have some with names, which can be taken away.
-  std::string name = io::folder_of(beside) + "/.plastica-curves-XXXXXX";
+  std::string name = folder + "/.plastica-curves-XXXXXX";
   const int named = ::mkostemp(name.data(), O_CLOEXEC);
   if (named >= 0) ::unlink(name.c_str());
   return named;
@@ -32,8 +31,13 @@ int open_nameless(const std::string& beside) {
 
 }  // namespace
 
-CurveSpool::CurveSpool(std::string output, std::size_t bytes_in_memory)
-    : output_(std::move(output)),
+std::string spool_folder(const std::string& output) {
+  const char* named = std::getenv("TMPDIR");
+  return named != nullptr && *named != '\0' ? named : io::folder_of(output);
+}
+
+CurveSpool::CurveSpool(std::string folder, std::size_t bytes_in_memory)
+    : folder_(std::move(folder)),
       room_(bytes_in_memory / sizeof(double)),
       // Not set to zero: what nobody writes takes no memory.
       memory_(new double[room_]) {}
@@ -67,7 +71,8 @@ PlaceOfCurve CurveSpool::put(std::span<const double> strain, std::span<const dou
   while (left > 0) {
     const ssize_t written = ::pwrite(descriptor, bytes, left, at);
     if (written < 0 && errno == EINTR) continue;
-    if (written < 0) fail("its folder does not take the curves of the run", errno);
+    if (written < 0)
+      fail("does not take the curves of the run, of which TMPDIR may name another folder", errno);
     bytes += written;
     at += written;
     left -= static_cast<std::size_t>(written);
@@ -93,8 +98,7 @@ void CurveSpool::get(const PlaceOfCurve& place, std::span<double> strain,
     while (left > 0) {
       const ssize_t got = ::pread(descriptor_, bytes, left, at);
       if (got < 0 && errno == EINTR) continue;
-      if (got <= 0)
-        fail("its folder does not give back the curves of the run", got < 0 ? errno : EIO);
+      if (got <= 0) fail("does not give back the curves of the run", got < 0 ? errno : EIO);
       bytes += got;
       at += got;
       left -= static_cast<std::size_t>(got);
@@ -103,13 +107,14 @@ void CurveSpool::get(const PlaceOfCurve& place, std::span<double> strain,
 }
 
 int CurveSpool::file() {
-  if (descriptor_ < 0) descriptor_ = open_nameless(output_);
-  if (descriptor_ < 0) fail("its folder takes no file", errno);
+  if (descriptor_ < 0) descriptor_ = open_nameless(folder_);
+  if (descriptor_ < 0)
+    fail("takes no file for the curves of the run, of which TMPDIR may name another folder", errno);
   return descriptor_;
 }
 
 void CurveSpool::fail(const char* action, int error) const {
-  throw io::StorageError(output_, std::string(action) + ": " + std::strerror(error));
+  throw io::StorageError(folder_, std::string(action) + ": " + std::strerror(error));
 }
 
 void put_aside(Curve& curve, const std::shared_ptr<CurveSpool>& spool) {

@@ -13,14 +13,14 @@ namespace plastica::calibrate {
 
 struct Target;
 
-/// Keeps curves of large batches: the first of them in memory, the others in a file without a name
-/// beside the output, which is gone with the process. Several threads may use it at a time.
+/// Keeps curves of large batches: the first of them in memory, the others in a file without a name,
+/// which is gone with the process. Several threads may use it at a time.
 class CurveSpool {
  public:
   static constexpr std::size_t kInMemory = std::size_t{4} << 20U;  ///< [bytes]
 
-  /// @param output  whose folder takes the file; it is made once memory is full
-  explicit CurveSpool(std::string output, std::size_t bytes_in_memory = kInMemory);
+  /// @param folder  takes the file, which is made once memory is full
+  explicit CurveSpool(std::string folder, std::size_t bytes_in_memory = kInMemory);
   ~CurveSpool();
   CurveSpool(const CurveSpool&) = delete;
   CurveSpool& operator=(const CurveSpool&) = delete;
@@ -35,13 +35,17 @@ class CurveSpool {
   int file();
   [[noreturn]] void fail(const char* action, int error) const;
 
-  std::string output_;
+  std::string folder_;
   std::size_t room_;  // numbers in memory
   std::unique_ptr<double[]> memory_;
   std::mutex mutex_;       // of the two below
   std::uint64_t end_ = 0;  // numbers that are there
   int descriptor_ = -1;
 };
+
+/// Where the curves of a run stand: the folder that the environment variable TMPDIR names; without
+/// one, that of the output.
+std::string spool_folder(const std::string& output);
 
 /// Moves the samples of a curve into a spool, unless they are there already; `samples` still counts
 /// them. @throws io::StorageError

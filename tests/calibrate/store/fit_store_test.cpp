@@ -57,7 +57,7 @@ TEST(FitStore, WritesTheSameBytesWhereCurvesArePutAside) {
     record.target.corrected = ideal_target("", 3e8, 300 + static_cast<std::size_t>(i)).corrected;
   }
   write_fit_store(folder.file("here.h5"), contents);
-  const auto spool = std::make_shared<CurveSpool>(folder.file("x.h5"), 2000);
+  const auto spool = std::make_shared<CurveSpool>(folder.file(""), 2000);
   for (FitRecord& record : contents.records) {
     put_aside(record.target, spool);
     put_aside(record.result.fitted, spool);

@@ -61,7 +61,7 @@ TEST_F(JournaledBatchTest, GivesTheSameBitsWhereCurvesArePutAside) {
   const std::string run = JournaledBatch(targets_, options_, {.journal = {journal_}}).run_id();
   for (const std::size_t in_memory : {0, 4000, 1 << 20}) {
     for (const int threads : {1, 4}) {
-      const auto spool = std::make_shared<CurveSpool>(folder_.file("out.h5"), in_memory);
+      const auto spool = std::make_shared<CurveSpool>(folder_.file(""), in_memory);
       std::vector<Target> light = targets_;
       for (Target& target : light) put_aside(target, spool);
       EXPECT_EQ(light[0].corrected.size(), 0U);

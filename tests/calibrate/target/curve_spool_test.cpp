@@ -36,7 +36,7 @@ void expect_same(const Curve& a, const Curve& b) {
 TEST(CurveSpool, GivesBackWhatItTook) {
   const io::ScratchFolder folder;
   for (const std::size_t bytes : {0, 1000, 100'000'000}) {
-    const auto spool = std::make_shared<CurveSpool>(folder.file("out.h5"), bytes);
+    const auto spool = std::make_shared<CurveSpool>(folder.file(""), bytes);
     std::vector<Curve> curves(200);
     parallel_for(curves.size(), {4, nullptr}, [&](std::size_t i, int) {
       curves[i] = numbered_curve(i, static_cast<double>(i * i));
@@ -57,7 +57,7 @@ TEST(CurveSpool, GivesBackWhatItTook) {
 
 TEST(CurveSpool, KeepsEachBit) {
   const io::ScratchFolder folder;
-  const auto spool = std::make_shared<CurveSpool>(folder.file("out.h5"), 0);
+  const auto spool = std::make_shared<CurveSpool>(folder.file(""), 0);
   const double other_nan = std::bit_cast<double>(std::uint64_t{0x7ff8000000000123});
   const std::vector<double> odd{-0.0, 5e-324, INFINITY, other_nan};
   Curve curve{odd, odd};
@@ -70,13 +70,14 @@ TEST(CurveSpool, KeepsEachBit) {
 
 TEST(CurveSpool, SaysWhichFolderTakesNoFile) {
   const io::ScratchFolder folder;
-  CurveSpool spool(folder.file("none/out.h5"), 0);
+  CurveSpool spool(folder.file("none"), 0);
   try {
     spool.put(std::vector{1.0}, std::vector{2.0});
     FAIL();
   } catch (const io::StorageError& error) {
-    EXPECT_EQ(error.what(),
-              folder.file("none/out.h5") + ": its folder takes no file: No such file or directory");
+    EXPECT_EQ(error.what(), folder.file("none") +
+                                ": takes no file for the curves of the run, of which TMPDIR may "
+                                "name another folder: No such file or directory");
   }
   EXPECT_THROW(spool.put(std::vector{1.0}, std::vector<double>{}), std::logic_error);
 }
@@ -92,7 +93,7 @@ TEST(CurveSpool, TargetsOutliveTheirBatch) {
     const CorrectedTarget here(target);
     EXPECT_EQ(&*here, &target);  // nothing was aside: nothing is copied
   }
-  put_aside(target, std::make_shared<CurveSpool>(folder.file("out.h5"), 0));
+  put_aside(target, std::make_shared<CurveSpool>(folder.file(""), 0));
   const CorrectedTarget read(target);
   EXPECT_EQ(read->name, "a");
   expect_same(read->corrected, before.corrected);
@@ -104,7 +105,7 @@ TEST(CurveSpool, TakesTheCurvesOfAnImport) {
   const TargetSource source = testing::CurveFiles::source(
       {files.write_curve("a.csv", 1.0, 1e-6), files.write("bad.csv", "a,b\n1,2\n3,4\n")});
   const io::ScratchFolder folder;
-  const auto spool = std::make_shared<CurveSpool>(folder.file("out.h5"), 0);
+  const auto spool = std::make_shared<CurveSpool>(folder.file(""), 0);
   const std::vector<Target> here = import_targets(source);
   const std::vector<Target> aside = import_targets(source, {}, 2, spool);
   ASSERT_EQ(here.size(), aside.size());
