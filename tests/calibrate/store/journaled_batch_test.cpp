@@ -59,7 +59,7 @@ TEST_F(JournaledBatchTest, GivesTheSameBitsAsAPlainBatchForEveryNumberOfThreads)
 /// Whatever of the curves lies in memory, on the disk, or on both.
 TEST_F(JournaledBatchTest, GivesTheSameBitsWhereCurvesArePutAside) {
   const std::string run = JournaledBatch(targets_, options_, {.journal = {journal_}}).run_id();
-  for (const std::size_t in_memory : {0, 4000, 1 << 20}) {
+  for (const std::size_t in_memory : {0U, 4000U, 1U << 20U}) {
     for (const int threads : {1, 4}) {
       const auto spool = std::make_shared<CurveSpool>(folder_.file(""), in_memory);
       std::vector<Target> light = targets_;

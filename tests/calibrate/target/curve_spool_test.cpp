@@ -35,7 +35,7 @@ void expect_same(const Curve& a, const Curve& b) {
 /// In memory, in the file, and with a curve that memory has no room left for.
 TEST(CurveSpool, GivesBackWhatItTook) {
   const io::ScratchFolder folder;
-  for (const std::size_t bytes : {0, 1000, 100'000'000}) {
+  for (const std::size_t bytes : {0U, 1000U, 100'000'000U}) {
     const auto spool = std::make_shared<CurveSpool>(folder.file(""), bytes);
     std::vector<Curve> curves(200);
     parallel_for(curves.size(), {4, nullptr}, [&](std::size_t i, int) {

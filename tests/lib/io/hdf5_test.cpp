@@ -43,7 +43,7 @@ TEST(Hdf5, SaysWhichVersionRuns) {
 
 TEST(Hdf5, WritesColumnsPieceByPieceAsAtOnce) {
   const ScratchFolder folder;
-  for (const std::size_t count : {0, 1, 511, 512, 513, 100'000, 600'000}) {
+  for (const std::size_t count : {0U, 1U, 511U, 512U, 513U, 100'000U, 600'000U}) {
     const std::vector<double> values = ramp(count);
     const DatasetOptions options{.units = "Pa", .deflate = 1};
     Hdf5File whole = Hdf5File::create(folder.file("whole.h5"));
