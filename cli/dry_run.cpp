@@ -33,7 +33,7 @@ std::size_t memory_of(const FitOptions& options) {
 /// Of its curves: as read, corrected, and fitted by each law.
 std::size_t curves_of(const Target& target, const FitOptions& options) {
   const std::size_t curves = 2 + std::max<std::size_t>(options.laws.size(), 1);
-  return curves * 2 * sizeof(double) * target.raw.size();
+  return curves * 2 * sizeof(double) * target.raw.samples();
 }
 
 /// Of the largest of their files, as text and in cells, while it is read.
@@ -42,7 +42,7 @@ std::size_t largest_table(std::span<const Target> targets) {
   std::map<std::string_view, std::size_t> rows;
   std::size_t largest = 0;
   for (const Target& target : targets) {
-    largest = std::max(largest, rows[target.file] += target.raw.size());
+    largest = std::max(largest, rows[target.file] += target.raw.samples());
   }
   return kRow * largest;
 }
@@ -109,13 +109,13 @@ void print_dry_run(std::span<const Target> targets, const FitOptions& options,
     ready += target.status == TargetStatus::Ready ? 1 : 0;
     bytes += memory_of(options) * std::max<std::size_t>(options.laws.size(), 1);
     curves += curves_of(target, options);
-    say("{:<32} {:>6} samples  {}\n", target.name, target.corrected.size(),
+    say("{:<32} {:>6} samples  {}\n", target.name, target.corrected.samples(),
         target.status == TargetStatus::Ready ? "ready" : target.reason);
   }
   const auto first = std::find_if(targets.begin(), targets.end(), [](const Target& target) {
     return target.status == TargetStatus::Ready;
   });
-  if (first != targets.end()) print_parameters(*first, options);
+  if (first != targets.end()) print_parameters(*calibrate::CorrectedTarget(*first), options);
   const bool on_disk = curves > calibrate::CurveSpool::kInMemory;
   say("{} target{}, {} to fit, algorithm {}, about {:.0f} MB of memory{}\n", targets.size(),
       targets.size() == 1 ? "" : "s", ready, options.algorithm,

@@ -133,13 +133,13 @@ class Misfit {
   /// Runs the model at the values set, unless it has been run there. @return whether it is usable
   bool run_model(bool with_slopes);
   /// Runs the model sample by sample.
-  void follow(bool with_slopes);
+  void follow(ParameterValues values, bool with_slopes);
   /// Follows it at the values of the last run, unless that has been done.
   void need_samples(bool with_slopes);
   /// Many evaluations follow: sums that make them cheap are worth their time.
   void begin_search();
-  /// Takes all but the samples from `rising_`, if that applies at the values set.
-  bool take_closed_form();
+  /// Takes all but the samples from `rising_`, if that applies at the values.
+  bool take_closed_form(ParameterValues values);
   /// Sums f_stress, and with slopes its derivatives by the model's parameters.
   void sum_stress_cost(bool with_slopes);
   /// d all model parameters / d active (n_model x n_active).

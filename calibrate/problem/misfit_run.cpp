@@ -38,36 +38,36 @@ bool Misfit::run_model(bool with_slopes) {
     if (is_raised(stop_)) throw FitInterrupted();
     run_values_ = model_values_;
     run_slopes_ = with_slopes;
-    is_closed_ = take_closed_form();
+    is_closed_ = take_closed_form(model_values_);
     samples_are_there_ = sample_slopes_are_there_ = false;
     if (!is_closed_) {
-      follow(with_slopes);
+      follow(model_values_, with_slopes);
       if (usable(response_.status)) sum_stress_cost(with_slopes);
     }
   }
   return usable(response_.status) && std::isfinite(stress_cost_);
 }
 
-void Misfit::follow(bool with_slopes) {
+void Misfit::follow(ParameterValues values, bool with_slopes) {
   if (with_slopes) {
-    run_sensitivity(model_, model_values_, workspace_, response_, sensitivity_);
+    run_sensitivity(model_, values, workspace_, response_, sensitivity_);
   } else {
-    run(model_, model_values_, workspace_, response_);
+    run(model_, values, workspace_, response_);
   }
   samples_are_there_ = true;
   sample_slopes_are_there_ = with_slopes;
 }
 
 void Misfit::need_samples(bool with_slopes) {
-  if (samples_are_there_ && (sample_slopes_are_there_ || !with_slopes)) return;
-  follow(with_slopes);
+  if (!run_values_ || (samples_are_there_ && (sample_slopes_are_there_ || !with_slopes))) return;
+  follow(*run_values_, with_slopes);
   // All else stays what it was, to the last bit.
-  if (is_closed_) take_closed_form();
+  if (is_closed_) take_closed_form(*run_values_);
 }
 
-bool Misfit::take_closed_form() {
+bool Misfit::take_closed_form(ParameterValues values) {
   MaterialValues<double> material;
-  if (!rising_ || !take_parameters(model_, model_values_, material)) return false;
+  if (!rising_ || !take_parameters(model_, values, material)) return false;
   const auto coupon = coupon::coupon_material(model_.coupon, material);
   if (!(coupon.stiffness > 0.0) || !(coupon.yield > 0.0)) return false;
   const auto sum = rising_->sum(coupon.stiffness, coupon.yield);
@@ -80,7 +80,7 @@ bool Misfit::take_closed_form() {
   stress_cost_ = sum->squares;
   for (std::size_t i = 0; i < model_.parameters.size(); ++i) {
     const bool stiffens = model_.parameters[i]->material == MaterialField::YoungsModulus;
-    const double by = (stiffens ? coupon.stiffness : coupon.yield) / model_values_[i];
+    const double by = (stiffens ? coupon.stiffness : coupon.yield) / values[i];
     stress_slope_[i] = by * (stiffens ? sum->by_stiffness : sum->by_yield);
     sensitivity_.permanent_strain[i] =
         by * (stiffens ? permanent.by_stiffness : permanent.by_yield);

@@ -19,23 +19,23 @@ std::optional<RisingIdeal> RisingIdeal::of(std::span<const double> strain,
   made.last_ = strain.back();
   made.elastic_.resize(n + 1);
   for (std::size_t i = 0; i < n; ++i) {
-    const Part& before = made.elastic_[i];
+    const Term& before = made.elastic_[i];
     const double off = stress[i] - before.best * strain[i];
-    Part& now = made.elastic_[i + 1];
+    Term& now = made.elastic_[i + 1];
     now.weight = before.weight + weight[i] * strain[i] * strain[i];
     const bool has_slope = now.weight > 0.0;
     now.best = before.best + (has_slope ? weight[i] * strain[i] * off / now.weight : 0.0);
-    now.left = before.left + weight[i] * off * off * (has_slope ? before.weight / now.weight : 1.0);
+    now.residual = before.residual + weight[i] * off * off * (has_slope ? before.weight / now.weight : 1.0);
   }
   made.plateau_.resize(n + 1);
   for (std::size_t i = n; i-- > 0;) {
-    const Part& behind = made.plateau_[i + 1];
+    const Term& behind = made.plateau_[i + 1];
     const double off = stress[i] - behind.best;
-    Part& now = made.plateau_[i];
+    Term& now = made.plateau_[i];
     now.weight = behind.weight + weight[i];
     if (!(now.weight > 0.0)) continue;
     now.best = behind.best + weight[i] * off / now.weight;
-    now.left = behind.left + weight[i] * off * off * (behind.weight / now.weight);
+    now.residual = behind.residual + weight[i] * off * off * (behind.weight / now.weight);
   }
   return made;
 }
@@ -45,11 +45,11 @@ std::optional<RisingIdeal::Sum> RisingIdeal::sum(double stiffness, double yield)
   const auto yields = std::partition_point(
       strain_.begin(), strain_.end(), [&](double strain) { return stiffness * strain <= yield; });
   const auto k = static_cast<std::size_t>(yields - strain_.begin());
-  const Part& elastic = elastic_[k];
-  const Part& plateau = plateau_[k];
+  const Term& elastic = elastic_[k];
+  const Term& plateau = plateau_[k];
   const double stiffer = stiffness - elastic.best;
   const double higher = yield - plateau.best;
-  return Sum{.squares = elastic.left + elastic.weight * stiffer * stiffer + plateau.left +
+  return Sum{.squares = elastic.residual + elastic.weight * stiffer * stiffer + plateau.residual +
                         plateau.weight * higher * higher,
              .by_stiffness = 2.0 * elastic.weight * stiffer,
              .by_yield = 2.0 * plateau.weight * higher,

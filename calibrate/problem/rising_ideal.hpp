@@ -50,15 +50,15 @@ class RisingIdeal {
 
  private:
   /// Of the samples before one, or from it on.
-  struct Part {
+  struct Term {
     double weight = 0.0;  ///< A or W
     double best = 0.0;    ///< K_k or Y_k
-    double left = 0.0;    ///< R or M
+    double residual = 0.0;  ///< R or M
   };
 
   std::vector<double> strain_;  // of the samples (n)
-  std::vector<Part> elastic_;   // before sample k (n + 1)
-  std::vector<Part> plateau_;   // from sample k on (n + 1)
+  std::vector<Term> elastic_;   // before sample k (n + 1)
+  std::vector<Term> plateau_;   // from sample k on (n + 1)
   double last_ = 0.0;           // strain of the drive
 };
 

@@ -149,11 +149,14 @@ std::string text_with_fits(std::span<const Record> records, const Json& all, int
         text += c;
       }
     }
+    // Growing by doubles, a long text would stand in memory three times.
+    if (&record == records.data()) text.reserve(text.size() * (records.size() + 1));
   }
   if (!records.empty()) text += line(1);
   text += "],";
   text += std::string_view(dumped(all, indent)).substr(1);
-  return text + '\n';
+  text += '\n';
+  return text;
 }
 
 }  // namespace

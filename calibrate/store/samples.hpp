@@ -24,18 +24,18 @@ namespace plastica::calibrate::store {
 
 /// A row with all that is stored of it, wherever it lies.
 template <typename Row>
-class Whole {
+class Complete {
  public:
-  explicit Whole(const Row& row) : row_(row) {}
+  explicit Complete(const Row& row) : row_(row) {}
   const Row& operator*() const { return row_; }
 
  private:
   const Row& row_;
 };
 template <>
-class Whole<Curve> {
+class Complete<Curve> {
  public:
-  explicit Whole(const Curve& row)
+  explicit Complete(const Curve& row)
       : read_(row.is_aside() ? with_samples(row) : Curve()), row_(row) {}
   const Curve& operator*() const { return row_.is_aside() ? read_ : row_; }
 
@@ -58,7 +58,7 @@ class SampleWriter {
     }
     io::Hdf5Column column = group_.column(name, offsets_.back(), {units, kDeflate});
     for (std::size_t i = 0; i < rows_.size(); ++i) {
-      const Whole<Row> row(*rows_[i]);
+      const Complete<Row> row(*rows_[i]);
       const std::vector<double>& own = member(*row);
       if (own.size() != offsets_[i + 1] - offsets_[i]) refuse(name);
       column.append(own);
@@ -136,9 +136,12 @@ class SampleReader {
     maybe(name, units, [&](Row& row) { return &member(row); });
   }
 
-  /// Only counts the samples of each row.
-  void count() {
-    check_offsets("offsets", offsets_.empty() ? 0 : offsets_.back());
+  /// Only counts the samples of each row: whether each column has so many is looked at, its numbers
+  /// are not read.
+  template <typename Columns>
+  void count(const Columns& columns) {
+    Extents extents{*this};
+    columns(extents);
     for (std::size_t i = 0; i < rows_.size(); ++i) {
       count_samples(*rows_[i], offsets_[i + 1] - offsets_[i]);
     }
@@ -178,6 +181,27 @@ class SampleReader {
   }
 
  private:
+  /// Checks the extents of columns.
+  struct Extents {
+    SampleReader& reader;
+
+    template <typename Member>
+    void operator()(const std::string& name, std::string_view /*units*/, const Member&) {
+      check(name, 1);
+    }
+    template <typename Member, typename Width>
+    void table(const std::string& name, const Member&, const Width&) {
+      check(name, 2);
+    }
+    void check(const std::string& name, std::size_t dimensions) const {
+      const std::vector<std::size_t> shape = reader.group_.shape(name);
+      if (shape.size() != dimensions) {
+        io::refuse_value(reader.group_, name, "", "has another number of dimensions");
+      }
+      reader.check_offsets(name, shape[0]);
+    }
+  };
+
   void check_offsets(const std::string& name, std::size_t size) const {
     const bool fits = offsets_.size() == rows_.size() + 1 && offsets_.front() == 0 &&
                       offsets_.back() == size && std::ranges::is_sorted(offsets_);

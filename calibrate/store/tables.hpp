@@ -160,7 +160,7 @@ class ReadRows {
   void samples(const std::string& path, const Columns& columns) {
     SampleReader<Row> reader(file_.root.open_group(path), rows_, file_.rules);
     if constexpr (requires(Row & row) { count_samples(row, std::size_t{}); }) {
-      if (file_.samples == FitSamples::Counted) return reader.count();
+      if (file_.samples == FitSamples::Counted) return reader.count(columns);
     }
     columns(reader);
   }

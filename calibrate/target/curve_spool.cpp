@@ -21,8 +21,9 @@ namespace {
 /// Opens a file that has no name, for reading and writing. @return -1 and `errno` if that fails
 int open_nameless(const std::string& folder) {
   const int made = ::open(folder.c_str(), O_TMPFILE | O_RDWR | O_CLOEXEC, S_IRUSR | S_IWUSR);
-  if (made >= 0 || (errno != EOPNOTSUPP && errno != EISDIR)) return made;
-  // File systems that know no such files have some with names, which can be taken away.
+  if (made >= 0) return made;
+  // File systems that know no such files have some with names, which can be taken away. Where there
+  // is none of either, the second try says why.
   std::string name = folder + "/.plastica-curves-XXXXXX";
   const int named = ::mkostemp(name.data(), O_CLOEXEC);
   if (named >= 0) ::unlink(name.c_str());
@@ -71,8 +72,10 @@ PlaceOfCurve CurveSpool::put(std::span<const double> strain, std::span<const dou
   while (left > 0) {
     const ssize_t written = ::pwrite(descriptor, bytes, left, at);
     if (written < 0 && errno == EINTR) continue;
-    if (written < 0)
-      fail("does not take the curves of the run, of which TMPDIR may name another folder", errno);
+    if (written <= 0) {
+      fail("does not take the curves of the run, of which TMPDIR may name another folder",
+           written < 0 ? errno : ENOSPC);
+    }
     bytes += written;
     at += written;
     left -= static_cast<std::size_t>(written);

@@ -16,7 +16,7 @@ set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "gnuplot-nox")
-set(CPACK_DEBIAN_PACKAGE_SUGGESTS "libhdf5-dev, libnlopt-dev, libeigen3-dev")
+set(CPACK_DEBIAN_PACKAGE_SUGGESTS "libhdf5-dev, libnlopt-dev, libeigen3-dev, libdeflate-dev")
 
 set(doc ${CMAKE_INSTALL_DATAROOTDIR}/doc/plastica)
 install(FILES ${PROJECT_SOURCE_DIR}/README.md ${PROJECT_SOURCE_DIR}/CITATION.cff DESTINATION ${doc})

@@ -107,6 +107,26 @@ def check_part(whole, part):
                 require(f"{table}/{column} of {name}", same, f"{a} {b}")
 
 
+def check_counts(batch):
+    """What `show` only counts must be there, in a file without a digest too."""
+    for column, spoil in (("raw/offsets", lambda data: data[:] + (numpy.arange(len(data)) > 3)),
+                          ("fitted/strain", lambda data: data[:-1]),
+                          ("corrected/stress", lambda data: None)):
+        with h5py.File(batch.folder / "all.h5") as whole, \
+                h5py.File(batch.folder / "spoiled.h5", "w") as spoiled:
+            for name in whole:
+                whole.copy(name, spoiled)
+            for name, value in whole.attrs.items():
+                spoiled.attrs[name] = value
+            values = spoil(spoiled["curves"][column])
+            del spoiled["curves"][column]
+            if values is not None:
+                spoiled["curves"][column] = values
+        shown = batch.run("show", "spoiled.h5")
+        require(f"{column} that is not as it should be is refused",
+                shown.returncode == 2 and "/curves/" in shown.stderr.splitlines()[-1], shown.stderr)
+
+
 def check(batch):
     done = batch.fit("all", "curves/*.csv")
     require("the batch is fitted, but for what is too coarse", done.returncode == 1, done.stderr)
@@ -118,6 +138,8 @@ def check(batch):
         with h5py.File(batch.folder / "all.h5") as whole, h5py.File(batch.folder / "part.h5") as few:
             check_raw(whole)
             check_part(whole, few)
+
+    check_counts(batch)
 
     full = batch.fit("full", "curves/*.csv", "--quiet", limit=5_000_000)
     require("a disk that is too small for the curves is said",

@@ -154,9 +154,9 @@ class Hdf5Group {
   template <Hdf5Number T>
   void write_array(std::string_view path, std::span<const T> values,
                    std::span<const std::size_t> shape, const DatasetOptions& options = {});
-  /// A group with the datasets `values` and `offsets`.
-  /// Begins a dataset of so many numbers.
+  /// Begins a dataset of so many numbers, which lacks its end until `Hdf5Column::finish` is called.
   Hdf5Column column(std::string_view path, std::size_t count, const DatasetOptions& options = {});
+  /// A group with the datasets `values` and `offsets`.
   template <Hdf5Number T>
   void write_ragged(std::string_view path, const Ragged<T>& rows,
                     const DatasetOptions& options = {});
@@ -249,8 +249,8 @@ class Hdf5Group {
 class Hdf5File {
  public:
   /// Begins a new file. It appears under its name when it is committed (see `OutputFile`).
-  /// @param threads  that deflate what is written, 0: as many as the machine has; they change no
-  ///                 byte
+  /// @param threads  that deflate what is written, 0: as many as the machine has, which is also the
+  ///                 most that are made; they change no byte
   /// @throws StorageError
   static Hdf5File create(const std::string& path, Overwrite overwrite = Overwrite::Allowed,
                          int threads = 1);

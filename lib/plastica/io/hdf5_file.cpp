@@ -2,6 +2,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "plastica/base/parallel_for.hpp"
 #include "plastica/io/content_digest.hpp"
 #include "plastica/io/hdf5.hpp"
 #include "plastica/io/hdf5_handle.hpp"
@@ -70,7 +71,9 @@ Hdf5File Hdf5File::create(const std::string& path, Overwrite overwrite, int thre
   H5Pset_fclose_degree(access.get(), H5F_CLOSE_STRONG);
   Hdf5Handle file(H5Fcreate(output.part().c_str(), H5F_ACC_TRUNC, creation.get(), access.get()));
   if (file.get() < 0) throw StorageError(path, "cannot be written: " + h5::innermost_error());
-  Hdf5Group root(opened_root(file, path), path, "/", threads);
+  // Where a result is written that was read, the number is that of another machine.
+  const int used = std::min(resolved_threads(threads), resolved_threads(0));
+  Hdf5Group root(opened_root(file, path), path, "/", used);
   return {std::move(file), std::move(root), std::move(output)};
 }
 

@@ -122,7 +122,7 @@ void Hdf5Group::write_raw(std::string_view path, std::int64_t type, const void* 
                           std::span<const std::size_t> shape, const DatasetOptions& options) {
   h5::NewDataset made = create_dataset(path, type, shape, options);
   if (made.count == 0) return;
-  // Lives until an error is told: closing anything clears what HDF5 says of it.
+  // Lives until an error is reported: closing anything clears what HDF5 says of it.
   const Hdf5Handle transfer(h5::new_transfer(made.count, type));
   bool written = false;
   if (made.chunks) {
