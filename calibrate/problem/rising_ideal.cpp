@@ -25,7 +25,8 @@ std::optional<RisingIdeal> RisingIdeal::of(std::span<const double> strain,
     now.weight = before.weight + weight[i] * strain[i] * strain[i];
     const bool has_slope = now.weight > 0.0;
     now.best = before.best + (has_slope ? weight[i] * strain[i] * off / now.weight : 0.0);
-    now.residual = before.residual + weight[i] * off * off * (has_slope ? before.weight / now.weight : 1.0);
+    now.residual =
+        before.residual + weight[i] * off * off * (has_slope ? before.weight / now.weight : 1.0);
   }
   made.plateau_.resize(n + 1);
   for (std::size_t i = n; i-- > 0;) {

@@ -51,8 +51,8 @@ class RisingIdeal {
  private:
   /// Of the samples before one, or from it on.
   struct Term {
-    double weight = 0.0;  ///< A or W
-    double best = 0.0;    ///< K_k or Y_k
+    double weight = 0.0;    ///< A or W
+    double best = 0.0;      ///< K_k or Y_k
     double residual = 0.0;  ///< R or M
   };
 

@@ -36,8 +36,8 @@ class ChunkWriter {
   std::size_t element_bytes_;
   int level_;
   int threads_;
-  std::size_t rows_;           // of a chunk
-  std::size_t chunk_bytes_;    // of a whole one
+  std::size_t rows_;         // of a chunk
+  std::size_t chunk_bytes_;  // of a whole one
   std::size_t bytes_of_dataset_;
   std::size_t at_once_;        // bytes of several
   std::vector<hsize_t> next_;  // where the next chunk begins
