@@ -82,7 +82,9 @@ void batch_of_fits(benchmark::State& state) {
 BENCHMARK(batch_of_fits)->Arg(1)->Unit(benchmark::kMillisecond);
 BENCHMARK(batch_of_fits)->Arg(1)->Arg(2)->UseRealTime()->Unit(benchmark::kMillisecond);
 
-void evaluation_of_a_cost(benchmark::State& state) {
+/// @param evaluate  of a misfit, at values, with the gradient that is to be filled
+template <typename Evaluate>
+void measure_evaluations(benchmark::State& state, const Evaluate& evaluate) {
   const bool with_gradient = state.range(0) != 0;
   const FitOptions options = all_free();
   const ParameterSet set(targets()[0], options);
@@ -95,27 +97,22 @@ void evaluation_of_a_cost(benchmark::State& state) {
   for (auto _ : state) {
     // Each at a point of its own: the model is not run again where it has just been.
     values[1] = yield * (1.0 + 1e-4 * static_cast<double>(++i % 100));
-    benchmark::DoNotOptimize(misfit.cost(values, gradient));
+    benchmark::DoNotOptimize(evaluate(misfit, values, gradient));
   }
+}
+
+void evaluation_of_a_cost(benchmark::State& state) {
+  measure_evaluations(state, [](Misfit& misfit, const auto& values, auto& gradient) {
+    return misfit.cost(values, gradient);
+  });
 }
 BENCHMARK(evaluation_of_a_cost)->ArgName("gradient")->Arg(0)->Arg(1);
 
 /// As a search of ideal plasticity under a strain that only rises sees it.
 void evaluation_in_closed_form(benchmark::State& state) {
-  const bool with_gradient = state.range(0) != 0;
-  const FitOptions options = all_free();
-  const ParameterSet set(targets()[0], options);
-  Misfit misfit(targets()[0], options, set);
-  std::vector<double> values;
-  for (const std::size_t i : set.active()) values.push_back(set.all()[i].start);
-  std::vector<double> gradient(with_gradient ? values.size() : 0);
-  const double yield = values[1];
-  std::size_t i = 0;
-  for (auto _ : state) {
-    // Each at a point of its own: the model is not run again where it has just been.
-    values[1] = yield * (1.0 + 1e-4 * static_cast<double>(++i % 100));
-    benchmark::DoNotOptimize(misfit.search_cost(values, gradient));
-  }
+  measure_evaluations(state, [](Misfit& misfit, const auto& values, auto& gradient) {
+    return misfit.search_cost(values, gradient);
+  });
 }
 BENCHMARK(evaluation_in_closed_form)->ArgName("gradient")->Arg(0)->Arg(1);
 
