@@ -1,6 +1,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <chrono>
+#include <cstdio>
 #include <filesystem>
 #include <memory>
 #include <string>
@@ -96,8 +97,7 @@ int calibrate_files(const CalibrateArguments& arguments) {
   // Curves may go into the same folder. Whether an output is there already is said behind what is
   // wrong with the inputs.
   if (!arguments.dry_run) io::check_output_path(output, true);
-  const std::string folder = arguments.dry_run ? std::filesystem::temp_directory_path().string()
-                                               : calibrate::spool_folder(output);
+  const std::string folder = calibrate::spool_folder(arguments.dry_run ? P_tmpdir "/" : output);
   const auto spool = std::make_shared<calibrate::CurveSpool>(folder);
   std::vector<calibrate::Target> targets = calibrate::import_all(file, arguments.threads, spool);
   file.options.keep_trace = calibrate::cases_of(targets.size(), file.options).size() <= kTracedFits;

@@ -217,14 +217,18 @@ class ReadRows {
   std::vector<Row*> rows_;
 };
 
+/// What stands in which order in a file: names, then laws.
+template <typename Record>
+std::pair<std::string_view, Law> order_of(const Record& record) {
+  return {name_of(record), record.result.law};
+}
+
 /// Pointers to records in the order in which a file has them: of their names, then of their laws.
 /// @throws std::logic_error if two have both the same
 template <typename Record>
 std::vector<const Record*> in_order(const std::vector<Record>& records) {
   std::vector<const Record*> sorted = pointers_to(std::span(records));
-  const auto key = [](const Record* record) {
-    return std::pair<std::string_view, Law>(name_of(*record), record->result.law);
-  };
+  const auto key = [](const Record* record) { return order_of(*record); };
   std::ranges::sort(sorted, std::less<>(), key);
   const auto twice = std::ranges::adjacent_find(sorted, std::equal_to<>(), key);
   if (twice == sorted.end()) return sorted;
@@ -234,19 +238,14 @@ std::vector<const Record*> in_order(const std::vector<Record>& records) {
 /// Puts records in that order.
 template <typename Record>
 void sort_in_order(std::vector<Record>& records) {
-  std::ranges::sort(records, std::less<>(), [](const Record& record) {
-    return std::pair<std::string_view, Law>(name_of(record), record.result.law);
-  });
+  std::ranges::sort(records, std::less<>(), order_of<Record>);
 }
 
 /// Reports find the fits of a name beside each other, and a fit by its name and law.
 /// @throws InputError
 template <typename Record>
 void check_order(const io::Hdf5Group& root, const std::vector<Record>& records) {
-  const auto follows = [](const Record& a, const Record& b) {
-    return std::pair(std::string_view(name_of(a)), a.result.law) >=
-           std::pair(std::string_view(name_of(b)), b.result.law);
-  };
+  const auto follows = [](const Record& a, const Record& b) { return order_of(a) >= order_of(b); };
   if (std::ranges::adjacent_find(records, follows) != records.end()) {
     io::refuse_value(root, "fits/name", "", "must rise, or be the same with a law that rises");
   }

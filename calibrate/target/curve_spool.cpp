@@ -72,10 +72,7 @@ PlaceOfCurve CurveSpool::put(std::span<const double> strain, std::span<const dou
   while (left > 0) {
     const ssize_t written = ::pwrite(descriptor, bytes, left, at);
     if (written < 0 && errno == EINTR) continue;
-    if (written <= 0) {
-      fail("does not take the curves of the run, of which TMPDIR may name another folder",
-           written < 0 ? errno : ENOSPC);
-    }
+    if (written <= 0) fail_to_take(written < 0 ? errno : ENOSPC);
     bytes += written;
     at += written;
     left -= static_cast<std::size_t>(written);
@@ -101,7 +98,7 @@ void CurveSpool::get(const PlaceOfCurve& place, std::span<double> strain,
     while (left > 0) {
       const ssize_t got = ::pread(descriptor_, bytes, left, at);
       if (got < 0 && errno == EINTR) continue;
-      if (got <= 0) fail("does not give back the curves of the run", got < 0 ? errno : EIO);
+      if (got <= 0) fail("cannot give back the curves of the run", got < 0 ? errno : EIO);
       bytes += got;
       at += got;
       left -= static_cast<std::size_t>(got);
@@ -111,9 +108,12 @@ void CurveSpool::get(const PlaceOfCurve& place, std::span<double> strain,
 
 int CurveSpool::file() {
   if (descriptor_ < 0) descriptor_ = open_nameless(folder_);
-  if (descriptor_ < 0)
-    fail("takes no file for the curves of the run, of which TMPDIR may name another folder", errno);
+  if (descriptor_ < 0) fail_to_take(errno);
   return descriptor_;
+}
+
+void CurveSpool::fail_to_take(int error) const {
+  fail("cannot take the curves of the run (the variable TMPDIR can name another folder)", error);
 }
 
 void CurveSpool::fail(const char* action, int error) const {

@@ -33,6 +33,7 @@ class CurveSpool {
 
  private:
   int file();
+  [[noreturn]] void fail_to_take(int error) const;
   [[noreturn]] void fail(const char* action, int error) const;
 
   std::string folder_;

@@ -144,7 +144,7 @@ def check(batch):
     full = batch.fit("full", "curves/*.csv", "--quiet", limit=5_000_000)
     require("a disk that is too small for the curves is said",
             full.returncode == 3 and full.stderr.count("\n") == 1
-            and "does not take the curves of the run" in full.stderr,
+            and "cannot take the curves of the run" in full.stderr,
             full.stderr)
     require("nothing is left", batch.left() == ["curves"], batch.left())
     # Room for the curves that were read, not for those that were fitted.
@@ -153,7 +153,12 @@ def check(batch):
             full.returncode == 3 and batch.left() == ["curves", "full.h5.journal"], full.stderr)
     none = batch.fit("full", "curves/*.csv", "--resume", "--quiet", scratch="none")
     require("a TMPDIR that is not there is said",
-            none.returncode == 3 and none.stderr.startswith("plastica: none: takes no file"), none.stderr)
+            none.returncode == 3 and none.stderr.startswith("plastica: none: cannot take the curves"),
+            none.stderr)
+    dry = batch.fit("dry", "curves/*.csv", "--dry-run", scratch="none")
+    require("so it is in a dry run", dry.returncode == 3 and dry.stderr == none.stderr, dry.stderr)
+    few = batch.fit("dry", "curves/bar0[0-4].csv", "--dry-run", scratch="none")
+    require("a batch that fits into memory needs no folder", few.returncode == 0, few.stderr)
     again = batch.fit("full", "curves/*.csv", "--resume", "--quiet", scratch="curves")
     require("the run goes on", again.returncode == 1, again.stderr)
     same = batch.run("diff", "all.h5", "full.h5")

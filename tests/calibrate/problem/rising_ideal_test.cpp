@@ -234,6 +234,23 @@ TEST_P(AnyMisfit, IsWhatItsSamplesGive) {
   }
 }
 
+/// To the last bit: else what is above would hold of the followed samples alone.
+TEST(RisingIdeal, IsWhatASearchIsTold) {
+  std::mt19937 random(3);
+  for (int i = 0; i < 20; ++i) {
+    const Curves c(random);
+    const std::vector<double> strain(c.strain.begin(), c.strain.end() - 1);
+    const Target target = target_of(strain, c.stress);  // has not broken
+    const FitOptions options =
+        fit_of({free_parameter("youngs_modulus"), free_parameter("yield_stress")});
+    const ParameterSet set(target, options);
+    Misfit misfit(target, options, set);
+    const auto sum = RisingIdeal::of(strain, c.stress, misfit.weights());
+    if (!sum) continue;  // a path of no length has no weights
+    EXPECT_EQ(misfit.search_cost(std::vector{190e9, 280e6}, {}), sum->sum(190e9, 280e6)->squares);
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(Each, AnyMisfit, ::testing::ValuesIn(kKinds), [](const auto& test) {
   std::string name;
   for (const char c : std::string(test.param.name)) name += c == ' ' ? '_' : c;

@@ -76,8 +76,8 @@ TEST(CurveSpool, SaysWhichFolderTakesNoFile) {
     FAIL();
   } catch (const io::StorageError& error) {
     EXPECT_EQ(error.what(), folder.file("none") +
-                                ": takes no file for the curves of the run, of which TMPDIR may "
-                                "name another folder: No such file or directory");
+                                ": cannot take the curves of the run (the variable TMPDIR can name "
+                                "another folder): No such file or directory");
   }
   EXPECT_THROW(spool.put(std::vector{1.0}, std::vector<double>{}), std::logic_error);
 }
