@@ -1,7 +1,8 @@
 #include "calibrate/inference/identifiable_slopes.hpp"
 
-#include <Eigen/Dense>
 #include <algorithm>
+
+#include "calibrate/inference/small_matrices.hpp"
 
 namespace plastica::calibrate {
 namespace {
@@ -9,7 +10,6 @@ namespace {
 using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
-using Slopes = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
 }  // namespace
 
@@ -17,7 +17,7 @@ IdentifiableSlopes::IdentifiableSlopes(std::span<const double> slopes,
                                        const std::vector<bool>& at_bound) {
   const auto n = static_cast<Index>(at_bound.size());
   const Index m = n > 0 ? static_cast<Index>(slopes.size()) / n : 0;
-  const Eigen::Map<const Slopes> j(slopes.data(), m, n);
+  const SlopeRows j(slopes.data(), m, n);
   std::vector<Index> moving;
   for (Index k = 0; k < n; ++k) {
     const bool held = at_bound[static_cast<std::size_t>(k)];
@@ -25,14 +25,10 @@ IdentifiableSlopes::IdentifiableSlopes(std::span<const double> slopes,
   }
   slopes_ = j(Eigen::all, moving);
   if (moving.empty()) return;
-  const MatrixXd normal = slopes_.transpose() * slopes_;
-  const VectorXd size = normal.diagonal().cwiseSqrt().cwiseInverse();
-  const Eigen::SelfAdjointEigenSolver<MatrixXd> solver(size.asDiagonal() * normal *
-                                                       size.asDiagonal());
-  VectorXd stiffness = solver.eigenvalues();
-  for (double& value : stiffness) value = value > kNotIdentifiable ? 1.0 / value : 0.0;
-  inverse_ = size.asDiagonal() * solver.eigenvectors() * stiffness.asDiagonal() *
-             solver.eigenvectors().transpose() * size.asDiagonal();
+  const UnitDirections directions(gram(slopes_));
+  VectorXd compliance = directions.values;
+  for (double& value : compliance) value = value > kNotIdentifiable ? 1.0 / value : 0.0;
+  inverse_ = scaled(mapped(directions.vectors, compliance), directions.size);
 }
 
 std::vector<double> degrees_left(const SceneProblem& problem, const IdentifiableSlopes& slopes) {
@@ -41,27 +37,27 @@ std::vector<double> degrees_left(const SceneProblem& problem, const Identifiable
     left.push_back(static_cast<double>(weighted.target.ordinate.size()));
   }
   if (slopes.slopes().cols() == 0) return left;
+  const MatrixXd& inverse = slopes.inverse();
   // The targets, and the priors as one more: A^-1 times what they put into J^T J over and times the
   // weights of their samples.
   std::vector<MatrixXd> by_target, unweighted;
-  MatrixXd squared = MatrixXd::Zero(slopes.inverse().rows(), slopes.inverse().cols());
+  MatrixXd squared = MatrixXd::Zero(inverse.rows(), inverse.cols());
   for (std::size_t t = 0; t <= problem.targets().size(); ++t) {
     const bool priors = t == problem.targets().size();
     const std::size_t first = priors ? problem.samples() : problem.first_residual(t);
     const std::size_t count =
         priors ? problem.squares().residuals - first : problem.targets()[t].target.ordinate.size();
-    const auto rows =
+    const MatrixPart rows =
         slopes.slopes().middleRows(static_cast<Index>(first), static_cast<Index>(count));
     VectorXd w = VectorXd::Ones(static_cast<Index>(count));
     if (!priors) w = Eigen::Map<const VectorXd>(problem.weights(t).data(), w.size());
-    by_target.emplace_back(slopes.inverse() * (rows.transpose() * rows));
-    unweighted.emplace_back(slopes.inverse() *
-                            (rows.transpose() * w.cwiseInverse().asDiagonal() * rows));
-    squared += slopes.inverse() * (rows.transpose() * w.asDiagonal() * rows);
+    by_target.push_back(product(inverse, gram(rows)));
+    unweighted.push_back(product(inverse, gram(rows, w.cwiseInverse())));
+    squared += product(inverse, gram(rows, w));
   }
   for (std::size_t p = 0; p < left.size(); ++p) {
     // Of r = (1 - H) e the sum of variances: n - 2 tr(H) + tr(H H^T), H = J A^-1 J^T W.
-    left[p] += (unweighted[p] * squared).trace() - 2.0 * (by_target[p]).trace();
+    left[p] += product(unweighted[p], squared).trace() - 2.0 * by_target[p].trace();
     left[p] = std::max(left[p], 0.0);
   }
   return left;

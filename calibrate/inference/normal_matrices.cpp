@@ -1,10 +1,10 @@
 #include "calibrate/inference/normal_matrices.hpp"
 
-#include <Eigen/Dense>
 #include <cmath>
 #include <numeric>
 #include <span>
 
+#include "calibrate/inference/small_matrices.hpp"
 #include "calibrate/problem/weighted_squares.hpp"
 
 namespace plastica::calibrate {
@@ -74,15 +74,13 @@ NormalMatrices keep_identified(const Misfit::Details& d, const std::vector<doubl
   }
   keep(identifiable);
   if (columns.empty()) return normal;
-  const VectorXd scale = normal.a.diagonal().cwiseSqrt().cwiseInverse();
-  const MatrixXd unit = scale.asDiagonal() * normal.a * scale.asDiagonal();
-  const Eigen::SelfAdjointEigenSolver<MatrixXd> eigen(unit);
+  const UnitDirections directions(normal.a);
   std::vector<Eigen::Index> kept;
-  for (Eigen::Index k = 0; k < unit.rows(); ++k) {
+  for (Eigen::Index k = 0; k < normal.a.rows(); ++k) {
     bool lost = false;
-    for (Eigen::Index e = 0; e < eigen.eigenvalues().size(); ++e) {
-      const bool unidentifiable = eigen.eigenvalues()(e) < kRankTolerance;
-      lost = lost || (unidentifiable && std::fabs(eigen.eigenvectors()(k, e)) > 1e-3);
+    for (Eigen::Index e = 0; e < directions.values.size(); ++e) {
+      const bool unidentifiable = directions.values(e) < kRankTolerance;
+      lost = lost || (unidentifiable && std::fabs(directions.vectors(k, e)) > 1e-3);
     }
     if (!lost) kept.push_back(k);
   }

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "calibrate/inference/small_matrices.hpp"
 #include "calibrate/problem/misfit.hpp"
 
 /// What the errors of a curve's fit are made of (uncertainty.hpp); not installed.
@@ -17,7 +18,8 @@ struct NormalMatrices {
 
   /// The rows and columns of those that are kept.
   NormalMatrices of(const std::vector<Eigen::Index>& kept) const {
-    return {a(kept, kept), b(kept, kept), prior(kept, kept), stated(kept, kept), stated_in_a(kept)};
+    return {kept_of(a, kept), kept_of(b, kept), kept_of(prior, kept), kept_of(stated, kept),
+            stated_in_a(kept)};
   }
 };
 

@@ -1,12 +1,12 @@
 #include "calibrate/inference/scene_errors.hpp"
 
-#include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
 #include <numeric>
 
 #include "calibrate/inference/not_a_number.hpp"
 #include "calibrate/inference/score_covariance.hpp"
+#include "calibrate/inference/small_matrices.hpp"
 
 namespace plastica::calibrate {
 namespace {
@@ -14,17 +14,14 @@ namespace {
 using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
-using Slopes = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
 /// Drops coordinates that only combinations determine: the largest of each direction that is not
 /// identifiable.
 void drop_unidentifiable(const MatrixXd& normal, std::vector<Index>& kept) {
   while (!kept.empty()) {
-    const MatrixXd a = normal(kept, kept);
-    const VectorXd size = a.diagonal().cwiseSqrt().cwiseInverse();
-    const Eigen::SelfAdjointEigenSolver<MatrixXd> solver(size.asDiagonal() * a * size.asDiagonal());
-    if (solver.eigenvalues()[0] > kNotIdentifiable) return;
-    const VectorXd unidentifiable = solver.eigenvectors().col(0).cwiseAbs();
+    const UnitDirections directions(kept_of(normal, kept));
+    if (directions.values[0] > kNotIdentifiable) return;
+    const VectorXd unidentifiable = directions.vectors.col(0).cwiseAbs();
     // All coordinates that take part in the direction go: none of them is identifiable.
     std::vector<Index> left;
     for (Index i = 0; i < unidentifiable.size(); ++i) {
@@ -93,9 +90,8 @@ void SceneErrors::set_covariance(std::span<const double> residual) {
   slopes_ = residual_slopes(problem_.squares(), x_, residual, kErrorStep);
   identifiable_ = IdentifiableSlopes(slopes_, at_bound_);
   // Rows over the noise, times the root of their weight.
-  const Eigen::Map<const Slopes> j(slopes_.data(), static_cast<Index>(problem_.squares().residuals),
-                                   n);
-  const MatrixXd normal = j.transpose() * j;
+  const MatrixXd j = SlopeRows(slopes_.data(), static_cast<Index>(problem_.squares().residuals), n);
+  const MatrixXd normal = gram(j);
   std::vector<Index> kept;
   for (Index k = 0; k < n; ++k) {
     if (!at_bound_[static_cast<std::size_t>(k)] && normal(k, k) > 0.0) kept.push_back(k);
@@ -103,22 +99,20 @@ void SceneErrors::set_covariance(std::span<const double> residual) {
   drop_unidentifiable(normal, kept);
   if (kept.empty()) return;
   const VectorXd w = weights();
-  const MatrixXd weighted = j.transpose() * w.asDiagonal() * j;
-  const MatrixXd a = normal(kept, kept);
-  const MatrixXd inverse = a.ldlt().solve(MatrixXd::Identity(a.rows(), a.cols()));
-  const MatrixXd b = weighted(kept, kept);
-  covariance_(kept, kept) = inverse * b * inverse;
-  inverse_(kept, kept) = inverse;
+  const MatrixXd inverse = inverse_of(kept_of(normal, kept));
+  const auto from_scores = [&](const MatrixXd& scores) {
+    MatrixXd covariance = MatrixXd::Constant(n, n, kNan);
+    set_kept(covariance, kept, between(inverse, kept_of(scores, kept)));
+    return covariance;
+  };
+  covariance_ = from_scores(gram(j, w));
+  set_kept(inverse_, kept, inverse);
   for (std::size_t t = 0; t < problem_.targets().size(); ++t) {
     const auto first = static_cast<Index>(problem_.first_residual(t));
     const auto count = static_cast<Index>(problem_.weights(t).size());
-    const auto rows = j.middleRows(first, count);
-    const MatrixXd scores = rows.transpose() * w.segment(first, count).asDiagonal() * rows;
-    by_target_.emplace_back(MatrixXd::Constant(n, n, kNan));
-    by_target_.back()(kept, kept) = inverse * scores(kept, kept) * inverse;
+    by_target_.push_back(from_scores(gram(j.middleRows(first, count), w.segment(first, count))));
   }
-  const MatrixXd correlated = correlated_scores(slopes_, residual)(kept, kept);
-  correlated_covariance_(kept, kept) = inverse * correlated * inverse;
+  correlated_covariance_ = from_scores(correlated_scores(slopes_, residual));
 }
 
 /// Of the scores of all targets, each of which may leave residuals in runs, and of the priors.
@@ -126,15 +120,14 @@ MatrixXd SceneErrors::correlated_scores(std::span<const double> slopes,
                                         std::span<const double> residual) const {
   const auto n = static_cast<Index>(x_.size());
   const std::size_t samples = problem_.samples();
-  const Eigen::Map<const Slopes> of_priors(slopes.data() + samples * x_.size(),
-                                           static_cast<Index>(residual.size() - samples), n);
-  MatrixXd sum = of_priors.transpose() * of_priors;
+  MatrixXd sum = gram(MatrixXd(SlopeRows(slopes.data() + samples * x_.size(),
+                                         static_cast<Index>(residual.size() - samples), n)));
   for (std::size_t t = 0; t < problem_.targets().size(); ++t) {
     const std::size_t first = problem_.first_residual(t);
     const std::size_t count = problem_.targets()[t].target.ordinate.size();
     const std::vector<double> scores = score_covariance(
         slopes.subspan(first * x_.size(), count * x_.size()), residual.subspan(first, count));
-    sum += Eigen::Map<const Slopes>(scores.data(), n, n);
+    sum += SlopeRows(scores.data(), n, n);
   }
   return sum;
 }
@@ -165,9 +158,7 @@ std::vector<double> SceneErrors::fitted_errors(std::size_t t) const {
   if (identifiable_.slopes().cols() == 0) return errors;
   // A direction that is not identifiable moves none of them: the inverse over the others.
   const MatrixXd& j = identifiable_.slopes();
-  const MatrixXd covariance = identifiable_.inverse() *
-                              (j.transpose() * weights().asDiagonal() * j) *
-                              identifiable_.inverse();
+  const MatrixXd covariance = between(identifiable_.inverse(), gram(j, weights()));
   const auto first = static_cast<Index>(problem_.first_residual(t));
   for (std::size_t i = 0; i < samples; ++i) {
     const VectorXd row = j.row(first + static_cast<Index>(i));

@@ -3,13 +3,14 @@
 #include <Eigen/QR>
 #include <cmath>
 
+#include "calibrate/inference/small_matrices.hpp"
+
 namespace plastica::calibrate {
 
 SharedOffset shared_offset(std::span<const double> slopes, std::span<const double> residual,
                            std::span<const double> weights) {
   using Eigen::Index;
   using Eigen::VectorXd;
-  using SlopeRows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
   SharedOffset found;
   const auto n = static_cast<Index>(residual.size());
   if (n == 0) return found;
@@ -18,7 +19,7 @@ SharedOffset shared_offset(std::span<const double> slopes, std::span<const doubl
   if (!weights.empty()) u = Eigen::Map<const VectorXd>(weights.data(), n).cwiseSqrt();
   VectorXd r = Eigen::Map<const VectorXd>(residual.data(), n);
   if (parameters > 0) {
-    const Eigen::Map<const SlopeRows> j(slopes.data(), n, parameters);
+    const SlopeRows j(slopes.data(), n, parameters);
     const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(j);
     u -= j * qr.solve(u).eval();
     r -= j * qr.solve(r).eval();

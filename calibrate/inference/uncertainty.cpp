@@ -1,6 +1,5 @@
 #include "calibrate/inference/uncertainty.hpp"
 
-#include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -11,6 +10,7 @@
 #include "calibrate/inference/material_interval.hpp"
 #include "calibrate/inference/normal_matrices.hpp"
 #include "calibrate/inference/not_a_number.hpp"
+#include "calibrate/inference/small_matrices.hpp"
 #include "calibrate/inference/unequal_noise.hpp"
 #include "calibrate/inference/verdict.hpp"
 #include "calibrate/problem/weighted_squares.hpp"
@@ -51,7 +51,7 @@ VectorXd shift_effect(const Misfit::Details& d, double error, const StressErrors
                                           std::span(d.jacobian).subspan(column * samples, samples),
                                           std::span(d.by_shift));
   }
-  return -error * (sizes.asDiagonal() * (of_stress.inverse * pull));
+  return -error * sizes.cwiseProduct(product(of_stress.inverse, pull).col(0));
 }
 
 /// The fit about its solution, its parameters over their sizes.
@@ -70,10 +70,10 @@ FitInfluence influence_of(const Misfit::Details& d, const StressErrors& of_stres
   }
   const VectorXd weight = Eigen::Map<const VectorXd>(d.weight.data(), samples)(entered);
   FitInfluence fit;
-  const MatrixXd along = slopes * of_stress.inverse;  // (n x m)
+  const MatrixXd along = product(slopes, of_stress.inverse);  // (n x m)
   fit.influence = (weight.asDiagonal() * along).transpose();
   fit.leverage = weight.cwiseProduct(along.cwiseProduct(slopes).rowwise().sum());
-  const MatrixXd squares = along * of_stress.weighted;
+  const MatrixXd squares = product(along, of_stress.weighted);
   fit.left =
       (1.0 - 2.0 * fit.leverage.array()).matrix() + squares.cwiseProduct(along).rowwise().sum();
   fit.residual = Eigen::Map<const VectorXd>(d.residual.data(), samples)(entered);
@@ -81,7 +81,7 @@ FitInfluence influence_of(const Misfit::Details& d, const StressErrors& of_stres
   // What the strain's shift is off is no noise of the samples, and counted by itself: it is taken
   // out as a parameter more would.
   const VectorXd shift = Eigen::Map<const VectorXd>(d.by_shift.data(), samples)(entered);
-  const VectorXd beside = shift - slopes * (fit.influence * shift);
+  const VectorXd beside = shift - product(slopes, product(fit.influence, shift));
   const VectorXd weighted = weight.cwiseProduct(beside);
   const double size = weighted.dot(beside);
   if (size > 0.0) fit.residual -= weighted.dot(fit.residual) / size * beside;
@@ -128,30 +128,28 @@ StressErrors stress_errors(const Misfit::Details& d, std::span<const double> act
     of_stress.degrees_of_freedom = std::numeric_limits<double>::infinity();
   }
   if (m == 0) return of_stress;
-  of_stress.inverse = normal.a.ldlt().solve(MatrixXd::Identity(m, m));
+  of_stress.inverse = inverse_of(normal.a);
   of_stress.weighted = normal.b;
-  of_stress.prior = of_stress.inverse * normal.prior * of_stress.inverse;
-  of_stress.stated = of_stress.inverse * normal.stated * of_stress.inverse;
+  of_stress.prior = between(of_stress.inverse, normal.prior);
+  of_stress.stated = between(of_stress.inverse, normal.stated);
   of_stress.stated_in_a = normal.stated_in_a;
   if (!d.by_shift.empty()) of_stress.of_shift = shift_effect(d, target.shift_error, of_stress);
   VectorXd sizes(m);
   for (Eigen::Index i = 0; i < m; ++i) {
     sizes(i) = size[of_stress.columns[static_cast<std::size_t>(i)]];
   }
-  const MatrixXd c = of_stress.variance * of_stress.inverse * normal.b * of_stress.inverse;
-  of_stress.covariance = sizes.asDiagonal() * c * sizes.asDiagonal();
+  of_stress.covariance = scaled(of_stress.variance * between(of_stress.inverse, normal.b), sizes);
   if (!std::isinf(of_stress.degrees_of_freedom)) {
     const FitInfluence fit = influence_of(d, of_stress);
     // The cheap question first: hardly a curve says yes.
     if (is_noise_unequal(fit) && are_noise(fit.residual, stress)) {
       of_stress.own = own_variances(fit);
       of_stress.influence = sizes.asDiagonal() * fit.influence;
-      of_stress.covariance =
-          of_stress.influence * of_stress.own.asDiagonal() * of_stress.influence.transpose();
+      of_stress.covariance = mapped(of_stress.influence, of_stress.own);
     }
   }
-  of_stress.of_prior = sizes.asDiagonal() * of_stress.prior * sizes.asDiagonal();
-  of_stress.of_stated = sizes.asDiagonal() * of_stress.stated * sizes.asDiagonal();
+  of_stress.of_prior = scaled(of_stress.prior, sizes);
+  of_stress.of_stated = scaled(of_stress.stated, sizes);
   return of_stress;
 }
 
@@ -203,12 +201,13 @@ Uncertainty uncertainty(const Misfit::Details& details, std::span<const double> 
     }
     sampling(row) = target.characteristics.observed_break->half_interval() / break_factor;
   }
-  const MatrixXd of_residuals = map * of_stress.covariance * map.transpose();
-  const MatrixXd of_prior = map * of_stress.of_prior * map.transpose();
-  const MatrixXd of_stated = map * of_stress.of_stated * map.transpose();
+  const MatrixXd of_residuals = mapped(map, of_stress.covariance);
+  const MatrixXd of_prior = mapped(map, of_stress.of_prior);
+  const MatrixXd of_stated = mapped(map, of_stress.of_stated);
   VectorXd of_shift = VectorXd::Zero(static_cast<Eigen::Index>(n));
-  if (of_stress.of_shift.size() > 0) of_shift = map * of_stress.of_shift;
-  const MatrixXd covariance = of_residuals + of_prior + of_stated + of_shift * of_shift.transpose();
+  if (of_stress.of_shift.size() > 0) of_shift = product(map, of_stress.of_shift);
+  const MatrixXd covariance =
+      of_residuals + of_prior + of_stated + product(of_shift, of_shift.transpose());
   u.standard_error.assign(n, kNan);
   u.noise_error.assign(n, kNan);
   u.residual_error.assign(n, kNan);
@@ -237,7 +236,7 @@ Uncertainty uncertainty(const Misfit::Details& details, std::span<const double> 
   u.degrees_of_freedom.assign(n, of_stress.degrees_of_freedom);
   if (of_stress.own.size() > 0) {
     u.own_variance.assign(of_stress.own.data(), of_stress.own.data() + of_stress.own.size());
-    const MatrixXd influence = map * of_stress.influence;
+    const MatrixXd influence = product(map, of_stress.influence);
     for (std::size_t i = 0; i < n; ++i) {
       u.degrees_of_freedom[i] =
           degrees_of_own(influence.row(static_cast<Eigen::Index>(i)).cwiseAbs2().transpose(),
@@ -257,7 +256,7 @@ Spread spread_of(const Misfit::Details& details, std::span<const double> active,
   all.prior.assign(n * n, kNan);
   all.stated.assign(n * n, kNan);
   if (of_stress.columns.empty()) return all;
-  const MatrixXd spread = of_stress.inverse * of_stress.weighted * of_stress.inverse;
+  const MatrixXd spread = between(of_stress.inverse, of_stress.weighted);
   for (std::size_t i = 0; i < of_stress.columns.size(); ++i) {
     for (std::size_t j = 0; j < of_stress.columns.size(); ++j) {
       const std::size_t a = of_stress.columns[i], b = of_stress.columns[j];

@@ -12,6 +12,40 @@
 namespace plastica::lanes {
 PLASTICA_KERNELS_BEGIN
 
+/// Looks from a segment's state where the forces of a step act on it.
+/// @param ahead  from the begin of the step to where its geometry is taken [s]
+template <class Form>
+PLASTICA_ALWAYS_INLINE inline void aim_segment(const typename Form::Kind& kind,
+                                               const typename Form::Work& work,
+                                               const typename Form::Scalar& ahead,
+                                               const typename Form::L::Spin& angle,
+                                               const typename Form::L::Spin& angle_rate,
+                                               const typename Form::L::Spin& angular_acceleration,
+                                               typename Form::Aim& aim) {
+  Form::aim(kind, work, ahead, angle, angle_rate, aim);
+  set_vec(work, Form::Work::Fields::Spin, scale_add(ahead, angular_acceleration, aim.spin));
+}
+
+/// The same of all segments, for a step that no other led to; whatever its order and law.
+template <class Form>
+[[gnu::noinline]] void aim_beam(const typename Form::Beam& beam,
+                                const typename Form::Scalar& ahead) {
+  using State = typename Form::State;
+  using OfState = typename State::Fields;
+  constexpr std::size_t kR = Form::L::kRotations;
+  typename Form::Aim aim;
+  for (std::size_t i = 0; i < beam.segments; ++i) {
+    const State state(beam.state, i);
+    aim.spin += get_vec<kR>(state, OfState::Rate);
+    typename Form::L::Spin angle_rate{};
+    if constexpr (requires { OfState::AngleRate; })
+      angle_rate = get_vec<kR>(state, OfState::AngleRate);
+    aim_segment<Form>({beam.kinds, beam.kind[i]}, {beam.work, i}, ahead,
+                      get_vec<kR>(state, OfState::Angle), angle_rate,
+                      get_vec<kR>(state, OfState::AngularAcceleration), aim);
+  }
+}
+
 /// The steps of one beam, or of as many as the scalar has lanes.
 /// @tparam Form     PlanarForm or SpatialForm
 /// @tparam kOrder   1: linearly implicit Euler; 2: linearly implicit midpoint
@@ -43,18 +77,7 @@ class ArticulatedSteps {
         ahead_(constant<S>(kOrder == 2 ? 0.5 * step : 0.0)),
         joints_(step) {}
 
-  /// Looks from the state where the forces of a step act.
-  [[gnu::noinline]] void aim() const {
-    typename Form::Aim aim;
-    for (std::size_t i = 0; i < beam_.segments; ++i) {
-      const State state(beam_.state, i);
-      aim.spin += get_vec<kR>(state, OfState::Rate);
-      Spin angle_rate{};
-      if constexpr (kKeepsAngleRate) angle_rate = get_vec<kR>(state, OfState::AngleRate);
-      aim_segment(i, get_vec<kR>(state, OfState::Angle), angle_rate,
-                  get_vec<kR>(state, OfState::AngularAcceleration), aim);
-    }
-  }
+  void aim() const { aim_beam<Form>(beam_, ahead_); }
 
   PLASTICA_ALWAYS_INLINE void step() const {
     inward();
@@ -66,14 +89,6 @@ class ArticulatedSteps {
 
   PLASTICA_ALWAYS_INLINE Kind kind(std::size_t i) const { return {beam_.kinds, beam_.kind[i]}; }
   PLASTICA_ALWAYS_INLINE Load load(std::size_t i) const { return {beam_.loads, beam_.load[i]}; }
-
-  PLASTICA_ALWAYS_INLINE void aim_segment(std::size_t i, const Spin& angle, const Spin& angle_rate,
-                                          const Spin& angular_acceleration,
-                                          typename Form::Aim& aim) const {
-    const Work work(beam_.work, i);
-    Form::aim(kind(i), work, ahead_, angle, angle_rate, aim);
-    set_vec(work, OfWork::Spin, scale_add(ahead_, angular_acceleration, aim.spin));
-  }
 
   /// Takes what a joint answers.
   struct Sink {
@@ -165,7 +180,7 @@ class ArticulatedSteps {
       aim.spin += rate;
       fastest = max(fastest, dot(aim.spin, aim.spin));
       largest = max(largest, dot(angle, angle));
-      aim_segment(i, angle, angle_rate, angular_acceleration, aim);
+      aim_segment<Form>(of, work, ahead_, angle, angle_rate, angular_acceleration, aim);
       const S length = of.get(OfKind::Length);
       const Point e = length * at.along;
       if (beam_.counts_loads) {

@@ -1,0 +1,52 @@
+#include "calibrate/inference/small_matrices.hpp"
+
+#include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
+
+namespace plastica::calibrate {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+MatrixXd product(const MatrixPart& a, const MatrixPart& b) { return a * b; }
+
+MatrixXd gram(const MatrixPart& j) { return j.transpose() * j; }
+
+MatrixXd gram(const MatrixPart& j, const VectorXd& weight) {
+  return j.transpose() * weight.asDiagonal() * j;
+}
+
+MatrixXd scaled(const MatrixXd& a, const VectorXd& size) {
+  return size.asDiagonal() * a * size.asDiagonal();
+}
+
+MatrixXd between(const MatrixXd& outer, const MatrixXd& a) { return outer * a * outer; }
+
+MatrixXd mapped(const MatrixXd& map, const MatrixXd& covariance) {
+  return map * covariance * map.transpose();
+}
+
+MatrixXd mapped(const MatrixXd& map, const VectorXd& variance) {
+  return map * variance.asDiagonal() * map.transpose();
+}
+
+MatrixXd inverse_of(const MatrixXd& a) {
+  return a.ldlt().solve(MatrixXd::Identity(a.rows(), a.cols()));
+}
+
+VectorXd to_unit_diagonal(const MatrixXd& a) { return a.diagonal().cwiseSqrt().cwiseInverse(); }
+
+UnitDirections::UnitDirections(const MatrixXd& a) : size(to_unit_diagonal(a)) {
+  const Eigen::SelfAdjointEigenSolver<MatrixXd> solver(scaled(a, size));
+  values = solver.eigenvalues();
+  vectors = solver.eigenvectors();
+}
+
+MatrixXd kept_of(const MatrixXd& a, const std::vector<Index>& kept) { return a(kept, kept); }
+
+void set_kept(MatrixXd& all, const std::vector<Index>& kept, const MatrixXd& a) {
+  all(kept, kept) = a;
+}
+
+}  // namespace plastica::calibrate

@@ -1,0 +1,51 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+/// What the errors of fits are made of: matrices with a row for each parameter. Each product of
+/// Eigen's takes seconds to compile wherever it stands, so that it stands in one file; not
+/// installed.
+namespace plastica::calibrate {
+
+/// A part of a matrix, without a copy.
+using MatrixPart = Eigen::Ref<const Eigen::MatrixXd>;
+/// Rows of slopes (m x n) that stand one after the other.
+using SlopeRows =
+    Eigen::Map<const Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>>;
+
+Eigen::MatrixXd product(const MatrixPart& a, const MatrixPart& b);
+/// J^T J. @param j  (m x n)
+Eigen::MatrixXd gram(const MatrixPart& j);
+/// J^T W J. @param weight  the diagonal of W (m)
+Eigen::MatrixXd gram(const MatrixPart& j, const Eigen::VectorXd& weight);
+/// S A S. @param size  the diagonal of S (n)
+Eigen::MatrixXd scaled(const Eigen::MatrixXd& a, const Eigen::VectorXd& size);
+/// O A O.
+Eigen::MatrixXd between(const Eigen::MatrixXd& outer, const Eigen::MatrixXd& a);
+/// M C M^T, the covariance of what M makes of numbers whose covariance is C.
+Eigen::MatrixXd mapped(const Eigen::MatrixXd& map, const Eigen::MatrixXd& covariance);
+/// M D M^T. @param variance  the diagonal of D
+Eigen::MatrixXd mapped(const Eigen::MatrixXd& map, const Eigen::VectorXd& variance);
+/// @param a  symmetric and positive definite
+Eigen::MatrixXd inverse_of(const Eigen::MatrixXd& a);
+/// One over the roots of the diagonal: S of the S A S whose diagonal is 1.
+Eigen::VectorXd to_unit_diagonal(const Eigen::MatrixXd& a);
+
+/// Eigenvalues, the smallest first, and eigenvectors (a column each) of S A S, S its
+/// `to_unit_diagonal`.
+struct UnitDirections {
+  Eigen::VectorXd size;
+  Eigen::VectorXd values;
+  Eigen::MatrixXd vectors;
+
+  explicit UnitDirections(const Eigen::MatrixXd& a);
+};
+
+/// The rows and columns that are kept.
+Eigen::MatrixXd kept_of(const Eigen::MatrixXd& a, const std::vector<Eigen::Index>& kept);
+/// Sets these rows and columns of `all`. @param a  of as many as are kept
+void set_kept(Eigen::MatrixXd& all, const std::vector<Eigen::Index>& kept,
+              const Eigen::MatrixXd& a);
+
+}  // namespace plastica::calibrate
