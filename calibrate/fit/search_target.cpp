@@ -139,6 +139,9 @@ void weigh_priors(const Target& target, const FitOptions& options, FitResult& re
   }
   double squares = result.misfit_rms * result.misfit_rms;
   FitOptions from = from_values_of(result, options);
+  // Of each search but for the priors and where it starts.
+  const ParameterSet from_values(target, from);
+  Misfit weighed(target, from, from_values);
   for (int i = 0; i < kRepetitions; ++i) {
     const double before = priors.variance;
     // What a prior pulls the fit away by is no doubt of a noise that is stated.
@@ -148,16 +151,15 @@ void weigh_priors(const Target& target, const FitOptions& options, FitResult& re
       break;
     }
     const ParameterSet set(target, from);
-    Misfit misfit(target, from, set);
-    misfit.set_priors(priors);
-    Solution solution = descend_misfit(misfit, set, from);
+    weighed.set_priors(priors);
+    Solution solution = descend_misfit(weighed, set, from);
     if (!solution.usable) {
       result.warnings.emplace_back(
           "the fit is not weighed with its priors (a stated one, or the elastic slope): no search "
           "with them has ended");
       return;
     }
-    squares = misfit.details(solution.active).stress_cost;
+    squares = weighed.stress_cost(solution.active);
     take_values(set, solution.active, from);
     append(std::move(solution), result);
   }

@@ -103,6 +103,7 @@ Misfit::Misfit(const Target& target, const FitOptions& options, const ParameterS
 
 void Misfit::set_priors(const WeighedPriors& priors) {
   priors_.clear();
+  run_values_.reset();
   prior_variance_ = priors.variance;
   for (const std::size_t i : parameters_.active()) {
     for (const WeighedPriors::One& one : priors.all) {

@@ -124,6 +124,8 @@ class Misfit {
     double prior_variance = 0.0;  ///< what z^2 of each counts in the cost [Pa^2]
   };
   Details details(std::span<const double> active);
+  /// f_stress alone [Pa^2].
+  double stress_cost(std::span<const double> active);
 
   /// k above times a tie's factor: limit of the test over the value of the break parameter.
   double break_factor() const { return break_factor_; }

@@ -31,13 +31,17 @@ std::vector<double> Misfit::curvature(std::span<const double> active) {
   return curvature;
 }
 
-Misfit::Details Misfit::details(std::span<const double> active) {
-  Details d;
+double Misfit::stress_cost(std::span<const double> active) {
   std::vector<double> gradient(active.size());
   const double total = cost(active, gradient);
+  return total - break_cost(limit(), {}, true);
+}
+
+Misfit::Details Misfit::details(std::span<const double> active) {
+  Details d;
+  d.stress_cost = stress_cost(active);
   need_samples(true);
   d.break_cost = break_cost(limit(), {}, true);
-  d.stress_cost = total - d.break_cost;
   d.residual.resize(samples_);
   d.weight = raw_weight_;
   d.jacobian.resize(samples_ * active.size());
