@@ -32,6 +32,9 @@ void describe_misfit(const Misfit::Details& details, const Target& target,
       misfit_word(result.misfit_fraction, result.runs_test_p, result.autocorrelation);
   result.effective_samples = effective_samples(details.weight);
   result.noise = options.noise;
+}
+
+void warn_of_lack(const Target& target, const FitOptions& options, FitResult& result) {
   std::string lack = lack_of_fit(phrase_of(result.law), result.misfit_fraction, result.runs_test_p,
                                  laws_to_try(result.law, target.loading, options.laws));
   if (!lack.empty()) result.warnings.push_back(std::move(lack));
@@ -74,6 +77,20 @@ void warn_of_prior(const Prior& prior, const Uncertainty& u, std::size_t k,
   if (!warning.empty()) result.warnings.push_back(std::move(warning));
 }
 
+/// A parameter without error and verdict.
+FittedParameter parameter_of(const ResolvedParameter& r, double value) {
+  FittedParameter p;
+  p.path = r.field->path;
+  p.dimension = r.field->dimension;
+  p.role = r.role;
+  p.value = value;
+  p.start = r.start;
+  p.lower = r.role == ParameterRole::Free ? r.lower : p.value;
+  p.upper = r.role == ParameterRole::Free ? r.upper : p.value;
+  p.logarithmic = r.logarithmic;
+  return p;
+}
+
 void add_parameters(const ParameterSet& set, std::span<const double> active, const Uncertainty& u,
                     const FitOptions& options, FitResult& result) {
   std::vector<double> values(set.size());
@@ -81,15 +98,7 @@ void add_parameters(const ParameterSet& set, std::span<const double> active, con
   std::size_t next = 0;
   for (std::size_t i = 0; i < set.size(); ++i) {
     const ResolvedParameter& r = set.all()[i];
-    FittedParameter p;
-    p.path = r.field->path;
-    p.dimension = r.field->dimension;
-    p.role = r.role;
-    p.value = values[i];
-    p.start = r.start;
-    p.lower = r.role == ParameterRole::Free ? r.lower : p.value;
-    p.upper = r.role == ParameterRole::Free ? r.upper : p.value;
-    p.logarithmic = r.logarithmic;
+    FittedParameter p = parameter_of(r, values[i]);
     if (r.idle) {
       p.identified = false;
       p.judgement = {Verdict::NotIdentified, std::numeric_limits<double>::infinity()};
@@ -117,7 +126,7 @@ void add_parameters(const ParameterSet& set, std::span<const double> active, con
                            .standard_error = p.has_error() ? p.standard_error : u.standard_error[k],
                            .prior = u.prior_fraction[k]});
     }
-    result.parameters.push_back(p);
+    result.parameters.push_back(std::move(p));
   }
 }
 
@@ -252,20 +261,37 @@ void add_fitted_curve(const Target& target, const FitOptions& options, FitResult
   }
 }
 
-}  // namespace
-
-void explain_fit(const Target& target, const FitOptions& options, const ParameterSet& set,
-                 Misfit& misfit, std::span<const double> active, FitResult& result) {
+/// The solution's details, for a result that says nothing of any other.
+Misfit::Details begin_result(Misfit& misfit, std::span<const double> active, FitResult& result) {
   result.status = FitStatus::Fitted;
   result.parameters.clear();
   result.warnings.clear();
   result.break_strain_total.reset();
   Misfit::Details details = misfit.details(active);
-  drop_unidentifiable_yield(misfit, set, active, options, details);
   result.cost = details.stress_cost + details.break_cost;
+  return details;
+}
+
+}  // namespace
+
+void describe_fit(const Target& target, const FitOptions& options, const ParameterSet& set,
+                  Misfit& misfit, std::span<const double> active, FitResult& result) {
+  describe_misfit(begin_result(misfit, active, result), target, options, result);
+  std::vector<double> values(set.size());
+  set.expand(active, values);
+  for (std::size_t i = 0; i < set.size(); ++i) {
+    result.parameters.push_back(parameter_of(set.all()[i], values[i]));
+  }
+}
+
+void explain_fit(const Target& target, const FitOptions& options, const ParameterSet& set,
+                 Misfit& misfit, std::span<const double> active, FitResult& result) {
+  Misfit::Details details = begin_result(misfit, active, result);
+  drop_unidentifiable_yield(misfit, set, active, options, details);
   details.by_shift = shift_slopes(target, options, set, active);
   const Uncertainty u = uncertainty(details, active, set, target, options, misfit.break_factor());
   describe_misfit(details, target, options, result);
+  warn_of_lack(target, options, result);
   add_parameters(set, active, u, options, result);
   add_tied_errors(set, result);
   result.correlation = u.correlation;

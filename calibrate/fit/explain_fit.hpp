@@ -15,4 +15,8 @@ namespace plastica::calibrate {
 void explain_fit(const Target& target, const FitOptions& options, const ParameterSet& set,
                  Misfit& misfit, std::span<const double> active, FitResult& result);
 
+/// Of this what a search goes on from: misfit, and parameters with values and bounds alone.
+void describe_fit(const Target& target, const FitOptions& options, const ParameterSet& set,
+                  Misfit& misfit, std::span<const double> active, FitResult& result);
+
 }  // namespace plastica::calibrate

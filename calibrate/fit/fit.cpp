@@ -56,8 +56,9 @@ void check_options(const FitOptions& options) {
 FitResult fit_target(const Target& target, const FitOptions& options,
                      std::span<const StartPoint> further) {
   if (target.status == TargetStatus::Ready) check_options(options);
-  FitResult result = search_target(target, options, further);
-  weigh_priors(target, options, result);
+  const FitPriors priors(target, options);
+  FitResult result = search_target(target, options, priors.told(), further);
+  weigh_priors(target, options, priors, result);
   add_intervals(target, options, result);
   return result;
 }

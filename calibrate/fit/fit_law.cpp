@@ -80,16 +80,16 @@ namespace {
 
 /// As `fit_law`, without priors.
 /// @param warning  is set where a simpler law that it contains ends with a smaller misfit
-FitResult search_law(const Target& target, const FitOptions& options, Law law,
+FitResult search_law(const Target& target, const FitOptions& options, Law law, Told told,
                      std::string& warning) {
   FitOptions own = options_of(law, options, target.loading);
   Law simpler = law;
-  if (!has_simpler(law, simpler)) return search_target(target, own);
-  const FitResult below = search_law(target, options, simpler, warning);
+  if (!has_simpler(law, simpler)) return search_target(target, own, told);
+  const FitResult below = search_law(target, options, simpler, Told::ForSearch, warning);
   warning.clear();
   const bool fitted = below.status == FitStatus::Fitted;
   FitResult result = search_target(
-      target, own, fitted ? starts_of(target, own, below) : std::vector<StartPoint>());
+      target, own, told, fitted ? starts_of(target, own, below) : std::vector<StartPoint>());
   if (result.status != FitStatus::Fitted) return result;
   result.simpler_evaluations = below.evaluations() + below.simpler_evaluations;
   if (!fitted) return result;
@@ -97,7 +97,7 @@ FitResult search_law(const Target& target, const FitOptions& options, Law law,
   for (const bool no_effect : {false, true}) {
     if (!worse()) return result;
     start_from(below, result, no_effect, own);
-    FitResult again = search_target(target, own);
+    FitResult again = search_target(target, own, told);
     again.simpler_evaluations = result.simpler_evaluations;
     if (again.status == FitStatus::Fitted && again.cost < result.cost) {
       put_before(std::move(result), again);
@@ -119,8 +119,10 @@ FitResult search_law(const Target& target, const FitOptions& options, Law law,
 
 FitResult fit_law(const Target& target, const FitOptions& options, Law law) {
   std::string warning;
-  FitResult result = search_law(target, options, law, warning);
-  weigh_priors(target, options_of(law, options, target.loading), result);
+  const FitOptions own = options_of(law, options, target.loading);
+  const FitPriors priors(target, own);
+  FitResult result = search_law(target, options, law, priors.told(), warning);
+  weigh_priors(target, own, priors, result);
   if (!warning.empty()) result.warnings.push_back(std::move(warning));
   return result;
 }

@@ -72,6 +72,19 @@ void append(Solution&& further, FitResult& result) {
   add(further.trace.costs, result.trace.costs);
 }
 
+/// Explains the fit whose values the options start with; its search began where it did.
+void explain_from(const Target& target, const FitOptions& options, const WeighedPriors& priors,
+                  FitResult& result) {
+  const ParameterSet set(target, options);
+  Misfit misfit(target, options, set);
+  misfit.set_priors(priors);
+  std::vector<double> active;
+  for (const std::size_t i : set.active()) active.push_back(set.all()[i].start);
+  const std::vector<FittedParameter> searched = result.parameters;
+  explain_fit(target, options, set, misfit, active, result);
+  for (std::size_t i = 0; i < searched.size(); ++i) result.parameters[i].start = searched[i].start;
+}
+
 /// How far the solution is from the priors that parameters state.
 void add_stated_priors(const FitOptions& options, double variance, FitResult& result) {
   for (std::size_t i = 0; i < options.parameters.size(); ++i) {
@@ -86,7 +99,7 @@ void add_stated_priors(const FitOptions& options, double variance, FitResult& re
 
 }  // namespace
 
-FitResult search_target(const Target& target, const FitOptions& options,
+FitResult search_target(const Target& target, const FitOptions& options, Told told,
                         std::span<const StartPoint> further) {
   FitResult result;
   result.seed = seed_of(target.name, options.seed);
@@ -116,16 +129,23 @@ FitResult search_target(const Target& target, const FitOptions& options,
     result.reason = solution.reason;
     return result;
   }
-  explain_fit(target, bare, set, misfit, solution.active, result);
+  (told == Told::All ? explain_fit : describe_fit)(target, bare, set, misfit, solution.active,
+                                                   result);
   return result;
 }
 
-void weigh_priors(const Target& target, const FitOptions& options, FitResult& result) {
+FitPriors::FitPriors(const Target& target, const FitOptions& options) {
+  if (target.status != TargetStatus::Ready || !defect_of(target.corrected).empty()) return;
+  slope = modulus_prior(target, options);
+  all = priors_of(options, slope);
+}
+
+void weigh_priors(const Target& target, const FitOptions& options, FitPriors found,
+                  FitResult& result) {
   constexpr int kRepetitions = 8;
   constexpr double kSettled = 1e-3;
   if (result.status != FitStatus::Fitted) return;
-  std::optional<ModulusPrior> slope = modulus_prior(target, options);
-  WeighedPriors priors = priors_of(options, slope);
+  auto& [slope, priors] = found;
   if (priors.all.empty()) return;
   const double worth =
       std::max(1.0, samples_worth(result.effective_samples, result.autocorrelation));
@@ -154,6 +174,7 @@ void weigh_priors(const Target& target, const FitOptions& options, FitResult& re
     weighed.set_priors(priors);
     Solution solution = descend_misfit(weighed, set, from);
     if (!solution.usable) {
+      explain_from(target, from_values_of(result, without_priors(options)), {}, result);
       result.warnings.emplace_back(
           "the fit is not weighed with its priors (a stated one, or the elastic slope): no search "
           "with them has ended");
@@ -165,13 +186,7 @@ void weigh_priors(const Target& target, const FitOptions& options, FitResult& re
   }
   if (slope) slope->variance = priors.variance;
   result.modulus_prior = slope;
-  const ParameterSet set(target, from);
-  Misfit misfit(target, from, set);
-  misfit.set_priors(priors);
-  std::vector<double> active;
-  for (const std::size_t i : set.active()) active.push_back(set.all()[i].start);
-  const std::vector<FittedParameter> searched = result.parameters;
-  explain_fit(target, from, set, misfit, active, result);
+  explain_from(target, from, priors, result);
   add_stated_priors(options, priors.variance, result);
   constexpr double kHardlyKnown = 0.04;
   if (slope && slope->standard_deviation > kHardlyKnown * slope->mean) {
@@ -180,8 +195,6 @@ void weigh_priors(const Target& target, const FitOptions& options, FitResult& re
         "differ (a slip, or yielding), or the part is short or noisy",
         100.0 * slope->standard_deviation / slope->mean));
   }
-  // The search began where it did.
-  for (std::size_t i = 0; i < searched.size(); ++i) result.parameters[i].start = searched[i].start;
 }
 
 }  // namespace plastica::calibrate
