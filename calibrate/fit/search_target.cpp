@@ -73,11 +73,10 @@ void append(Solution&& further, FitResult& result) {
 }
 
 /// Explains the fit whose values the options start with; its search began where it did.
-void explain_from(const Target& target, const FitOptions& options, const WeighedPriors& priors,
+void explain_from(const Target& target, const FitOptions& options, Misfit& misfit,
                   FitResult& result) {
   const ParameterSet set(target, options);
-  Misfit misfit(target, options, set);
-  misfit.set_priors(priors);
+  misfit.end_search();
   std::vector<double> active;
   for (const std::size_t i : set.active()) active.push_back(set.all()[i].start);
   const std::vector<FittedParameter> searched = result.parameters;
@@ -174,7 +173,8 @@ void weigh_priors(const Target& target, const FitOptions& options, FitPriors fou
     weighed.set_priors(priors);
     Solution solution = descend_misfit(weighed, set, from);
     if (!solution.usable) {
-      explain_from(target, from_values_of(result, without_priors(options)), {}, result);
+      weighed.set_priors({});
+      explain_from(target, from_values_of(result, without_priors(options)), weighed, result);
       result.warnings.emplace_back(
           "the fit is not weighed with its priors (a stated one, or the elastic slope): no search "
           "with them has ended");
@@ -186,7 +186,8 @@ void weigh_priors(const Target& target, const FitOptions& options, FitPriors fou
   }
   if (slope) slope->variance = priors.variance;
   result.modulus_prior = slope;
-  explain_from(target, from, priors, result);
+  weighed.set_priors(priors);
+  explain_from(target, from, weighed, result);
   add_stated_priors(options, priors.variance, result);
   constexpr double kHardlyKnown = 0.04;
   if (slope && slope->standard_deviation > kHardlyKnown * slope->mean) {

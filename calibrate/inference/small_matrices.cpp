@@ -21,7 +21,7 @@ MatrixXd scaled(const MatrixXd& a, const VectorXd& size) {
   return size.asDiagonal() * a * size.asDiagonal();
 }
 
-MatrixXd between(const MatrixXd& outer, const MatrixXd& a) { return outer * a * outer; }
+MatrixXd between(const MatrixXd& b, const MatrixXd& a) { return b * a * b; }
 
 MatrixXd mapped(const MatrixXd& map, const MatrixXd& covariance) {
   return map * covariance * map.transpose();
@@ -35,9 +35,7 @@ MatrixXd inverse_of(const MatrixXd& a) {
   return a.ldlt().solve(MatrixXd::Identity(a.rows(), a.cols()));
 }
 
-VectorXd to_unit_diagonal(const MatrixXd& a) { return a.diagonal().cwiseSqrt().cwiseInverse(); }
-
-UnitDirections::UnitDirections(const MatrixXd& a) : size(to_unit_diagonal(a)) {
+UnitDirections::UnitDirections(const MatrixXd& a) : size(a.diagonal().cwiseSqrt().cwiseInverse()) {
   const Eigen::SelfAdjointEigenSolver<MatrixXd> solver(scaled(a, size));
   values = solver.eigenvalues();
   vectors = solver.eigenvectors();

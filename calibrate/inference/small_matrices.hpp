@@ -14,28 +14,27 @@ using MatrixPart = Eigen::Ref<const Eigen::MatrixXd>;
 using SlopeRows =
     Eigen::Map<const Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>>;
 
+/// A B.
 Eigen::MatrixXd product(const MatrixPart& a, const MatrixPart& b);
-/// J^T J. @param j  (m x n)
+/// J^T J (n x n). @param j  (m x n)
 Eigen::MatrixXd gram(const MatrixPart& j);
-/// J^T W J. @param weight  the diagonal of W (m)
+/// J^T W J (n x n). @param weight  the diagonal of W (m)
 Eigen::MatrixXd gram(const MatrixPart& j, const Eigen::VectorXd& weight);
 /// S A S. @param size  the diagonal of S (n)
 Eigen::MatrixXd scaled(const Eigen::MatrixXd& a, const Eigen::VectorXd& size);
-/// O A O.
-Eigen::MatrixXd between(const Eigen::MatrixXd& outer, const Eigen::MatrixXd& a);
-/// M C M^T, the covariance of what M makes of numbers whose covariance is C.
+/// B A B.
+Eigen::MatrixXd between(const Eigen::MatrixXd& b, const Eigen::MatrixXd& a);
+/// M C M^T (k x k), the covariance of what M (k x n) makes of numbers whose covariance is C (n x
+/// n).
 Eigen::MatrixXd mapped(const Eigen::MatrixXd& map, const Eigen::MatrixXd& covariance);
-/// M D M^T. @param variance  the diagonal of D
+/// The same of numbers that do not hang together. @param variance  the diagonal of C (n)
 Eigen::MatrixXd mapped(const Eigen::MatrixXd& map, const Eigen::VectorXd& variance);
-/// @param a  symmetric and positive definite
+/// A^-1. @param a  symmetric and positive definite
 Eigen::MatrixXd inverse_of(const Eigen::MatrixXd& a);
-/// One over the roots of the diagonal: S of the S A S whose diagonal is 1.
-Eigen::VectorXd to_unit_diagonal(const Eigen::MatrixXd& a);
 
-/// Eigenvalues, the smallest first, and eigenvectors (a column each) of S A S, S its
-/// `to_unit_diagonal`.
+/// Eigenvalues, the smallest first, and eigenvectors (a column each) of S A S, whose diagonal is 1.
 struct UnitDirections {
-  Eigen::VectorXd size;
+  Eigen::VectorXd size;  ///< the diagonal of S: one over the roots of that of A
   Eigen::VectorXd values;
   Eigen::MatrixXd vectors;
 

@@ -56,6 +56,9 @@ class Misfit {
 
   // What runs the model throws FitInterrupted once the options' `stop` is raised.
 
+  /// After a search: what follows is evaluated as in a misfit that has not been searched yet.
+  void end_search();
+
   /// Cost at values of the active parameters [SI] (n_active); with their derivatives in
   /// `gradient` (n_active) if it is not empty. Infinite where the model cannot be run.
   double cost(std::span<const double> active, std::span<double> gradient);

@@ -32,6 +32,12 @@ void Misfit::begin_search() {
   run_values_.reset();
 }
 
+void Misfit::end_search() {
+  is_searched_ = false;
+  rising_.reset();
+  run_values_.reset();
+}
+
 bool Misfit::run_model(bool with_slopes) {
   was_run_ = run_values_ != model_values_ || (with_slopes && !run_slopes_);
   if (was_run_) {

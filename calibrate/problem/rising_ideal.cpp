@@ -23,10 +23,12 @@ std::optional<RisingIdeal> RisingIdeal::of(std::span<const double> strain,
     const double off = stress[i] - before.best * strain[i];
     Term& now = made.elastic_[i + 1];
     now.weight = before.weight + weight[i] * strain[i] * strain[i];
+    // Divided once, beside the recursion: what the next sample waits for is two products.
     const bool has_slope = now.weight > 0.0;
-    now.best = before.best + (has_slope ? weight[i] * strain[i] * off / now.weight : 0.0);
+    const double inverse = has_slope ? 1.0 / now.weight : 0.0;
+    now.best = before.best + weight[i] * strain[i] * inverse * off;
     now.residual =
-        before.residual + weight[i] * off * off * (has_slope ? before.weight / now.weight : 1.0);
+        before.residual + weight[i] * off * off * (has_slope ? before.weight * inverse : 1.0);
   }
   made.plateau_.resize(n + 1);
   for (std::size_t i = n; i-- > 0;) {
@@ -35,8 +37,9 @@ std::optional<RisingIdeal> RisingIdeal::of(std::span<const double> strain,
     Term& now = made.plateau_[i];
     now.weight = behind.weight + weight[i];
     if (!(now.weight > 0.0)) continue;
-    now.best = behind.best + weight[i] * off / now.weight;
-    now.residual = behind.residual + weight[i] * off * off * (behind.weight / now.weight);
+    const double inverse = 1.0 / now.weight;
+    now.best = behind.best + weight[i] * inverse * off;
+    now.residual = behind.residual + weight[i] * off * off * (behind.weight * inverse);
   }
   return made;
 }

@@ -7,15 +7,19 @@ macro(plastica_require package)
   set_property(GLOBAL APPEND PROPERTY PLASTICA_DEPENDENCIES "${plastica_arguments}")
 endmacro()
 
-# plastica_require_library(NAME HEADER PACKAGE): looks for a library that is linked by its name, since
-# it brings no file for find_package; PACKAGE is Debian's name.
-function(plastica_require_library name header package)
+# plastica_link_by_name(TARGET NAME HEADER PACKAGE): links a library that brings no file for
+# find_package. Who links our installed static library finds it by its name. PACKAGE is Debian's name.
+function(plastica_link_by_name target name header package)
   find_library(PLASTICA_LIBRARY_${name} ${name})
-  find_path(PLASTICA_HEADER_${name} ${header})
-  mark_as_advanced(PLASTICA_LIBRARY_${name} PLASTICA_HEADER_${name})
-  foreach(what LIBRARY HEADER)
-    if(NOT PLASTICA_${what}_${name})
-      message(FATAL_ERROR "lib${name} with its header ${header} is needed (Debian: ${package})")
+  find_path(PLASTICA_INCLUDE_${name} ${header})
+  mark_as_advanced(PLASTICA_LIBRARY_${name} PLASTICA_INCLUDE_${name})
+  foreach(variable PLASTICA_LIBRARY_${name} PLASTICA_INCLUDE_${name})
+    if(NOT ${variable})
+      message(FATAL_ERROR
+        "lib${name} with ${header} is not found (Debian: ${package}; -D${variable}=PATH says where)")
     endif()
   endforeach()
+  target_include_directories(${target} PRIVATE ${PLASTICA_INCLUDE_${name}})
+  target_link_libraries(${target} PRIVATE
+    $<BUILD_INTERFACE:${PLASTICA_LIBRARY_${name}}> $<INSTALL_INTERFACE:${name}>)
 endfunction()

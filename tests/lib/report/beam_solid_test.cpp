@@ -113,7 +113,7 @@ TEST(BeamSolid, OfFragmentsHasTheEndsThatCutsHaveMade) {
 TEST(BeamSolid, GroupsNoSegmentsAcrossACut) {
   const io::SceneRecord record = motion_record({.segments = 500});
   const BeamSolid fragments = beam_solid(BeamPose(record, 20), kSide, 1.0);
-  EXPECT_LE(fragments.faces.size(), 310U);
+  EXPECT_LE(fragments.faces.size(), 270U);
   EXPECT_EQ(fragments.cuts.size(), 4U);
 }
 
