@@ -235,6 +235,31 @@ TEST_P(AnyMisfit, IsWhatItsSamplesGive) {
 }
 
 /// To the last bit: else what is above would hold of the followed samples alone.
+/// Bit by bit: a fit is explained by the misfit of its last search.
+TEST_P(AnyMisfit, AfterASearchIsAsOneThatHasNotSearched) {
+  std::mt19937 random(11);
+  for (int i = 0; i < 6; ++i) {
+    const Target curve = target(random, false);
+    const FitOptions how = options();
+    const ParameterSet set(curve, how);
+    Misfit searched(curve, how, set), fresh(curve, how, set);
+    std::vector<double> at;
+    for (const std::size_t k : set.active()) at.push_back(set.all()[k].start);
+    std::vector<double> gradient(at.size()), again(at.size());
+    searched.search_cost(at, gradient);
+    searched.end_search();
+    EXPECT_EQ(searched.cost(at, gradient), fresh.cost(at, again));
+    EXPECT_EQ(gradient, again);
+    const Misfit::Details d = searched.details(at), e = fresh.details(at);
+    EXPECT_EQ(d.stress_cost, e.stress_cost);
+    EXPECT_EQ(d.break_cost, e.break_cost);
+    EXPECT_EQ(d.residual, e.residual);
+    EXPECT_EQ(d.jacobian, e.jacobian);
+    EXPECT_EQ(d.permanent, e.permanent);
+    EXPECT_EQ(d.permanent_gradient, e.permanent_gradient);
+  }
+}
+
 TEST(RisingIdeal, IsWhatASearchIsTold) {
   std::mt19937 random(3);
   for (int i = 0; i < 20; ++i) {
