@@ -79,7 +79,8 @@ void newton_lanes(benchmark::State& state, const chain::View<Level<double>>& vie
     lanes->take_chain(lane, numbers.data());
     numbers.clear();
     chain::visit_unknowns(chain_writer, solved.work.q);
-    numbers.insert(numbers.end(), {solved.work.moment_scale, solved.work.force_scale});
+    numbers.insert(numbers.end(),
+                   {solved.work.moment_scale, solved.work.force_scale, solved.work.stepped});
     for (const History& history : solved.build.chain.histories) numbers.push_back(history.at(1.0));
     lanes->take_start(lane, numbers.data());
   }
