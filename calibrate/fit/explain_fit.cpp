@@ -17,8 +17,9 @@ namespace {
 
 double largest_stress(const Curve& curve) { return largest_magnitude(curve.stress); }
 
-void describe_misfit(const Misfit::Details& details, const Target& target,
-                     const FitOptions& options, FitResult& result) {
+/// @return the residuals that enter [Pa]
+std::vector<double> describe_misfit(const Misfit::Details& details, const Target& target,
+                                    FitResult& result) {
   const double stress = largest_stress(target.corrected);
   result.misfit_rms = std::sqrt(std::max(0.0, details.stress_cost));
   result.misfit_fraction = stress > 0.0 ? result.misfit_rms / stress : 0.0;
@@ -26,15 +27,17 @@ void describe_misfit(const Misfit::Details& details, const Target& target,
   for (std::size_t i = 0; i < details.residual.size(); ++i) {
     if (details.weight[i] > 0.0) residual.push_back(details.residual[i]);
   }
-  result.runs_test_p = runs_test_p(residual);
   result.autocorrelation = autocorrelation(residual);
-  result.misfit_word =
-      misfit_word(result.misfit_fraction, result.runs_test_p, result.autocorrelation);
   result.effective_samples = effective_samples(details.weight);
-  result.noise = options.noise;
+  return residual;
 }
 
-void warn_of_lack(const Target& target, const FitOptions& options, FitResult& result) {
+void judge_misfit(const std::vector<double>& residual, const Target& target,
+                  const FitOptions& options, FitResult& result) {
+  result.noise = options.noise;
+  result.runs_test_p = runs_test_p(residual);
+  result.misfit_word =
+      misfit_word(result.misfit_fraction, result.runs_test_p, result.autocorrelation);
   std::string lack = lack_of_fit(phrase_of(result.law), result.misfit_fraction, result.runs_test_p,
                                  laws_to_try(result.law, target.loading, options.laws));
   if (!lack.empty()) result.warnings.push_back(std::move(lack));
@@ -274,9 +277,9 @@ Misfit::Details begin_result(Misfit& misfit, std::span<const double> active, Fit
 
 }  // namespace
 
-void describe_fit(const Target& target, const FitOptions& options, const ParameterSet& set,
-                  Misfit& misfit, std::span<const double> active, FitResult& result) {
-  describe_misfit(begin_result(misfit, active, result), target, options, result);
+void describe_fit(const Target& target, const ParameterSet& set, Misfit& misfit,
+                  std::span<const double> active, FitResult& result) {
+  describe_misfit(begin_result(misfit, active, result), target, result);
   std::vector<double> values(set.size());
   set.expand(active, values);
   for (std::size_t i = 0; i < set.size(); ++i) {
@@ -290,8 +293,7 @@ void explain_fit(const Target& target, const FitOptions& options, const Paramete
   drop_unidentifiable_yield(misfit, set, active, options, details);
   details.by_shift = shift_slopes(target, options, set, active);
   const Uncertainty u = uncertainty(details, active, set, target, options, misfit.break_factor());
-  describe_misfit(details, target, options, result);
-  warn_of_lack(target, options, result);
+  judge_misfit(describe_misfit(details, target, result), target, options, result);
   add_parameters(set, active, u, options, result);
   add_tied_errors(set, result);
   result.correlation = u.correlation;

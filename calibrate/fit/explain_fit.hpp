@@ -16,7 +16,7 @@ void explain_fit(const Target& target, const FitOptions& options, const Paramete
                  Misfit& misfit, std::span<const double> active, FitResult& result);
 
 /// Of this what a search goes on from: misfit, and parameters with values and bounds alone.
-void describe_fit(const Target& target, const FitOptions& options, const ParameterSet& set,
-                  Misfit& misfit, std::span<const double> active, FitResult& result);
+void describe_fit(const Target& target, const ParameterSet& set, Misfit& misfit,
+                  std::span<const double> active, FitResult& result);
 
 }  // namespace plastica::calibrate

@@ -128,8 +128,11 @@ FitResult search_target(const Target& target, const FitOptions& options, Told to
     result.reason = solution.reason;
     return result;
   }
-  (told == Told::All ? explain_fit : describe_fit)(target, bare, set, misfit, solution.active,
-                                                   result);
+  if (told == Told::All) {
+    explain_fit(target, bare, set, misfit, solution.active, result);
+  } else {
+    describe_fit(target, set, misfit, solution.active, result);
+  }
   return result;
 }
 
@@ -139,12 +142,13 @@ FitPriors::FitPriors(const Target& target, const FitOptions& options) {
   all = priors_of(options, slope);
 }
 
-void weigh_priors(const Target& target, const FitOptions& options, FitPriors found,
+void weigh_priors(const Target& target, const FitOptions& options, const FitPriors& found,
                   FitResult& result) {
   constexpr int kRepetitions = 8;
   constexpr double kSettled = 1e-3;
   if (result.status != FitStatus::Fitted) return;
-  auto& [slope, priors] = found;
+  std::optional<ModulusPrior> slope = found.slope;
+  WeighedPriors priors = found.all;
   if (priors.all.empty()) return;
   const double worth =
       std::max(1.0, samples_worth(result.effective_samples, result.autocorrelation));

@@ -35,7 +35,7 @@ struct FitPriors {
 /// longer changes, and says all of it. Leaves a result that is not Fitted, or has no prior, as it
 /// is.
 /// @param options  those that it was searched with
-void weigh_priors(const Target& target, const FitOptions& options, FitPriors priors,
+void weigh_priors(const Target& target, const FitOptions& options, const FitPriors& priors,
                   FitResult& result);
 
 }  // namespace plastica::calibrate

@@ -11,15 +11,31 @@
 namespace plastica::calibrate {
 namespace {
 
+/// ln n! of n up to `most`.
+std::vector<double> log_factorials(int most) {
+  std::vector<double> logarithms(static_cast<std::size_t>(most) + 1);
+  int sign = 1;  // lgamma writes a global, and fits run on several threads
+  for (std::size_t n = 0; n < logarithms.size(); ++n) {
+    logarithms[n] = lgamma_r(static_cast<double>(n) + 1.0, &sign);
+  }
+  return logarithms;
+}
+
+/// Those that most curves need, made once: they would be a seventh of a fit.
+constexpr int kKept = 4096;
+const std::vector<double>& kept_log_factorials() {
+  static const std::vector<double> kept = log_factorials(kKept);
+  return kept;
+}
+
 /// Logarithms of binomial coefficients, of those of so many and fewer.
 class LogChoices {
  public:
-  explicit LogChoices(int most) : log_factorial_(static_cast<std::size_t>(most) + 1) {
-    int sign = 1;  // lgamma writes a global, and fits run on several threads
-    for (std::size_t n = 0; n < log_factorial_.size(); ++n) {
-      log_factorial_[n] = lgamma_r(static_cast<double>(n) + 1.0, &sign);
-    }
-  }
+  explicit LogChoices(int most)
+      : own_(most > kKept ? log_factorials(most) : std::vector<double>()),
+        log_factorial_(most > kKept ? own_ : kept_log_factorials()) {}
+  LogChoices(const LogChoices&) = delete;
+  LogChoices& operator=(const LogChoices&) = delete;
 
   /// ln of n over k; of none, minus infinity.
   double operator()(int n, int k) const {
@@ -30,7 +46,8 @@ class LogChoices {
  private:
   double of(int n) const { return log_factorial_[static_cast<std::size_t>(n)]; }
 
-  std::vector<double> log_factorial_;
+  std::vector<double> own_;
+  const std::vector<double>& log_factorial_;
 };
 
 /// Of all orders of so many of each sign the fraction with no more runs: of 2 k runs there are k of

@@ -4,6 +4,7 @@
 
 #include <bit>
 #include <cmath>
+#include <random>
 #include <vector>
 
 #include "calibrate/inference/not_a_number.hpp"
@@ -71,6 +72,25 @@ TEST(Verdict, CountsRunsAsWaldAndWolfowitz) {
   for (std::size_t i = 0; i < 40; i += 2) to_and_fro[i] = -1.0;
   EXPECT_NEAR(runs_test_p(to_and_fro), 1.0, 1e-9);
   EXPECT_TRUE(std::isnan(runs_test_p(std::vector<double>(19, 1.0))));
+}
+
+/// Wald and Wolfowitz's limit for many: a normal distribution, here with a correction for that runs
+/// are whole numbers. Among the lengths those about which logarithms are kept.
+TEST(Verdict, CountsTheRunsOfManyAsTheirNormalLimit) {
+  std::mt19937 random(3);
+  for (const int length : {2000, 4095, 4096, 4097, 9000}) {
+    std::vector<double> signs;
+    double above = 0.0, below = 0.0, runs = 1.0;
+    for (int i = 0; i < length; ++i) {
+      signs.push_back(random() % 3 == 0 ? -1.0 : 1.0);
+      ++(signs.back() > 0.0 ? above : below);
+      if (i > 0 && signs[static_cast<std::size_t>(i) - 1] != signs.back()) ++runs;
+    }
+    const double mean = 1.0 + 2.0 * above * below / (above + below);
+    const double deviation = std::sqrt((mean - 1.0) * (mean - 2.0) / (above + below - 1.0));
+    const double limit = 0.5 * std::erfc(-(runs + 0.5 - mean) / deviation / std::sqrt(2.0));
+    EXPECT_NEAR(runs_test_p(signs), limit, 5e-3) << length;
+  }
 }
 
 TEST(Verdict, CountsRunsAsAllOrdersDo) {
