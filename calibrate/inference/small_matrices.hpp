@@ -3,9 +3,9 @@
 #include <Eigen/Core>
 #include <vector>
 
-/// What the errors of fits are made of: matrices with a row for each parameter. A product of Eigen's
-/// takes seconds to compile wherever it stands, so that those that several files need stand here;
-/// not installed.
+/// What the errors of fits are made of: matrices with a row for each parameter. A product of
+/// Eigen's takes seconds to compile wherever it stands, so that those that several files need stand
+/// here; not installed.
 namespace plastica::calibrate {
 
 /// A part of a matrix, without a copy.
