@@ -1,0 +1,27 @@
+#pragma once
+
+#include <pybind11/pybind11.h>
+
+#include <cstddef>
+#include <functional>
+
+#include "plastica/base/stop_flag.hpp"
+
+namespace plastica::python {
+
+/// What long work is told, and says, from whichever thread it runs in.
+struct Background {
+  StopFlag stop;                             ///< raised by Ctrl-C
+  std::function<void(double)> set_progress;  ///< how much is done, in the units of the caller
+};
+
+/// Does work without the interpreter's lock, in a thread of its own, while this one listens for
+/// Ctrl-C and passes progress on. A thread of its own also has OpenMP's threads of its own: those of
+/// a process that was forked meanwhile are gone.
+/// @param progress  None, or a callable that is given the last progress, some ten times a second;
+///                  what it raises stops the work
+/// @throws what the work throws; KeyboardInterrupt, or what `progress` raised, once it has ended
+void in_background(const std::function<void(const Background&)>& work,
+                   const pybind11::object& progress);
+
+}  // namespace plastica::python

@@ -1,0 +1,13 @@
+#pragma once
+
+#include <pybind11/pybind11.h>
+
+/// What each source of this folder adds to the extension module `_core`.
+namespace plastica::python {
+
+void bind_errors(pybind11::module_& core);
+void bind_fields(pybind11::module_& core);
+void bind_responses(pybind11::module_& core);
+void bind_models(pybind11::module_& core);
+
+}  // namespace plastica::python

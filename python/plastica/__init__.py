@@ -1,0 +1,33 @@
+"""Plastica: lumped beams, simulated and calibrated.
+
+>>> import plastica
+>>> scene = plastica.Scene.from_toml("scene.toml")
+>>> response = plastica.simulate(scene)
+>>> response.probes["tip"]
+"""
+
+from ._core import __version__
+from .errors import InputError
+from .fields import Beam, Hardening, Material, Rate, Rules, Section, Solver
+from .model import Batch, Model, SceneWarning, Sensitivity, prepare, simulate
+from .response import Response, Simulation
+from .scene import (
+    Cut,
+    Drive,
+    InitialMotion,
+    Load,
+    PointMass,
+    Probe,
+    Region,
+    Scene,
+    Support,
+    cycles,
+    turning_points,
+)
+
+__all__ = [
+    "Batch", "Beam", "Cut", "Drive", "Hardening", "InitialMotion", "InputError", "Load", "Material",
+    "Model", "PointMass", "Probe", "Rate", "Region", "Response", "Rules", "Scene", "SceneWarning",
+    "Section", "Sensitivity", "Simulation", "Solver", "Support", "__version__", "cycles", "prepare",
+    "simulate", "turning_points",
+]
