@@ -3,11 +3,8 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include <span>
-#include <vector>
-
+#include "calibrate/report/fits_text.hpp"
 #include "calibrate/report/json.hpp"
-#include "calibrate/report/law_choice.hpp"
 #include "calibrate/report/scene_fit_text.hpp"
 #include "calibrate/report/text.hpp"
 #include "cli/find_record.hpp"
@@ -32,15 +29,6 @@ calibrate::ReportOptions options_of(const calibrate::FitStoreContents& contents)
   return options;
 }
 
-/// Prints the comparison of laws, if there is one. @return the records of the advised law
-template <typename Record>
-std::span<Record> print_laws(std::vector<Record>& records,
-                             const calibrate::ReportOptions& options) {
-  fmt::print("{}", calibrate::laws_report(records, options));
-  if (calibrate::compares_laws(records)) fmt::print("\n");
-  return std::span(records).first(calibrate::advised_first(records));
-}
-
 }  // namespace
 
 std::string json_of(const calibrate::FitStoreContents& contents) {
@@ -53,27 +41,11 @@ std::string json_of(const calibrate::SceneFitContents& contents) {
 }
 
 void print_fits(calibrate::FitStoreContents& contents, bool all) {
-  calibrate::ReportOptions options = options_of(contents);
-  if (all) options.specimens_shown = options.groups_shown = 0;
-  const auto advised = print_laws(contents.records, options);
-  if (all || advised.size() == 1) {
-    for (const auto& record : all ? std::span(contents.records) : advised) {
-      fmt::print("{}\n", calibrate::fit_report(record, options));
-    }
-  }
-  fmt::print("{}", calibrate::batch_report(advised, options));
+  fmt::print("{}", calibrate::fits_text(contents.records, options_of(contents), all));
 }
 
 void print_fits(calibrate::SceneFitContents& contents, bool all) {
-  calibrate::ReportOptions options = options_of(contents.confidence);
-  if (all) options.specimens_shown = 0;
-  if (all && contents.records.size() > 1) {
-    for (const auto& record : contents.records) {
-      fmt::print("{}\n", calibrate::scene_fit_report(record, options));
-    }
-  }
-  const auto advised = print_laws(contents.records, options);
-  fmt::print("{}", calibrate::scene_fits_report(advised, options));
+  fmt::print("{}", calibrate::fits_text(contents.records, options_of(contents.confidence), all));
 }
 
 void print_fit(const calibrate::FitStoreContents& contents, const std::string& name,

@@ -22,20 +22,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::vector<const calibrate::TableSource*> tables_of(const calibrate::FitFile& file) {
-  std::vector<const calibrate::TableSource*> tables;
-  for (const calibrate::TargetBlock& block : file.targets) {
-    if (!block.source.table) continue;
-    const calibrate::TableSource& own = *block.source.table;
-    const auto is_same = [&](const calibrate::TableSource* other) {
-      return other->file == own.file && other->csv.sheet == own.csv.sheet &&
-             other->csv.path == own.csv.path;
-    };
-    if (std::ranges::none_of(tables, is_same)) tables.push_back(&own);
-  }
-  return tables;
-}
-
 }  // namespace
 
 std::vector<std::string> files_read(const calibrate::FitFile& file) {
@@ -46,17 +32,6 @@ std::vector<std::string> files_read(const calibrate::FitFile& file) {
     files.insert(files.end(), block.source.files.begin(), block.source.files.end());
   }
   return files;
-}
-
-std::vector<io::InputText> input_texts(const calibrate::FitFile& file) {
-  const std::string name =
-      file.path.empty() ? "command-line.toml" : fs::path(file.path).filename().string();
-  std::vector<io::InputText> texts{{name, file.text}};
-  for (const calibrate::TableSource* table : tables_of(file)) {
-    texts.push_back(
-        {fs::path(table->file).filename().string(), io::table_text(table->file, table->csv)});
-  }
-  return texts;
 }
 
 void refuse_input(std::string_view option, const std::string& output, const std::string& input) {

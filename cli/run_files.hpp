@@ -19,10 +19,6 @@ namespace plastica::cli {
 /// The files that a fit of curves reads: its own, tables, curves.
 std::vector<std::string> files_read(const calibrate::FitFile& file);
 
-/// The texts that a result depends on, for the file: the fit file, then the tables, each once.
-/// @throws InputError if a table cannot be read
-std::vector<io::InputText> input_texts(const calibrate::FitFile& file);
-
 /// Refuses to write over a file that is read, whatever is forced. @throws InputError
 void refuse_input(std::string_view option, const std::string& output, const std::string& input);
 

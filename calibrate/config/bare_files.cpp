@@ -131,7 +131,7 @@ TargetSource source_of(const BareFiles& bare) {
 FitFile fit_of_bare_files(const BareFiles& bare, int threads) {
   if (bare.files.empty()) throw InputError({}, "FILE", "", "give at least one file");
   const TargetSource given = source_of(bare);
-  std::string text = parameters_text(bare.fixed);
+  std::string text = bare.says.empty() ? parameters_text(bare.fixed) : bare.says;
   // Blocks by what they say, in the order of their first files.
   std::vector<std::pair<std::string, TargetSource>> blocks;
   std::vector<std::string> unreadable;

@@ -29,6 +29,8 @@ struct BareFiles {
   std::optional<std::string> table;         ///< --table FILE:KEY
   std::vector<std::string> group;           ///< --group COLUMN, as often as wanted
   std::vector<std::string> fixed;           ///< --fix NAME=VALUE, as often as wanted
+  /// What a fit file says besides [[target]], in place of `fixed`; empty: the default parameters.
+  std::string says;
 };
 
 /// What the options say of columns, values, table and test, without files.

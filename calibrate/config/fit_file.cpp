@@ -1,5 +1,6 @@
 #include "calibrate/config/fit_file.hpp"
 
+#include <algorithm>
 #include <filesystem>
 #include <utility>
 
@@ -9,6 +10,7 @@
 #include "calibrate/config/target_files.hpp"
 #include "calibrate/config/unique_names.hpp"
 #include "calibrate/target/plausibility.hpp"
+#include "plastica/io/csv.hpp"
 #include "plastica/io/scene_file.hpp"
 #include "plastica/io/toml.hpp"
 
@@ -38,9 +40,8 @@ void check_rate(const TomlTable& table, const TargetSource& source, const Materi
                    "is of no use without a law, material.rate.law: it would move nothing");
 }
 
-std::vector<TargetBlock> read_targets(const TomlTable& root, const std::string& folder,
-                                      const FitOptions& fit) {
-  const std::vector<Parameter>& parameters = fit.parameters;
+/// What [target_defaults] says, over what the material does.
+TargetBlock read_defaults(const TomlTable& root, const std::string& folder, const FitOptions& fit) {
   TargetBlock defaults;
   if (material_gives(root, "youngs_modulus")) {
     defaults.options.expected_modulus = fit.setup.scene.material.youngs_modulus;
@@ -48,6 +49,23 @@ std::vector<TargetBlock> read_targets(const TomlTable& root, const std::string& 
   if (const auto table = root.find_table("target_defaults")) {
     read_target(*table, folder, defaults);
   }
+  return defaults;
+}
+
+/// Refuses what says where curves are, of curves that a program has.
+void check_has_no_columns(const TomlTable& root) {
+  const auto table = root.find_table("target_defaults");
+  for (const std::string_view key : {"strain", "elongation", "gauge_length", "stress", "force",
+                                     "area", "table", "group", "split"}) {
+    const auto value = table ? table->find(key) : std::nullopt;
+    if (value) throw value->error("is for files: these curves are given as they are");
+  }
+}
+
+std::vector<TargetBlock> read_targets(const TomlTable& root, const std::string& folder,
+                                      const FitOptions& fit) {
+  const std::vector<Parameter>& parameters = fit.parameters;
+  const TargetBlock defaults = read_defaults(root, folder, fit);
   const std::vector<TomlTable> tables = root.find_tables("target");
   if (tables.empty()) {
     root.check_unused();
@@ -70,23 +88,67 @@ std::vector<TargetBlock> read_targets(const TomlTable& root, const std::string& 
   return blocks;
 }
 
-}  // namespace
-
-FitFile parse_fit_file(std::string text, const std::string& path) {
+/// Reads a fit file. @param read_blocks  its targets, from its root and options
+template <class ReadBlocks>
+FitFile parse_with(std::string text, const std::string& path, const ReadBlocks& read_blocks) {
   const auto document = io::TomlDocument::parse(std::move(text), path);
   const TomlTable& root = document.root();
-  const std::string folder = std::filesystem::path(path).parent_path().string();
   FitFile file{path, document.text(), read_fit_options(root), {}, {}};
   io::refuse_rules_of_chains(root);
-  file.targets = read_targets(root, folder, file.options);
+  file.targets = read_blocks(root, file.options);
   root.check_unused();
   io::check_section_is_whole(root, file.options.setup);
   file.notes = root.notes();
   return file;
 }
 
+}  // namespace
+
+FitFile parse_fit_file(std::string text, const std::string& path) {
+  const std::string folder = std::filesystem::path(path).parent_path().string();
+  return parse_with(std::move(text), path, [&](const TomlTable& root, const FitOptions& options) {
+    return read_targets(root, folder, options);
+  });
+}
+
+FitFile parse_curve_options(std::string text, const std::string& name) {
+  return parse_with(std::move(text), name, [](const TomlTable& root, const FitOptions& options) {
+    TargetBlock block = read_defaults(root, {}, options);
+    check_has_no_columns(root);
+    check_rate(root, block.source, options.setup.scene.material);
+    check_material_is_given(root, options.parameters, block.source.test);
+    use_fixed_modulus(options.parameters, block);
+    return std::vector<TargetBlock>{std::move(block)};
+  });
+}
+
 FitFile read_fit_file(const std::string& path) {
   return parse_fit_file(io::TomlDocument::read(path).text(), path);
+}
+
+std::vector<const TableSource*> tables_of(const FitFile& file) {
+  std::vector<const TableSource*> tables;
+  for (const TargetBlock& block : file.targets) {
+    if (!block.source.table) continue;
+    const TableSource& own = *block.source.table;
+    const auto is_same = [&](const TableSource* other) {
+      return other->file == own.file && other->csv.sheet == own.csv.sheet &&
+             other->csv.path == own.csv.path;
+    };
+    if (std::ranges::none_of(tables, is_same)) tables.push_back(&own);
+  }
+  return tables;
+}
+
+std::vector<io::InputText> input_texts(const FitFile& file) {
+  const std::string name =
+      file.path.empty() ? "command-line.toml" : std::filesystem::path(file.path).filename().string();
+  std::vector<io::InputText> texts{{name, file.text}};
+  for (const TableSource* table : tables_of(file)) {
+    texts.push_back(
+        {std::filesystem::path(table->file).filename().string(), io::table_text(table->file, table->csv)});
+  }
+  return texts;
 }
 
 std::vector<Target> import_all(const FitFile& file, int threads,

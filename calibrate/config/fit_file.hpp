@@ -6,6 +6,7 @@
 
 #include "calibrate/config/read_target.hpp"
 #include "calibrate/fit/options.hpp"
+#include "plastica/io/result_file.hpp"
 
 namespace plastica::calibrate {
 
@@ -24,6 +25,18 @@ struct FitFile {
 FitFile read_fit_file(const std::string& path);
 /// @param path  stands for the file in errors; its folder is where relative paths begin
 FitFile parse_fit_file(std::string text, const std::string& path);
+
+/// Reads what a fit file says of curves that a program has itself: all but [[target]], whose place
+/// takes [target_defaults] as the one block, without files and columns.
+/// @param name  stands for the file in errors
+/// @throws InputError as above, also for files and columns in [target_defaults]
+FitFile parse_curve_options(std::string text, const std::string& name);
+
+/// The texts that a result depends on, for the file: the fit file, then its tables, each once.
+/// @throws InputError if a table cannot be read
+std::vector<io::InputText> input_texts(const FitFile& file);
+/// The tables beside the curves, each once.
+std::vector<const TableSource*> tables_of(const FitFile& file);
 
 /// Imports the specimens of all targets. A name that an earlier specimen has gets "#2", "#3", …
 /// @param threads  that read files side by side, 0: as many as the machine has; changes nothing

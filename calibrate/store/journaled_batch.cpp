@@ -45,6 +45,30 @@ std::vector<std::string> ids_of(std::span<const Target> targets, const FitOption
   return ids;
 }
 
+/// @param ids  of all cases
+std::string id_of_run(std::vector<std::string> ids, std::span<const Target> targets,
+                      const FitOptions& options, int threads) {
+  // Samples that were dropped decide nothing, but stand in the result.
+  std::vector<std::string> raw_ids(targets.size());
+  parallel_for(targets.size(), {threads, nullptr}, [&](std::size_t i, int) {
+    const Curve raw = with_samples(targets[i].raw);
+    const auto digest = io::Digest().reals(raw.strain).reals(raw.stress).value();
+    raw_ids[i] = targets[i].name + ' ' + io::hexadecimal(digest);
+  });
+  ids.insert(ids.end(), raw_ids.begin(), raw_ids.end());
+  for (const Target& target : targets) {
+    // Nor do groups, by which the report takes means.
+    for (const auto& [key, value] : target.group) {
+      std::string id = target.name;
+      ids.push_back(id.append(1, ' ').append(key).append(1, '=').append(value));
+    }
+  }
+  // Nor does what the fit's file says of the material in so many words, which exports take.
+  for (const std::string& said : options.stated) ids.push_back("says " + said);
+  // What is drawn for a group's mean is no part of a fit.
+  return run_id_of(std::move(ids), static_cast<std::uint64_t>(options.intervals.specimens));
+}
+
 /// What is told, once targets and options are known to be good: bad ones leave a journal as it is.
 JournaledOptions checked(JournaledOptions how, std::span<const Target> targets,
                          const FitOptions& options) {
@@ -62,7 +86,7 @@ JournaledBatch::JournaledBatch(std::span<const Target> targets, const FitOptions
       options_(options),
       cases_(cases_of(targets.size(), options)) {
   ids_ = ids_of(targets, options, cases_, how_.threads);
-  deal(make_run_id());
+  deal(id_of_run(ids_, targets, options, how_.threads));
   resume([&](FitResult& result) {
     if (!options.keep_trace) result.trace.leave_out();
     put_fitted_aside(result);
@@ -72,29 +96,6 @@ JournaledBatch::JournaledBatch(std::span<const Target> targets, const FitOptions
 
 void JournaledBatch::put_fitted_aside(FitResult& result) const {
   if (how_.spool) put_aside(result.fitted, how_.spool);
-}
-
-std::string JournaledBatch::make_run_id() const {
-  std::vector<std::string> ids = ids_;
-  // Samples that were dropped decide nothing, but stand in the result.
-  std::vector<std::string> raw_ids(targets_.size());
-  parallel_for(targets_.size(), {how_.threads, nullptr}, [&](std::size_t i, int) {
-    const Curve raw = with_samples(targets_[i].raw);
-    const auto digest = io::Digest().reals(raw.strain).reals(raw.stress).value();
-    raw_ids[i] = targets_[i].name + ' ' + io::hexadecimal(digest);
-  });
-  ids.insert(ids.end(), raw_ids.begin(), raw_ids.end());
-  for (const Target& target : targets_) {
-    // Nor do groups, by which the report takes means.
-    for (const auto& [key, value] : target.group) {
-      std::string id = target.name;
-      ids.push_back(id.append(1, ' ').append(key).append(1, '=').append(value));
-    }
-  }
-  // Nor does what the fit's file says of the material in so many words, which exports take.
-  for (const std::string& said : options_.stated) ids.push_back("says " + said);
-  // What is drawn for a group's mean is no part of a fit.
-  return run_id_of(std::move(ids), static_cast<std::uint64_t>(options_.intervals.specimens));
 }
 
 std::vector<FitResult> JournaledBatch::run() {
@@ -131,6 +132,11 @@ std::vector<FitResult> JournaledBatch::run() {
   // Of all fits together, and quick: no part of the journal.
   if (complete() && own() == size()) add_unseen(targets_, cases_, options_, how_.threads, results);
   return results;
+}
+
+std::string run_id(std::span<const Target> targets, const FitOptions& options, int threads) {
+  const std::vector<FitCase> cases = cases_of(targets.size(), options);
+  return id_of_run(ids_of(targets, options, cases, threads), targets, options, threads);
 }
 
 }  // namespace plastica::calibrate

@@ -44,13 +44,16 @@ class JournaledBatch : public JournaledFits<FitResult> {
   std::vector<FitResult> run();
 
  private:
-  /// Of targets, options, library version and instruction set.
-  std::string make_run_id() const;
   void put_fitted_aside(FitResult& result) const;
 
   std::span<const Target> targets_;
   const FitOptions& options_;
   std::vector<FitCase> cases_;
 };
+
+/// Who a run of fits is, as its result file says: of targets, options, library version and
+/// instruction set.
+/// @param threads  0: as many as the machine has; changes nothing
+std::string run_id(std::span<const Target> targets, const FitOptions& options, int threads);
 
 }  // namespace plastica::calibrate

@@ -9,6 +9,9 @@
 from ._core import __version__
 from .errors import InputError
 from .fields import Beam, Hardening, Material, Rate, Rules, Section, Solver
+from .files import load
+from .fit import fit
+from .fits import Fit, Fits, Parameter
 from .model import Batch, Model, SceneWarning, Sensitivity, prepare, simulate
 from .response import Response, Simulation
 from .scene import (
@@ -26,8 +29,8 @@ from .scene import (
 )
 
 __all__ = [
-    "Batch", "Beam", "Cut", "Drive", "Hardening", "InitialMotion", "InputError", "Load", "Material",
-    "Model", "PointMass", "Probe", "Rate", "Region", "Response", "Rules", "Scene", "SceneWarning",
-    "Section", "Sensitivity", "Simulation", "Solver", "Support", "__version__", "cycles", "prepare",
+    "Batch", "Beam", "Cut", "Drive", "Fit", "Fits", "Hardening", "InitialMotion", "InputError", "Load", "Material",
+    "Model", "Parameter", "PointMass", "Probe", "Rate", "Region", "Response", "Rules", "Scene", "SceneWarning",
+    "Section", "Sensitivity", "Simulation", "Solver", "Support", "__version__", "cycles", "fit", "load", "prepare",
     "simulate", "turning_points",
 ]

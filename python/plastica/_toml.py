@@ -25,6 +25,9 @@ _FURTHER = {
     "gravity": "m/s^2",
     "gravity.acceleration": "m/s^2",
     "cut.time": "s",
+    "fit.noise": "Pa",
+    "target.characteristics.modulus": "Pa",
+    "target.characteristics.window": "Pa",
 }
 
 
@@ -82,15 +85,16 @@ def with_units(value: Any, path: str = "") -> Any:
         elif isinstance(each, list) and each and all(isinstance(item, dict) for item in each):
             result[key] = [with_units(item, inner) for item in each]
         else:
-            result[key] = _give_unit(each, _unit_of(inner, value))
+            result[key] = give_unit(each, _unit_of(inner, value))
     return result
 
 
-def _give_unit(value: Any, unit: str) -> Any:
+def give_unit(value: Any, unit: str) -> Any:
+    """A number, or each of a list, as a text with its unit; texts stay as they are."""
     if unit in _PURE:
         return value
     if isinstance(value, list):
-        return [_give_unit(each, unit) for each in value]
+        return [give_unit(each, unit) for each in value]
     if isinstance(value, (int, float)) and not isinstance(value, bool):
         return f"{value!r} {unit}"
     return value

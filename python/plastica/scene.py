@@ -10,7 +10,7 @@ from typing import Any, ClassVar, Mapping, Sequence, Union
 
 from . import _toml
 from ._table import Table, table
-from .errors import refuse
+from .errors import InputError, refuse
 from .fields import Beam, Material, Number, Rules, Section, Solver
 
 __all__ = [
@@ -344,7 +344,8 @@ class Scene(Table):
             text = Path(name).read_text(encoding="utf-8")
             tree = tomllib.loads(text)
         except (OSError, UnicodeDecodeError, tomllib.TOMLDecodeError) as error:
-            raise refuse(name, None, str(error)) from error
+            rule = error.strerror if isinstance(error, OSError) and error.strerror else str(error)
+            raise InputError(name, None, None, None, rule) from error
         scene = cls.from_dict(tree)
         scene.source = Source(name, text, scene.to_dict())
         return scene

@@ -1,0 +1,349 @@
+"""What fits give."""
+
+from __future__ import annotations
+
+import html
+import tempfile
+from dataclasses import dataclass
+from os import PathLike, fspath
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, Iterator, Union, overload
+
+import numpy as np
+
+from . import _core
+from .errors import refuse
+from .response import Floats
+
+if TYPE_CHECKING:
+    import pandas
+
+__all__ = ["Fit", "Fits", "Parameter"]
+
+_Contents = Union[_core.CurveFitContents, _core.SceneFitContents]
+
+
+@dataclass(frozen=True)
+class Parameter:
+    """What a fit says of one parameter [SI]; NaN where there is nothing to be said."""
+
+    name: str
+    """``"yield_stress"``"""
+    path: str
+    """``"material.yield_stress"``"""
+    unit: str
+    role: str
+    """``"free"``, ``"fixed"`` or ``"tied"``"""
+    value: float
+    error: float
+    """Standard error, from noise, sampling and misfit."""
+    interval: tuple[float, float]
+    """Confidence interval, from all of these errors together."""
+    verdict: str | None
+    """How well the curves determine it: ``"identified"``, ``"weak"``, ``"at bound"``, …; None where
+    nothing was judged."""
+    noise_error: float
+    sampling_error: float
+    misfit_error: float
+    start: float
+    bounds: tuple[float, float]
+    degrees_of_freedom: float
+    """Of the noise in the error; infinite where it was stated."""
+
+    @staticmethod
+    def _of(one: _core.FittedParameter) -> Parameter:
+        return Parameter(
+            one.name, one.path, one.unit, one.role, one.value, one.error, one.interval, one.verdict,
+            one.noise_error, one.sampling_error, one.misfit_error, one.start, one.bounds,
+            one.degrees_of_freedom)
+
+
+class Fit:
+    """The fit of one specimen's curve, or one through scenes."""
+
+    def __init__(self, record: _core.CurveFit | _core.SceneFit) -> None:
+        self._record = record
+
+    @property
+    def name(self) -> str:
+        """Of the specimen; of a fit that shares its parameters that of the fit."""
+        return self._record.name
+
+    @property
+    def status(self) -> str:
+        """``"fitted"``, ``"failed"`` or ``"rejected"``"""
+        return self._record.status
+
+    @property
+    def reason(self) -> str:
+        """Why it is not fitted."""
+        if isinstance(self._record, _core.CurveFit) and self.status == "rejected":
+            return self._record.target_reason or self._record.reason
+        return self._record.reason
+
+    @property
+    def usable(self) -> bool:
+        """Whether it is fitted and follows its curve, with no parameter at a bound."""
+        return self._record.usable
+
+    @property
+    def law(self) -> str:
+        """The hardening law that was fitted."""
+        return self._record.law
+
+    @property
+    def parameters(self) -> dict[str, Parameter]:
+        """By their names."""
+        return {one.name: Parameter._of(one) for one in self._record.parameters}
+
+    @property
+    def warnings(self) -> list[str]:
+        """What a reader must not overlook."""
+        return self._record.warnings
+
+    @property
+    def correlation(self) -> pandas.DataFrame:
+        """Of the parameters that were searched."""
+        import pandas
+
+        names = self._record.correlated
+        return pandas.DataFrame(self._record.correlation, index=names, columns=names)
+
+    @property
+    def profiles(self) -> dict[str, dict[str, Any]]:
+        """Of each free parameter, where they were asked for: ``interval``, ``value``, ``rise``."""
+        return self._record.profiles
+
+    @property
+    def bootstrap(self) -> dict[str, Any] | None:
+        """Where it was asked for: ``values`` (n_made, n_free), ``error`` and ``interval`` by name."""
+        return self._record.bootstrap
+
+    @property
+    def bootstrap_specimens(self) -> dict[str, Any] | None:
+        """The same of resampled specimens."""
+        return self._record.bootstrap_specimens
+
+    @property
+    def evaluations(self) -> int:
+        """Of the cost, in all searches."""
+        return self._record.evaluations
+
+    def _curve(self) -> _core.CurveFit:
+        if not isinstance(self._record, _core.CurveFit):
+            raise refuse(self.name, None, "is fitted through scenes: its curves are in targets")
+        return self._record
+
+    @property
+    def measured(self) -> tuple[Floats, Floats]:
+        """Strain [1] and stress [Pa] as they were given (n_samples each)."""
+        return self._curve().measured
+
+    @property
+    def corrected(self) -> tuple[Floats, Floats]:
+        """Strain and stress as they were fitted: repaired, corrected, up to the break."""
+        return self._curve().corrected
+
+    @property
+    def fitted(self) -> tuple[Floats, Floats]:
+        """Strain and stress of the fitted model at the corrected samples, and where it breaks."""
+        return self._curve().fitted
+
+    @property
+    def characteristics(self) -> dict[str, float | None]:
+        """Of the curve after ISO 6892-1: ``youngs_modulus``, ``rp02``, ``rm``, … [SI]; None where it
+        has none."""
+        return self._curve().characteristics
+
+    @property
+    def repairs(self) -> list[str]:
+        """What was mended and corrected in the curve."""
+        return self._curve().repairs
+
+    @property
+    def group(self) -> dict[str, str]:
+        return self._curve().group
+
+    @property
+    def misfit(self) -> float:
+        """Root of the mean squared residual [Pa]."""
+        return self._curve().misfit
+
+    @property
+    def misfit_fraction(self) -> float:
+        """The same over the largest measured stress [1]; of a fit through scenes that of the target
+        with the largest."""
+        if isinstance(self._record, _core.CurveFit):
+            return self._record.misfit_fraction
+        return max((one["misfit_fraction"] for one in self.targets.values()), default=float("nan"))
+
+    @property
+    def targets(self) -> dict[str, dict[str, Any]]:
+        """Of a fit through scenes, by target: ``abscissa``, ``ordinate``, ``fitted``, … [SI]."""
+        if isinstance(self._record, _core.CurveFit):
+            raise refuse(self.name, None, "is the fit of a curve: see measured and fitted")
+        return self._record.targets
+
+    @property
+    def segments(self) -> dict[str, dict[str, Any]] | None:
+        """Of a fit through scenes: what the number of segments does to each parameter."""
+        if isinstance(self._record, _core.CurveFit):
+            return None
+        return self._record.segments
+
+    def report(self) -> str:
+        """What ``plastica show`` prints of it."""
+        return self._record.report()
+
+    def plot(self, axes: Any = None) -> Any:
+        """Draws the curve, measured and fitted, with matplotlib. Returns the axes."""
+        import matplotlib.pyplot as plt
+
+        if axes is None:
+            axes = plt.figure().add_subplot()
+        if isinstance(self._record, _core.CurveFit):
+            for (strain, stress), label, style in (
+                (self.measured, "measured", {"color": "0.7", "linewidth": 3.0}),
+                (self.fitted, f"fitted, {self.law}", {"color": "C0"})):
+                axes.plot(100.0 * strain, 1e-6 * stress, label=label, **style)
+            axes.set(xlabel="strain [%]", ylabel="stress [MPa]", title=self.name)
+        else:
+            for name, target in self.targets.items():
+                line, = axes.plot(target["abscissa"], target["ordinate"], ".", alpha=0.5,
+                                  label=f"{name}, measured")
+                if "fitted" in target:
+                    axes.plot(target["abscissa"], target["fitted"], color=line.get_color(),
+                              label=f"{name}, fitted")
+            units = {(one["abscissa_unit"], one["ordinate_unit"]) for one in self.targets.values()}
+            if len(units) == 1:
+                abscissa, ordinate = units.pop()
+                axes.set(xlabel=f"[{abscissa}]", ylabel=f"[{ordinate}]", title=self.name)
+        axes.legend()
+        return axes
+
+    def _repr_html_(self) -> str:
+        rows = "".join(
+            f"<tr><td>{html.escape(one.name)}</td><td>{one.value:.6g}</td><td>{one.error:.2g}</td>"
+            f"<td>{one.interval[0]:.6g} … {one.interval[1]:.6g}</td><td>{html.escape(one.unit)}</td>"
+            f"<td>{html.escape(one.verdict or one.role)}</td></tr>"
+            for one in self.parameters.values())
+        notes = "".join(f"<li>{html.escape(line)}</li>" for line in self.warnings)
+        said = html.escape(self.status + (f": {self.reason}" if self.reason else ""))
+        return (f"<p><b>{html.escape(self.name)}</b>, {html.escape(self.law)}: {said}</p>"
+                "<table><tr><th>parameter</th><th>value</th><th>error</th><th>interval</th>"
+                f"<th>unit</th><th></th></tr>{rows}</table>"
+                + (f"<ul>{notes}</ul>" if notes else ""))
+
+    def __repr__(self) -> str:
+        said = ", ".join(f"{one.name} {one.value:.6g} ± {one.error:.2g} {one.unit}"
+                         for one in self.parameters.values())
+        return f"<Fit {self.name}, {self.law}: {self.status}{': ' + said if said else ''}>"
+
+
+class Fits:
+    """Fits of a run: a sequence, in the order of their names, that also takes a name.
+
+    Where laws are compared each specimen has a fit of each law; ``fits["a"]`` is ambiguous then, and
+    ``fits["a", "voce"]`` one of them.
+    """
+
+    def __init__(self, contents: _Contents) -> None:
+        self._contents = contents
+        self._fits = [Fit(contents.record(k)) for k in range(len(contents))]
+
+    def __len__(self) -> int:
+        return len(self._fits)
+
+    def __iter__(self) -> Iterator[Fit]:
+        return iter(self._fits)
+
+    @overload
+    def __getitem__(self, key: int | str | tuple[str, str]) -> Fit: ...
+    @overload
+    def __getitem__(self, key: slice) -> list[Fit]: ...
+    def __getitem__(self, key: int | str | tuple[str, str] | slice) -> Fit | list[Fit]:
+        if isinstance(key, (int, slice, np.integer)):
+            return self._fits[key]
+        name, law = key if isinstance(key, tuple) else (key, None)
+        found = [one for one in self._fits if one.name == name and law in (None, one.law)]
+        if len(found) == 1:
+            return found[0]
+        if not found:
+            raise KeyError(f"{name!r}{f' with law {law!r}' if law else ''}: no fit has that name; "
+                           f"there are {', '.join(self.names[:8])}")
+        laws = ", ".join(one.law for one in found)
+        raise KeyError(f"{name!r} has several fits: name the law, too: {laws}")
+
+    @property
+    def names(self) -> list[str]:
+        """Of the specimens, each once."""
+        return list(dict.fromkeys(one.name for one in self._fits))
+
+    @property
+    def confidence(self) -> float:
+        """Of the intervals."""
+        return self._contents.confidence
+
+    def report(self, *, all: bool = False) -> str:
+        """What the command prints; with `all` the whole report of each fit."""
+        return self._contents.report(all)
+
+    def to_json(self) -> str:
+        """What the command writes with ``--json``."""
+        return self._contents.json()
+
+    def to_dataframe(self) -> pandas.DataFrame:
+        """A row for each fit: name, law, status, and value and error of each parameter [SI]."""
+        import pandas
+
+        rows = []
+        for one in self._fits:
+            row: dict[str, Any] = {"name": one.name, "law": one.law, "status": one.status,
+                                   "usable": one.usable}
+            if isinstance(one._record, _core.CurveFit):
+                row.update(one.group)
+            for parameter in one.parameters.values():
+                row[parameter.name] = parameter.value
+                row[f"{parameter.name}_error"] = parameter.error
+                row[f"{parameter.name}_low"], row[f"{parameter.name}_high"] = parameter.interval
+            row["misfit_fraction"] = one.misfit_fraction if one.status == "fitted" else np.nan
+            rows.append(row)
+        return pandas.DataFrame(rows)
+
+    def save(self, path: str | PathLike[str], *, overwrite: bool = False) -> None:
+        """Writes the result file, which `plastica.load` and the command read.
+
+        Raises
+        ------
+        InputError
+            If the file is there and is not to be overwritten, or its folder is not.
+        """
+        self._contents.write(fspath(path), overwrite)
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        with tempfile.TemporaryDirectory() as folder:
+            path = Path(folder) / "fits.h5"
+            self.save(path)
+            return _from_bytes, (path.read_bytes(),)
+
+    def _repr_html_(self) -> str:
+        return str(self.to_dataframe().to_html(float_format="{:.6g}".format))
+
+    def __repr__(self) -> str:
+        words = [one.status for one in self._fits]
+        counts = ", ".join(f"{words.count(word)} {word}" for word in dict.fromkeys(words))
+        return f"<Fits: {len(self)}: {counts}>"
+
+
+def _from_bytes(content: bytes) -> Fits:
+    with tempfile.TemporaryDirectory() as folder:
+        path = Path(folder) / "fits.h5"
+        path.write_bytes(content)
+        return read(str(path))
+
+
+def read(path: str) -> Fits:
+    """Reads a result file of fits, of either kind."""
+    if _core.schema_of(path) == "plastica/scene-fits":
+        return Fits(_core.read_scene_fits(path))
+    return Fits(_core.read_curve_fits(path))
