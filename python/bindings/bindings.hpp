@@ -10,6 +10,7 @@ void bind_fields(pybind11::module_& core);
 void bind_responses(pybind11::module_& core);
 void bind_models(pybind11::module_& core);
 void bind_fitted_parameters(pybind11::module_& core);
+void bind_problems(pybind11::module_& core);
 void bind_curve_fits(pybind11::module_& core);
 void bind_scene_fits(pybind11::module_& core);
 

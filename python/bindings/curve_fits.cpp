@@ -23,6 +23,7 @@
 #include "python/bindings/background.hpp"
 #include "python/bindings/bindings.hpp"
 #include "python/bindings/fit_records.hpp"
+#include "python/bindings/problems.hpp"
 
 namespace py = pybind11;
 
@@ -138,6 +139,15 @@ Contents run_fits(CurveFits& fits, int threads, const py::object& progress) {
   contents->meta.seconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   return contents;
+}
+
+/// The cost of the one fit as a function.
+py::object problem_of(CurveFits& fits) {
+  if (fits.targets.empty()) fits.targets = calibrate::import_all(fits.file);
+  if (fits.targets.size() != 1) {
+    throw InputError({}, "curves", std::to_string(fits.targets.size()), "must be one specimen");
+  }
+  return make_problem(fits.targets.front(), fits.file.options);
 }
 
 calibrate::ReportOptions report_options(const FitStoreContents& contents) {
@@ -266,6 +276,7 @@ void bind_curve_fits(py::module_& core) {
              calibrate::check_intervals(intervals);
            })
       .def_property_readonly("notes", [](const CurveFits& fits) { return fits.file.notes; })
+      .def("problem", &problem_of)
       .def("run", &run_fits, py::arg("threads"), py::arg("progress"));
   py::class_<FitStoreContents, Contents>(core, "CurveFitContents")
       .def("__len__", [](const FitStoreContents& contents) { return contents.records.size(); })

@@ -12,6 +12,7 @@ PYBIND11_MODULE(_core, core) {
   plastica::python::bind_responses(core);
   plastica::python::bind_models(core);
   plastica::python::bind_fitted_parameters(core);
+  plastica::python::bind_problems(core);
   plastica::python::bind_curve_fits(core);
   plastica::python::bind_scene_fits(core);
 }

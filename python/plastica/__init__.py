@@ -13,6 +13,7 @@ from .files import load
 from .fit import fit
 from .fits import Fit, Fits, Parameter
 from .model import Batch, Model, SceneWarning, Sensitivity, prepare, simulate
+from .problem import Problem, problem
 from .response import Response, Simulation
 from .scene import (
     Cut,
@@ -30,7 +31,7 @@ from .scene import (
 
 __all__ = [
     "Batch", "Beam", "Cut", "Drive", "Fit", "Fits", "Hardening", "InitialMotion", "InputError", "Load", "Material",
-    "Model", "Parameter", "PointMass", "Probe", "Rate", "Region", "Response", "Rules", "Scene", "SceneWarning",
-    "Section", "Sensitivity", "Simulation", "Solver", "Support", "__version__", "cycles", "fit", "load", "prepare",
+    "Model", "Parameter", "PointMass", "Probe", "Problem", "Rate", "Region", "Response", "Rules", "Scene", "SceneWarning",
+    "Section", "Sensitivity", "Simulation", "Solver", "Support", "__version__", "cycles", "fit", "load", "prepare", "problem",
     "simulate", "turning_points",
 ]

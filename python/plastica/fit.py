@@ -4,9 +4,10 @@ from __future__ import annotations
 
 import tempfile
 import warnings as _warnings
+from dataclasses import dataclass
 from os import PathLike, fspath
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, Iterable, Mapping, Sequence, Union
+from typing import Any, Mapping, Sequence, Union
 
 import numpy as np
 
@@ -17,9 +18,6 @@ from .errors import InputError, refuse
 from .fields import Material, Section
 from .fits import Fits
 from .model import SceneWarning, _thread_count
-
-if TYPE_CHECKING:
-    import pandas
 
 __all__ = ["fit"]
 
@@ -124,50 +122,61 @@ def fit(
     >>> fits = plastica.fit({"a": (strain, stress)}, parameters=["youngs_modulus", "yield_stress"])
     >>> fits["a"].parameters["yield_stress"].value
     """
+    asked = _asked(
+        curves, {"parameters": parameters, "fixed": fixed, "material": material,
+                 "section": section, "test": test, "measure": measure, "loading": loading,
+                 "corrections": corrections, "characteristics": characteristics, "groups": groups,
+                 "columns": columns, "group_by": group_by, "options": options,
+                 "confidence": confidence},
+        _Intervals(profile, bootstrap, bootstrap_block, bootstrap_specimens), laws, accept)
     report = reporter(progress, "fit", 1.0)
     count = _thread_count(threads)
-    said = {"parameters": parameters, "fixed": fixed, "material": material, "section": section,
-            "test": test, "measure": measure, "loading": loading, "corrections": corrections,
-            "characteristics": characteristics, "groups": groups, "columns": columns,
-            "group_by": group_by, "options": options, "confidence": confidence}
+    if isinstance(asked, _core.CurveFits):
+        return Fits(asked.run(count, report))
+    with tempfile.TemporaryDirectory() as folder:
+        return Fits(asked.run(str(Path(folder) / "journal"), count, report))
+
+
+@dataclass(frozen=True)
+class _Intervals:
+    profile: bool = False
+    bootstrap: int = 0
+    block: int = 1
+    specimens: int = 0
+
+    def keys(self) -> dict[str, Any]:
+        """As [fit] has them."""
+        return {**({"profile": True} if self.profile else {}),
+                **({"bootstrap": self.bootstrap} if self.bootstrap != 0 else {}),
+                **({"bootstrap_block": self.block} if self.block != 1 else {}),
+                **({"bootstrap_specimens": self.specimens} if self.specimens != 0 else {})}
+
+
+def _asked(curves: Any, said: Mapping[str, Any], intervals: _Intervals,
+           laws: Sequence[str] | str | None, accept: bool) -> _core.CurveFits | _core.SceneFits:
+    """What is to be fitted, and how, for the engine."""
+    asked: _core.CurveFits | _core.SceneFits
     if _is_path(curves) and fspath(curves).endswith(".toml"):
         for name, value in said.items():
             if value:
                 raise refuse(name, None, f"is what the fit file says: {fspath(curves)}")
         asked = _of_fit_file(fspath(curves), accept)
-        asked.set_intervals(profile, bootstrap, bootstrap_block, bootstrap_specimens)
+        asked.set_intervals(intervals.profile, intervals.bootstrap, intervals.block,
+                            intervals.specimens)
         if laws is not None:
             asked.set_laws(_laws(laws))
     else:
-        fit_table = dict(options or {})
-        fit_table["parameters"] = _parameters(parameters, fixed)
-        if confidence is not None:
-            fit_table["confidence"] = confidence
-        if laws is not None:
-            fit_table["laws"] = _laws(laws)
-        for key, number, none in (("bootstrap", bootstrap, 0), ("bootstrap_block", bootstrap_block, 1),
-                                  ("bootstrap_specimens", bootstrap_specimens, 0)):
-            if number != none:
-                fit_table[key] = number
-        if profile:
-            fit_table["profile"] = True
-        text = _text(fit_table, material, section,
-                     {"test": test, "measure": measure, "loading": loading,
-                      "corrections": corrections, "characteristics": characteristics})
-        if _is_path(curves) or _is_list_of_paths(curves):
-            if groups:
-                raise refuse("groups", None, "is of curves in arrays; files have group_by")
-            asked = _of_files(curves, text, columns or {}, group_by, test, measure, accept)
-        else:
-            if columns or group_by:
-                raise refuse("columns" if columns else "group_by", None, "is of files of curves")
-            asked = _core.CurveFits.of_curves(text, _curves(curves, groups or {}), accept)
+        text = _text(said, {**intervals.keys(), **({} if laws is None else {"laws": _laws(laws)})})
+        is_files = _is_path(curves) or _is_list_of_paths(curves)
+        for name in ("groups",) if is_files else ("columns", "group_by"):
+            if said[name]:
+                where = "curves in arrays" if is_files else "files of curves"
+                raise refuse(name, None, f"is of {where}")
+        asked = (_of_files(curves, text, said, accept) if is_files
+                 else _core.CurveFits.of_curves(text, _curves(curves, said["groups"] or {}), accept))
     for note in asked.notes:
-        _warnings.warn(note, SceneWarning, stacklevel=2)
-    if isinstance(asked, _core.CurveFits):
-        return Fits(asked.run(count, report))
-    with tempfile.TemporaryDirectory() as folder:
-        return Fits(asked.run(str(Path(folder) / "journal"), count, report))
+        _warnings.warn(note, SceneWarning, stacklevel=3)
+    return asked
 
 
 def _is_path(value: Any) -> bool:
@@ -186,15 +195,15 @@ def _of_fit_file(path: str, accept: bool) -> _core.CurveFits | _core.SceneFits:
     return _core.SceneFits(path) if _core.names_scenes(path) else _core.CurveFits.of_file(path, accept)
 
 
-def _of_files(curves: Any, text: str, columns: Mapping[str, str], group_by: Sequence[str],
-              test: str | None, measure: str | None, accept: bool) -> _core.CurveFits:
+def _of_files(curves: Any, text: str, said: Mapping[str, Any], accept: bool) -> _core.CurveFits:
     files = [curves] if _is_path(curves) else list(curves)
+    columns = dict(said["columns"] or {})
     for key in columns:
         if key not in _COLUMNS:
             raise refuse(f"columns.{key}", columns[key], f"is none of {', '.join(_COLUMNS)}")
-    given = {**columns, **({"test": test} if test else {}), **({"measure": measure} if measure else {})}
+    columns.update({key: said[key] for key in ("test", "measure") if said[key]})
     paths = sorted(fspath(each) for each in files)
-    return _core.CurveFits.of_bare_files(paths, given, list(group_by), text, accept)
+    return _core.CurveFits.of_bare_files(paths, columns, list(said["group_by"]), text, accept)
 
 
 _MATERIAL = "material."
@@ -253,18 +262,23 @@ def _auto(bounds: Any) -> Any:
             for each in bounds]
 
 
-def _text(fit_table: Mapping[str, Any], material: Any, section: Any,
-          target: Mapping[str, Any]) -> str:
-    tree: dict[str, Any] = {"fit": _toml.with_units(_toml.plain(fit_table), "fit")}
-    for key, value in (("material", material), ("section", section)):
+def _text(said: Mapping[str, Any], intervals: Mapping[str, Any]) -> str:
+    """What a fit file would say besides its targets."""
+    table = {**(said["options"] or {}), **intervals,
+             "parameters": _parameters(said["parameters"], said["fixed"])}
+    if said["confidence"] is not None:
+        table["confidence"] = said["confidence"]
+    tree: dict[str, Any] = {"fit": _toml.with_units(_toml.plain(table), "fit")}
+    for key in ("material", "section"):
+        value = said[key]
         if value is not None:
-            table = value.to_dict() if isinstance(value, Table) else _toml.plain(value)
-            tree[key] = _toml.with_units(table, key)
-    defaults = _toml.with_units(_toml.plain(target), "target")
+            given = value.to_dict() if isinstance(value, Table) else _toml.plain(value)
+            tree[key] = _toml.with_units(given, key)
+    target = ("test", "measure", "loading", "corrections", "characteristics")
+    defaults = _toml.with_units(_toml.plain({key: said[key] for key in target}), "target")
     if defaults:
         tree["target_defaults"] = defaults
-    # Keys of the top stand before all tables.
-    return _toml.write({key: tree[key] for key in sorted(tree, key=lambda k: isinstance(tree[k], dict))})
+    return _toml.write(tree)
 
 
 _Given = tuple[str, Any, Any, list[tuple[str, str]]]
