@@ -16,8 +16,8 @@ struct Background {
 };
 
 /// Does work without the interpreter's lock, in a thread of its own, while this one listens for
-/// Ctrl-C and passes progress on. A thread of its own also has OpenMP's threads of its own: those of
-/// a process that was forked meanwhile are gone.
+/// Ctrl-C and passes progress on. A thread of its own also has OpenMP's threads of its own: those
+/// of a process that was forked meanwhile are gone.
 /// @param progress  None, or a callable that is given the last progress, some ten times a second;
 ///                  what it raises stops the work
 /// @throws what the work throws; KeyboardInterrupt, or what `progress` raised, once it has ended

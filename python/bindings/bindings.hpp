@@ -13,5 +13,6 @@ void bind_fitted_parameters(pybind11::module_& core);
 void bind_problems(pybind11::module_& core);
 void bind_curve_fits(pybind11::module_& core);
 void bind_scene_fits(pybind11::module_& core);
+void bind_studies(pybind11::module_& core);
 
 }  // namespace plastica::python

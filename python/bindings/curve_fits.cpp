@@ -129,8 +129,7 @@ Contents run_fits(CurveFits& fits, int threads, const py::object& progress) {
         auto results = calibrate::fit(fits.targets, options, batch);
         if (is_raised(background.stop)) return;
         for (std::size_t i = 0; i < results.size(); ++i) {
-          contents->records.push_back(
-              {fits.targets[cases[i].target], std::move(results[i])});
+          contents->records.push_back({fits.targets[cases[i].target], std::move(results[i])});
         }
         calibrate::put_in_order(contents->records);
       },
@@ -233,15 +232,13 @@ void bind_view(py::module_& core) {
                              })
       .def_property_readonly("repairs", &repairs)
       .def_property_readonly("characteristics", &characteristics)
-      .def_property_readonly("measured", curve_of([](const FitRecord& r) -> const auto& {
-                               return r.target.raw;
-                             }))
+      .def_property_readonly(
+          "measured", curve_of([](const FitRecord& r) -> const auto& { return r.target.raw; }))
       .def_property_readonly("corrected", curve_of([](const FitRecord& r) -> const auto& {
                                return r.target.corrected;
                              }))
-      .def_property_readonly("fitted", curve_of([](const FitRecord& r) -> const auto& {
-                               return r.result.fitted;
-                             }))
+      .def_property_readonly(
+          "fitted", curve_of([](const FitRecord& r) -> const auto& { return r.result.fitted; }))
       .def("report", [](const CurveFitView& view) {
         return calibrate::fit_report(view.record(), report_options(*view.contents));
       });
@@ -270,7 +267,8 @@ void bind_curve_fits(py::module_& core) {
       .def("set_intervals",
            [](CurveFits& fits, bool profile, int bootstrap, int block, int specimens) {
              auto& intervals = fits.file.options.intervals;
-             intervals = {intervals.profile || profile, bootstrap > 0 ? bootstrap : intervals.bootstrap,
+             intervals = {intervals.profile || profile,
+                          bootstrap > 0 ? bootstrap : intervals.bootstrap,
                           block > 1 ? block : intervals.block,
                           specimens > 0 ? specimens : intervals.specimens};
              calibrate::check_intervals(intervals);
@@ -293,8 +291,8 @@ void bind_curve_fits(py::module_& core) {
       .def("json",
            [](const FitStoreContents& contents) {
              const calibrate::FitOptions& fit = contents.options;
-             return calibrate::json_summary(
-                 contents.records, 2, {fit.intervals.specimens, fit.seed, fit.confidence});
+             return calibrate::json_summary(contents.records, 2,
+                                            {fit.intervals.specimens, fit.seed, fit.confidence});
            })
       .def(
           "write",

@@ -20,9 +20,8 @@ py::object or_none(const std::string& text) {
 
 void bind_errors(py::module_& core) {
   // The package gives the class: what it derives from, and how it prints, is Python's affair.
-  core.def("set_input_error", [core](const py::object& type) {
-    py::module_(core).attr("_InputError") = type;
-  });
+  core.def("set_input_error",
+           [core](const py::object& type) { py::module_(core).attr("_InputError") = type; });
   static PyObject* const module = core.ptr();
   py::register_exception_translator([](std::exception_ptr thrown) {
     try {

@@ -64,24 +64,24 @@ pybind11::class_<View> bind_record(pybind11::module_& core, const char* name) {
                                return matrix(result.correlation,
                                              result.correlated_parameters().size(), self);
                              })
-      .def_property_readonly("correlated",
-                             [](const View& view) {
-                               std::vector<std::string> names;
-                               for (const auto* one : view.record().result.correlated_parameters()) {
-                                 names.push_back(one->name());
-                               }
-                               return names;
-                             })
+      .def_property_readonly(
+          "correlated",
+          [](const View& view) {
+            std::vector<std::string> names;
+            for (const auto* one : view.record().result.correlated_parameters()) {
+              names.push_back(one->name());
+            }
+            return names;
+          })
       .def_property_readonly("profiles",
                              [](const py::object& self) {
                                return profiles_of(self.cast<const View&>().outcome(), self);
                              })
-      .def_property_readonly(
-          "bootstrap",
-          [](const py::object& self) {
-            const auto& outcome = self.cast<const View&>().outcome();
-            return bootstrap_of(outcome, outcome.intervals.residuals, self);
-          })
+      .def_property_readonly("bootstrap",
+                             [](const py::object& self) {
+                               const auto& outcome = self.cast<const View&>().outcome();
+                               return bootstrap_of(outcome, outcome.intervals.residuals, self);
+                             })
       .def_property_readonly("bootstrap_specimens", [](const py::object& self) {
         const auto& outcome = self.cast<const View&>().outcome();
         return bootstrap_of(outcome, outcome.intervals.specimens, self);

@@ -18,8 +18,8 @@ void bind_fitted_parameters(py::module_& core) {
   py::class_<FittedParameter>(core, "FittedParameter")
       .def_readonly("path", &FittedParameter::path)
       .def_property_readonly("name", &FittedParameter::name)
-      .def_property_readonly(
-          "unit", [](const FittedParameter& one) { return si_unit(one.dimension); })
+      .def_property_readonly("unit",
+                             [](const FittedParameter& one) { return si_unit(one.dimension); })
       .def_property_readonly("role",
                              [](const FittedParameter& one) {
                                const auto words = calibrate::words_of<calibrate::ParameterRole>();
@@ -28,8 +28,7 @@ void bind_fitted_parameters(py::module_& core) {
       .def_readonly("value", &FittedParameter::value)
       .def_readonly("start", &FittedParameter::start)
       .def_property_readonly(
-          "bounds",
-          [](const FittedParameter& one) { return py::make_tuple(one.lower, one.upper); })
+          "bounds", [](const FittedParameter& one) { return py::make_tuple(one.lower, one.upper); })
       .def_readonly("error", &FittedParameter::standard_error)
       .def_readonly("noise_error", &FittedParameter::noise_error)
       .def_readonly("sampling_error", &FittedParameter::sampling_error)

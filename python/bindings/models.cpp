@@ -99,8 +99,8 @@ Record simulate_scene(const PreparedScene& scene, const py::object& progress) {
 std::span<const double> checked(const PreparedScene& scene, const Values& values) {
   const std::size_t wanted = scene.model->parameters.size();
   if (values.ndim() != 1 || static_cast<std::size_t>(values.shape(0)) != wanted) {
-    throw InputError({}, "values", "", "must be " + std::to_string(wanted) +
-                                           " numbers, one for each parameter");
+    throw InputError({}, "values", "",
+                     "must be " + std::to_string(wanted) + " numbers, one for each parameter");
   }
   return {values.data(), wanted};
 }
@@ -223,9 +223,8 @@ py::tuple differentiate(const PreparedScene& scene, const Values& values) {
   const auto samples = static_cast<py::ssize_t>(scene.model->drive.size());
   const py::array_t<double> by_sample({samples, parameters}, sensitivity.stress.data());
   const py::array_t<double> permanent(parameters, sensitivity.permanent_strain.data());
-  return py::make_tuple(
-      ResponseView{std::move(response), scene.probe_names(), scene.model->drive}, by_sample,
-      permanent);
+  return py::make_tuple(ResponseView{std::move(response), scene.probe_names(), scene.model->drive},
+                        by_sample, permanent);
 }
 
 std::vector<std::string> parameter_paths(const PreparedScene& scene) {
@@ -247,19 +246,16 @@ void bind_models(py::module_& core) {
       .def(py::init(&prepared), py::arg("text"), py::arg("name"), py::arg("parameters"))
       .def_property_readonly("parameters", &parameter_paths)
       .def_property_readonly("probe_names", &PreparedScene::probe_names)
-      .def_property_readonly("notes",
-                             [](const PreparedScene& scene) { return scene.file.notes; })
+      .def_property_readonly("notes", [](const PreparedScene& scene) { return scene.file.notes; })
       .def_property_readonly("level_reason",
                              [](const PreparedScene& scene) { return scene.model->level_reason; })
-      .def_property_readonly("warnings",
-                             [](const PreparedScene& scene) { return scene_warnings(*scene.model); })
+      .def_property_readonly(
+          "warnings", [](const PreparedScene& scene) { return scene_warnings(*scene.model); })
       .def_property_readonly("duration", &PreparedScene::duration)
       .def_property_readonly("riding",
                              [](const PreparedScene& scene) { return riding_of(*scene.model); })
-      .def_property_readonly("bytes",
-                             [](const PreparedScene& scene) {
-                               return response_size(*scene.model).bytes();
-                             })
+      .def_property_readonly(
+          "bytes", [](const PreparedScene& scene) { return response_size(*scene.model).bytes(); })
       .def_property_readonly("drive",
                              [](const py::object& self) {
                                return view_of(self.cast<const PreparedScene&>().model->drive, self);

@@ -15,4 +15,5 @@ PYBIND11_MODULE(_core, core) {
   plastica::python::bind_problems(core);
   plastica::python::bind_curve_fits(core);
   plastica::python::bind_scene_fits(core);
+  plastica::python::bind_studies(core);
 }

@@ -56,7 +56,8 @@ class CurveProblem {
     return numbers([](const calibrate::ResolvedParameter& one) { return one.upper; });
   }
 
-  /// sqrt(w_i) (model - measured) [Pa], and last the break term's; their squares add up to the cost.
+  /// sqrt(w_i) (model - measured) [Pa], and last the break term's; their squares add up to the
+  /// cost.
   py::array_t<double> residuals(const Values& x) {
     const calibrate::Misfit::Details details = evaluate(x);
     return weighted(details);
@@ -123,8 +124,9 @@ class CurveProblem {
 
   void set(const Values& x) {
     if (x.ndim() != 1 || static_cast<std::size_t>(x.shape(0)) != searched_.size()) {
-      throw InputError({}, "x", "", "must be " + std::to_string(searched_.size()) +
-                                        " numbers, one for each parameter");
+      throw InputError(
+          {}, "x", "",
+          "must be " + std::to_string(searched_.size()) + " numbers, one for each parameter");
     }
     for (std::size_t k = 0; k < searched_.size(); ++k) values_[searched_[k]] = x.data()[k];
   }
@@ -153,8 +155,8 @@ class CurveProblem {
   calibrate::FitOptions options_;
   calibrate::ParameterSet set_;
   calibrate::Misfit misfit_;
-  std::vector<double> values_;          ///< of the active parameters [SI] (n_active)
-  std::vector<std::size_t> searched_;   ///< active index of each unknown (n)
+  std::vector<double> values_;         ///< of the active parameters [SI] (n_active)
+  std::vector<std::size_t> searched_;  ///< active index of each unknown (n)
 };
 
 py::object make_problem(calibrate::Target target, calibrate::FitOptions options) {

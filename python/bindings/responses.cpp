@@ -83,7 +83,8 @@ py::array modes(const std::vector<double>& mode, std::size_t count, py::handle o
   return view_of(mode, {size_of(count), joints, 3}, owner);
 }
 
-/// Critical points, limit load, buckling and vibration: what a path has found, as a dictionary each.
+/// Critical points, limit load, buckling and vibration: what a path has found, as a dictionary
+/// each.
 py::object found(const py::object& self, const std::string& what) {
   const Response& response = *self.cast<const ResponseView&>().response;
   py::dict said;
@@ -158,8 +159,8 @@ void bind_responses(py::module_& core) {
   };
   const auto supports = [](const ChainHistory& chain) { return chain.supports; };
   py::class_<ResponseView>(core, "ResponseView")
-      .def_property_readonly("status",
-                             [](const ResponseView& view) { return name_of(view.response->status); })
+      .def_property_readonly(
+          "status", [](const ResponseView& view) { return name_of(view.response->status); })
       .def_property_readonly("usable",
                              [](const ResponseView& view) { return usable(view.response->status); })
       .def_property_readonly("samples", number(&Response::samples))
@@ -167,8 +168,8 @@ void bind_responses(py::module_& core) {
       .def_property_readonly("strain",
                              [](const py::object& self) {
                                const auto& view = self.cast<const ResponseView&>();
-                               const Size valid = size_of(
-                                   view.drive.empty() ? 0 : view.response->samples);
+                               const Size valid =
+                                   size_of(view.drive.empty() ? 0 : view.response->samples);
                                return view_of(view.drive, {valid}, self);
                              })
       .def_property_readonly("permanent_strain", number(&Response::permanent_strain))

@@ -45,8 +45,9 @@ Contents run_scene_fits(SceneFitFile& file, const std::string& journal, int thre
         calibrate::SceneFitHooks hooks;
         hooks.stop = background.stop;
         if (!calibrate::settle_segments(file, threads, hooks).found) {
-          throw InputError({file.path, 0}, "fit.segments", "auto",
-                           "no number of segments moves the values by as little as fit.within asks");
+          throw InputError(
+              {file.path, 0}, "fit.segments", "auto",
+              "no number of segments moves the values by as little as fit.within asks");
         }
         contents->inputs = file.inputs;
         calibrate::JournaledOptions how;
@@ -156,7 +157,8 @@ void bind_scene_fits(py::module_& core) {
       .def("set_intervals",
            [](SceneFitFile& file, bool profile, int bootstrap, int block, int specimens) {
              auto& intervals = file.options.intervals;
-             intervals = {intervals.profile || profile, bootstrap > 0 ? bootstrap : intervals.bootstrap,
+             intervals = {intervals.profile || profile,
+                          bootstrap > 0 ? bootstrap : intervals.bootstrap,
                           block > 1 ? block : intervals.block,
                           specimens > 0 ? specimens : intervals.specimens};
              calibrate::check_intervals(intervals);

@@ -28,10 +28,12 @@ from .scene import (
     cycles,
     turning_points,
 )
+from .studies import Advice, Claim, Sweep, advise, check, export, sweep
 
 __all__ = [
-    "Batch", "Beam", "Cut", "Drive", "Fit", "Fits", "Hardening", "InitialMotion", "InputError", "Load", "Material",
-    "Model", "Parameter", "PointMass", "Probe", "Problem", "Rate", "Region", "Response", "Rules", "Scene", "SceneWarning",
-    "Section", "Sensitivity", "Simulation", "Solver", "Support", "__version__", "cycles", "fit", "load", "prepare", "problem",
-    "simulate", "turning_points",
+    "Advice", "Batch", "Beam", "Claim", "Cut", "Drive", "Fit", "Fits", "Hardening",
+    "InitialMotion", "InputError", "Load", "Material", "Model", "Parameter", "PointMass", "Probe",
+    "Problem", "Rate", "Region", "Response", "Rules", "Scene", "SceneWarning", "Section",
+    "Sensitivity", "Simulation", "Solver", "Support", "Sweep", "__version__", "advise", "check",
+    "cycles", "export", "fit", "load", "prepare", "problem", "simulate", "sweep", "turning_points",
 ]

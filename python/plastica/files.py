@@ -8,16 +8,17 @@ from . import _core, fits
 from .errors import InputError
 from .fits import Fits
 from .response import Simulation
+from .studies import Sweep
 
 __all__ = ["load"]
 
 
-def load(path: str | PathLike[str]) -> Simulation | Fits:
+def load(path: str | PathLike[str]) -> Simulation | Fits | Sweep:
     """Reads a result file that `save` or the command has written.
 
     Returns
     -------
-    Simulation or Fits
+    Simulation, Fits or Sweep
         By what the file holds.
 
     Raises
@@ -31,4 +32,6 @@ def load(path: str | PathLike[str]) -> Simulation | Fits:
         return Simulation(_core.read_scene(name))
     if schema in ("plastica/fits", "plastica/scene-fits"):
         return fits.read(name)
+    if schema == "plastica/sweep":
+        return Sweep(_core.read_sweep(name))
     raise InputError(name, None, "schema", schema, "is of a kind that Python does not read yet")

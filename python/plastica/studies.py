@@ -1,0 +1,339 @@
+"""What accuracy costs: sweeps, advice, checks; and beams for other engines."""
+
+from __future__ import annotations
+
+import tempfile
+import warnings as _warnings
+from dataclasses import dataclass
+from os import PathLike, fspath
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, Mapping, Sequence
+
+from . import _core, _toml
+from ._progress import Progress, reporter
+from .errors import InputError, refuse
+from .model import SceneWarning, _thread_count
+from .response import Floats
+from .scene import Scene
+
+if TYPE_CHECKING:
+    import pandas
+
+__all__ = ["Advice", "Claim", "Sweep", "advise", "check", "export", "sweep"]
+
+
+class Sweep:
+    """A scene that was varied: what each case was, gave and cost."""
+
+    def __init__(self, record: _core.SweepRecord) -> None:
+        self._record = record
+
+    @property
+    def axes(self) -> list[str]:
+        """Paths of the fields that were varied."""
+        return self._record.axes
+
+    @property
+    def warnings(self) -> list[str]:
+        """What a reader must not overlook of the cases."""
+        return self._record.warnings
+
+    @property
+    def curves(self) -> dict[int, tuple[Floats, Floats]]:
+        """Where curves are compared: time [s] and value [SI] of each case, by its number."""
+        return self._record.curves()
+
+    def to_dataframe(self) -> pandas.DataFrame:
+        """A row for each case: its values on the axes, ``status``, ``value``, ``reference``,
+        ``error`` (over the reference [1]), ``segment_iterations``, ``seconds``, …"""
+        import pandas
+
+        return pandas.DataFrame(self._record.columns())
+
+    def report(self) -> str:
+        """What the command prints: with observed orders and grid convergence indices."""
+        return self._record.report()
+
+    def to_json(self) -> str:
+        """What the command writes with ``--json``."""
+        return self._record.json()
+
+    def save(self, path: str | PathLike[str], *, overwrite: bool = False) -> None:
+        """Writes the result file, which `plastica.load` and the command read."""
+        self._record.write(fspath(path), overwrite)
+
+    def __len__(self) -> int:
+        return len(self._record.columns()["status"])
+
+    def _repr_html_(self) -> str:
+        return str(self.to_dataframe().to_html())
+
+    def __repr__(self) -> str:
+        return f"<Sweep: {len(self)} cases over {', '.join(self.axes)}>"
+
+
+def sweep(
+    scene: Scene | Mapping[str, Any] | str | PathLike[str],
+    axes: Mapping[str, Sequence[Any]] | None = None,
+    *,
+    probe: str | None = None,
+    take: str = "end",
+    against: str | None = None,
+    error: Mapping[str, Any] | None = None,
+    set: Mapping[str, Any] | None = None,
+    timed_runs: int = 0,
+    threads: int = 0,
+    progress: Progress = None,
+) -> Sweep:
+    """Varies a scene over axes and compares its cases.
+
+    Parameters
+    ----------
+    scene : Scene, mapping or path
+        The path of a sweep file (``[[axis]]``), which then says all else, or of a scene file.
+    axes : mapping
+        For each path of a field, ``"beam.segments"``, its values [SI]; all are crossed.
+    probe : str
+        Name of the scene's probe that is compared.
+    take : {"end", "min", "max", "size", "mean", "curve", "frequency"}
+        What of it.
+    against : str
+        ``"finest"``, ``"richardson"``, ``"theory:elastica"``, ``"value:0.735 m"``,
+        ``"reference:FILE"``. Default: nothing.
+    error : mapping
+        Further keys of ``[error]``, such as ``quantity`` in place of a probe.
+    set : mapping
+        Fields that all cases have otherwise than the scene.
+    timed_runs : int
+        How often each case is run more, to time it.
+    threads : int
+        0: as many as the machine has.
+    progress : bool or callable
+
+    Raises
+    ------
+    InputError
+        For bad input. A case that cannot be run is a row with its status and reason.
+
+    Examples
+    --------
+    >>> made = plastica.sweep(scene, {"beam.segments": [5, 10, 20, 40]}, probe="tip",
+    ...                       against="theory:elastica")
+    >>> made.to_dataframe()[["beam.segments", "error"]]
+    """
+    if axes is None:
+        if not isinstance(scene, (str, PathLike)):
+            raise refuse("axes", None, "is missing: what of the scene is varied?")
+        asked = _core.Sweep(fspath(scene))
+        return _run(asked, threads, progress)
+    if not isinstance(scene, Scene):
+        scene = Scene.from_toml(scene) if isinstance(scene, (str, PathLike)) else Scene.from_dict(scene)
+    compared: dict[str, Any] = {**({"probe": probe, "take": take} if probe else {}), **(error or {})}
+    if against is not None:
+        compared["against"] = against
+    units = {field["path"]: field["unit"] for field in _core.fields()}
+    with tempfile.TemporaryDirectory() as folder:
+        text, name = scene.text_and_name()
+        path = Path(folder) / "scene.toml"
+        path.write_text(text, encoding="utf-8")
+        tree: dict[str, Any] = {
+            "scene": str(path) if not name else _beside(name, text),
+            "axis": [{"field": field,
+                      "values": _toml.give_unit(_toml.plain(list(values)), units.get(field, ""))}
+                     for field, values in axes.items()],
+        }
+        if set:
+            tree["set"] = {field: _toml.give_unit(_toml.plain(value), units.get(field, ""))
+                           for field, value in set.items()}
+        tree["error"] = _toml.plain(compared)
+        if timed_runs:
+            tree["cost"] = {"timed_runs": timed_runs}
+        written = Path(folder) / "sweep.toml"
+        written.write_text(_toml.write(tree), encoding="utf-8")
+        try:
+            asked = _core.Sweep(str(written))
+        except InputError as error:
+            # Lines of a file that nobody has written would only confuse.
+            raise InputError(None, None, error.field, error.value, error.rule) from None
+        return _run(asked, threads, progress)
+
+
+def _beside(name: str, text: str) -> str:
+    """The scene's own file, whose folder has what it names; it must say what the scene says."""
+    path = Path(name).resolve()
+    if not path.is_file() or path.read_text(encoding="utf-8") != text:
+        raise refuse("scene", name, "was read from a file and then changed: save its to_toml() "
+                     "beside that file and sweep it by its path")
+    return str(path)
+
+
+def _run(asked: _core.Sweep, threads: int, progress: Progress) -> Sweep:
+    for note in asked.notes:
+        _warnings.warn(note, SceneWarning, stacklevel=3)
+    return Sweep(asked.run(_thread_count(threads), reporter(progress, "sweep", asked.cases)))
+
+
+@dataclass(frozen=True)
+class Advice:
+    """How fine a scene must be."""
+
+    found: bool
+    """Whether the setting is within what was asked for."""
+    end: str
+    """``"found"``, or what ended the search."""
+    scene: Scene
+    """The scene with what is advised."""
+    values: dict[str, Any]
+    """What that changes, by the fields' paths [SI]."""
+    promised: float
+    """The error is at most this, of the worst quantity [1]."""
+    verified: float
+    """Difference from a run that is finer in every axis [1]."""
+    expected_seconds: float
+    """CPU time of a run [s]."""
+    runs: int
+    """How many runs that took."""
+    warnings: list[str]
+    _report: str
+    _json: str
+
+    def report(self) -> str:
+        """What the command prints."""
+        return self._report
+
+    def to_json(self) -> str:
+        """What the command writes with ``--json``."""
+        return self._json
+
+
+def advise(
+    scene: Scene | Mapping[str, Any],
+    *,
+    within: float | None = None,
+    budget: float | None = None,
+    probes: Sequence[str] = (),
+    max_runs: int = 100,
+    max_work: float = 1e8,
+    threads: int = 0,
+    progress: Progress = None,
+) -> Advice:
+    """Chooses model, segments and time step of a scene for an error or a time.
+
+    Parameters
+    ----------
+    scene : Scene or mapping
+    within : float
+        The cheapest within this error [1] is looked for, or
+    budget : float
+        the most accurate whose run takes no more CPU time [s].
+    probes : sequence of str
+        Names; default: all of the scene.
+    max_runs : int
+    max_work : float
+        Segment-iterations that all runs together may cost.
+
+    Raises
+    ------
+    InputError
+        For a coupon, a probe that is not there, a scene that cannot be run.
+    """
+    if (within is None) == (budget is None):
+        raise refuse("advise", None, "needs one of within and budget")
+    for name, number in (("within", within), ("budget", budget)):
+        if number is not None and not 0.0 < number < (1.0 if name == "within" else float("inf")):
+            raise refuse(name, number, "must be above 0" + (" and below 1" if name == "within" else ""))
+    if max_runs < 4:
+        raise refuse("max_runs", max_runs, "must be at least 4")
+    if not max_work > 0.0:
+        raise refuse("max_work", max_work, "must be above 0")
+    if not isinstance(scene, Scene):
+        scene = Scene.from_dict(scene)
+    text, name = scene.text_and_name()
+    said = _core.advise(text, name, within or 0.0, budget or 0.0, list(probes), max_runs, max_work,
+                        _thread_count(threads), reporter(progress, "advise: runs", max_runs))
+    tree = scene.to_dict()
+    for path, value in said["values"].items():
+        table, _, key = path.rpartition(".")
+        _inner(tree, table)[key] = int(value) if path in _integers() and value is not None else value
+    if said["segment_lengths"]:
+        _inner(tree, "beam")["segment_lengths"] = said["segment_lengths"]
+        _inner(tree, "beam").pop("segments", None)
+    return Advice(said["found"], said["end"], Scene.from_dict(tree), said["values"],
+                  said["promised"], said["verified"], said["expected_seconds"], said["runs"],
+                  said["warnings"], said["report"], said["json"])
+
+
+def _integers() -> list[str]:
+    return [field["path"] for field in _core.fields() if field["kind"] == "integer"]
+
+
+def _inner(tree: dict[str, Any], path: str) -> dict[str, Any]:
+    for key in path.split("."):
+        tree = tree.setdefault(key, {})
+    return tree
+
+
+@dataclass(frozen=True)
+class Claim:
+    """A claim of a check file, and whether it holds."""
+
+    name: str
+    holds: bool
+    number: float | None
+    """The worst that was found [SI]; None: see `reason`."""
+    found: str
+    """What was found that is no number."""
+    reason: str
+    at: str
+    """Whose it is: ``"at beam.segments = 5"``."""
+    warnings: list[str]
+
+
+def check(path: str | PathLike[str], *, threads: int = 0, progress: Progress = None) -> list[Claim]:
+    """Checks the claims of a check file on sweeps, scenes and fits.
+
+    Raises
+    ------
+    InputError
+        For a bad file. A claim that does not hold is no error: see `Claim.holds`.
+    """
+    verdicts, _ = _core.check(fspath(path), _thread_count(threads), reporter(progress, "check", 0.0))
+    return [Claim(**verdict) for verdict in verdicts]
+
+
+def export(
+    scene: Scene | Mapping[str, Any],
+    to: str,
+    *,
+    up: str = "",
+    gravity: float | None = None,
+    damping_time: float | None = None,
+    contacts: str = "none",
+) -> str:
+    """The beam of a scene as the text that another engine reads.
+
+    Parameters
+    ----------
+    scene : Scene or mapping
+    to : {"csv", "mjcf", "agx", "bullet", "chrono", "opensees"}
+    up : str
+        The axis that points up, ``"y"``; default: as in the scene.
+    gravity : float
+        [m/s^2]; default: the scene's.
+    damping_time : float
+        Damping of the joints over their stiffness [s].
+    contacts : {"none", "others", "all"}
+        What the segments touch (mjcf).
+
+    Returns
+    -------
+    str
+        What of it the engine cannot take is told as a `SceneWarning` each, and in its comments.
+    """
+    if not isinstance(scene, Scene):
+        scene = Scene.from_dict(scene)
+    text, name = scene.text_and_name()
+    written, notes = _core.export_beam(text, name, to, up, gravity, damping_time, contacts)
+    for note in notes:
+        _warnings.warn(note, SceneWarning, stacklevel=2)
+    return written
