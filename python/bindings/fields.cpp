@@ -5,10 +5,8 @@
 
 #include <string>
 
-#include "plastica/io/units.hpp"
 #include "plastica/model/item_field.hpp"
 #include "plastica/model/support_kind.hpp"
-#include "plastica/run/model.hpp"
 #include "python/bindings/bindings.hpp"
 
 namespace py = pybind11;
@@ -60,16 +58,6 @@ void bind_fields(py::module_& core) {
     units["initial_motion"] = units_of(initial_motion_fields());
     return units;
   });
-  core.def(
-      "quantity",
-      [](const std::string& text, const std::string& of, const std::string& field) {
-        for (int k = 0; k <= static_cast<int>(kLastDimension); ++k) {
-          const auto dimension = static_cast<Dimension>(k);
-          if (name_of(dimension) == of) return io::parse_quantity(text, dimension, {}, field);
-        }
-        throw InputError({}, "dimension", of, "is no dimension");
-      },
-      py::arg("text"), py::arg("dimension"), py::arg("field") = "");
 }
 
 }  // namespace plastica::python

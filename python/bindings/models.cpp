@@ -1,7 +1,9 @@
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
 
+#include <algorithm>
 #include <chrono>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <span>
@@ -215,10 +217,21 @@ py::dict run_prepared_batch(const PreparedScene& scene, const Values& values, in
 
 py::tuple differentiate(const PreparedScene& scene, const Values& values) {
   const auto numbers = checked(scene, values);
+  const Model& model = *scene.model;
+  const bool one_stress = model.probes.size() == 1 && model.probes[0] == ProbeQuantity::Stress;
+  if (model.chain || !one_stress || model.coupon.breaks()) {
+    throw InputError({}, "run_sensitivity", "",
+                     "needs a coupon without break limits whose one probe is the stress");
+  }
   auto response = std::make_shared<Response>(make_response(*scene.model));
   Sensitivity sensitivity = make_sensitivity(*scene.model);
   Workspace workspace = make_workspace(*scene.model);
   run_sensitivity(*scene.model, numbers, workspace, *response, sensitivity);
+  if (!usable(response->status)) {
+    constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+    std::ranges::fill(sensitivity.stress, kNone);
+    std::ranges::fill(sensitivity.permanent_strain, kNone);
+  }
   const auto parameters = static_cast<py::ssize_t>(numbers.size());
   const auto samples = static_cast<py::ssize_t>(scene.model->drive.size());
   const py::array_t<double> by_sample({samples, parameters}, sensitivity.stress.data());

@@ -30,7 +30,7 @@ class Table:
 
     @classmethod
     def _keys(cls) -> list[str]:
-        return [field.name for field in dataclasses.fields(cls)]  # type: ignore[arg-type]
+        return [field.name for field in dataclasses.fields(cls)]
 
     @classmethod
     def _refuse(cls, name: str, value: Any) -> InputError:
@@ -90,6 +90,6 @@ def table(cls: type[T]) -> type[T]:
         made(self, *args, **kwargs)
 
     __init__.__doc__ = made.__doc__
-    __init__.__wrapped__ = made  # type: ignore[attr-defined]
-    cls.__init__ = __init__  # type: ignore[method-assign]
+    setattr(__init__, "__wrapped__", made)
+    setattr(cls, "__init__", __init__)
     return cls

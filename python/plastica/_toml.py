@@ -18,6 +18,7 @@ from .errors import refuse
 
 _PURE = ("", "1")
 # Lists and tables that are no fields of the engine's tables.
+_OF_HISTORY = {"time": "s", "smooth_step": "s", "period": "s", "phase": "rad"}
 _FURTHER = {
     "beam.joint_lengths": "m",
     "beam.points": "m",
@@ -35,6 +36,9 @@ _FURTHER = {
 def _units() -> dict[str, str]:
     units = {field["path"]: field["unit"] for field in _core.fields()}
     units.update(_FURTHER)
+    for path, unit in list(units.items()):
+        if path[-1].isdigit():
+            units[path.rpartition("_")[0]] = unit  # the list of "plastic_strain_1" and its like
     for path, unit in list(units.items()):
         table, _, rest = path.partition(".")
         if table in ("material", "section"):
@@ -55,9 +59,9 @@ def _unit_of(path: str, table: Mapping[str, Any]) -> str:
     item, _, key = path.rpartition(".")
     if item in _item_units() and key in _item_units()[item]:
         return _item_units()[item][key]["to" in table]
-    if path.endswith("history.time"):
-        return "s"
-    return _units().get(path, "")
+    if path.endswith("history.factor") or ".history." not in f".{path}":
+        return _units().get(path, "")
+    return _OF_HISTORY.get(key, "")
 
 
 def plain(value: Any) -> Any:

@@ -94,7 +94,7 @@ class Sensitivity:
 class Batch:
     """Numbers of many runs of one model, each an array by case (n_cases)."""
 
-    def __init__(self, columns: dict[str, Any], names: Sequence[str]) -> None:
+    def __init__(self, columns: _core.BatchColumns, names: Sequence[str]) -> None:
         self._columns = columns
         self._names = list(names)
 
@@ -104,7 +104,8 @@ class Batch:
     @property
     def status(self) -> npt.NDArray[np.str_]:
         """How each run ended (n_cases)."""
-        return np.array(_core.status_words())[self._columns["status"]]
+        words: npt.NDArray[np.str_] = np.array(_core.status_words())
+        return words[self._columns["status"]]
 
     @property
     def probes(self) -> dict[str, Floats]:

@@ -26,7 +26,9 @@ Direction = Union[str, Sequence[float]]
 """``"x"``, ``"-y"``, or a vector."""
 History = Union[str, Mapping[str, Any]]
 """How a load or motion goes in time: ``"ramp"``, ``"constant"``, what `cycles` or `turning_points`
-give, or ``{"time": […], "factor": […]}`` [s, 1]."""
+give, ``{"time": […], "factor": […]}`` [s, 1], ``{"smooth_step": [from, to]}`` [s], ``{"period": …,
+"cycles": …, "phase": …}`` [s, 1, rad], or columns of a file, ``{"table": "path.csv", "time": "Time",
+"factor": "Force"}``."""
 
 
 def turning_points(factors: Sequence[float]) -> dict[str, Any]:
@@ -78,7 +80,7 @@ class Region(Table):
 
     from_: Place | None = None
     to: Place | None = None
-    section: Section | Mapping[str, Any] | None = None
+    section: Section | str | Mapping[str, Any] | None = None
     to_section: Section | Mapping[str, Any] | None = None
     material: Material | str | Mapping[str, Any] | None = None
 
@@ -95,6 +97,8 @@ class Support(Table):
     at : place
     to : place
         End of a bed of springs that begins at `at`.
+    from_ : place
+        In place of `at`, beside `to`.
     hold : sequence of str
         Freedoms that are held, of ``"x"``, ``"y"``, ``"z"``, ``"rx"``, ``"ry"``, ``"rz"``.
     stiffness, rotational_stiffness : vector
@@ -112,6 +116,7 @@ class Support(Table):
     kind: str | None = None
     at: Place | None = None
     to: Place | None = None
+    from_: Place | None = None
     hold: Sequence[str] | None = None
     stiffness: Vector | None = None
     rotational_stiffness: Vector | None = None
@@ -132,6 +137,8 @@ class Load(Table):
     ----------
     at, to : place
         With `to` it is spread from `at` to there, and per length.
+    from_ : place
+        In place of `at`, beside `to`.
     force, moment : vector
         [N, N m]; along a length [N/m, N m/m].
     follows : bool
@@ -142,6 +149,7 @@ class Load(Table):
 
     at: Place | None = None
     to: Place | None = None
+    from_: Place | None = None
     force: Vector | None = None
     moment: Vector | None = None
     follows: bool | None = None
@@ -272,7 +280,7 @@ class Scene(Table):
 
     name: str | None = None
     material: Material | str | Mapping[str, Any] | None = None
-    section: Section | Mapping[str, Any] | None = None
+    section: Section | str | Mapping[str, Any] | None = None
     beam: Beam | Mapping[str, Any] | None = None
     rules: Rules | Mapping[str, Any] | None = None
     solver: Solver | Mapping[str, Any] | None = None

@@ -31,9 +31,11 @@ TABLES = {
     "material": ("Material", "What the beam is made of.", {
         "name": ("str | None", "a named material, which the other fields change"),
     }),
-    "section": ("Section", "The beam's section.", {}),
+    "section": ("Section", "The beam's section.", {
+        "profile": ("str | None", 'a rolled profile, "IPE 200", in place of shape and dimensions'),
+    }),
     "beam": ("Beam", "The beam's axis and its segments.", {
-        "section": ("Section | Mapping[str, Any] | None", "in place of the scene's"),
+        "section": ("Section | str | Mapping[str, Any] | None", "in place of the scene's"),
         "material": ("Material | str | Mapping[str, Any] | None", "in place of the scene's"),
         "arc_towards": ("str | Sequence[float] | None", "of an arc: direction of its centre"),
         "points": ("Sequence[Sequence[Number]] | None", "of a polyline [m]"),
@@ -83,6 +85,9 @@ def write_table(prefix, fields, tables):
             inner[other.rpartition(".")[2]] = other_name
             entries.append((other.rpartition(".")[2], f"{other_name} | Mapping[str, Any] | None",
                             other_about))
+    # "plastic_strain_1" and its like have a list, too.
+    for key in dict.fromkeys(k.rpartition("_")[0] for k, _, _ in entries if k[-1].isdigit()):
+        entries.append((key, "Sequence[Number] | None", f"The numbers {key}_1, {key}_2, … in a row."))
     for key, (type_hint, text) in further.items():
         entries.append((key, type_hint, text[0].upper() + text[1:] + "."))
     for key in ("section", "material"):

@@ -1,0 +1,102 @@
+"""What pip calls to make a wheel (PEP 517): CMake builds the package, and it is packed.
+
+Takes nothing from the network, and no package of Python's but pip itself. PLASTICA_CMAKE_ARGS in the
+environment holds further arguments of CMake; build/wheel is its folder.
+"""
+
+import base64
+import hashlib
+import os
+import shlex
+import shutil
+import subprocess
+import sys
+import sysconfig
+import tomllib
+import zipfile
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[2]
+BUILD = ROOT / "build" / "wheel"
+
+
+def version():
+    """That of the project's CMake file."""
+    text = (ROOT / "CMakeLists.txt").read_text(encoding="utf-8")
+    words = text[text.index("project(plastica VERSION "):].split()
+    return words[2]
+
+
+def metadata():
+    project = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["project"]
+    lines = ["Metadata-Version: 2.1", f"Name: {project['name']}", f"Version: {version()}",
+             f"Summary: {project['description']}", f"Requires-Python: {project['requires-python']}"]
+    lines += [f"Requires-Dist: {each}" for each in project["dependencies"]]
+    for extra, needs in project["optional-dependencies"].items():
+        lines.append(f"Provides-Extra: {extra}")
+        lines += [f'Requires-Dist: {each}; extra == "{extra}"' for each in needs]
+    lines.append("Description-Content-Type: text/markdown")
+    return "\n".join(lines) + "\n\n" + (ROOT / project["readme"]).read_text(encoding="utf-8")
+
+
+def tag():
+    """Interpreter, its binary interface and the machine."""
+    interpreter = f"cp{sys.version_info.major}{sys.version_info.minor}"
+    machine = sysconfig.get_platform().replace("-", "_").replace(".", "_")
+    return f"{interpreter}-{interpreter}-{machine}"
+
+
+def build_package():
+    """Builds the package. @return its folder"""
+    generator = ["-G", "Ninja"] if shutil.which("ninja") else []
+    subprocess.run(
+        ["cmake", "-S", ROOT, "-B", BUILD, *generator, "-DCMAKE_BUILD_TYPE=Release",
+         "-DPLASTICA_PYTHON=ON", "-DPLASTICA_BUILD_TESTS=OFF", "-DPLASTICA_MPI=OFF",
+         "-DCMAKE_UNITY_BUILD=ON", f"-DPython_EXECUTABLE={sys.executable}",
+         *shlex.split(os.environ.get("PLASTICA_CMAKE_ARGS", ""))], check=True)
+    subprocess.run(
+        ["cmake", "--build", BUILD, "--target", "plastica_python_package", "--parallel",
+         str(os.cpu_count() or 1)], check=True)
+    return BUILD / "python" / "plastica"
+
+
+def record_line(name, content):
+    digest = base64.urlsafe_b64encode(hashlib.sha256(content).digest()).rstrip(b"=").decode()
+    return f"{name},sha256={digest},{len(content)}\n"
+
+
+def stripped(path):
+    """The bytes of an extension without symbols for a debugger, where the machine can take them off."""
+    if path.suffix != ".so" or not shutil.which("strip"):
+        return path.read_bytes()
+    copy = BUILD / f"stripped-{path.name}"
+    subprocess.run(["strip", "--strip-unneeded", "-o", copy, path], check=True)
+    return copy.read_bytes()
+
+
+def build_wheel(wheel_directory, config_settings=None, metadata_directory=None):
+    package = build_package()
+    name = f"plastica-{version()}"
+    files = {f"plastica/{path.name}": stripped(path) for path in sorted(package.iterdir())
+             if path.suffix in (".py", ".pyi", ".so", ".typed") or path.name == "py.typed"}
+    info = f"{name}.dist-info"
+    files[f"{info}/METADATA"] = metadata().encode()
+    files[f"{info}/WHEEL"] = (f"Wheel-Version: 1.0\nGenerator: plastica\nRoot-Is-Purelib: false\n"
+                              f"Tag: {tag()}\n").encode()
+    files[f"{info}/LICENSE"] = (ROOT / "LICENSE").read_bytes()
+    record = "".join(record_line(*each) for each in files.items()) + f"{info}/RECORD,,\n"
+    wheel = f"{name}-{tag()}.whl"
+    with zipfile.ZipFile(Path(wheel_directory) / wheel, "w", zipfile.ZIP_DEFLATED) as archive:
+        for path, content in files.items():
+            archive.writestr(path, content)
+        archive.writestr(f"{info}/RECORD", record)
+    return wheel
+
+
+def build_sdist(sdist_directory, config_settings=None):
+    """Part of PEP 517: the sources, as git has them."""
+    name = f"plastica-{version()}"
+    made = Path(sdist_directory) / f"{name}.tar.gz"
+    subprocess.run(["git", "archive", "--format=tar.gz", f"--prefix={name}/", "-o", made, "HEAD"],
+                   cwd=ROOT, check=True)
+    return made.name

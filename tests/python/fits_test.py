@@ -1,0 +1,253 @@
+"""Fits: the same as the command's, of files and of arrays; SciPy finds the same optimum."""
+
+import pickle
+import subprocess
+import sys
+import unittest
+import warnings
+
+import numpy as np
+import pandas
+from scipy.optimize import least_squares
+
+import plastica
+from support import DATA, ROOT, TestCase, command
+
+CURVE = DATA / "targets" / "al6061-t651-20c.csv"
+
+
+def hardening_curve(noise=0.0, seed=1):
+    """A coupon of linear hardening. @return strain, stress"""
+    scene = plastica.Scene(
+        material=plastica.Material(youngs_modulus=200e9, yield_stress=300e6, hardening={
+            "law": "linear", "tangent_modulus": 2e9}),
+        drive=plastica.Drive(strain=np.linspace(0.0, 0.04, 301)))
+    stress = plastica.simulate(scene).probes["stress"].copy()
+    stress[1:] += noise * np.random.default_rng(seed).standard_normal(300)
+    return np.linspace(0.0, 0.04, 301), stress
+
+
+class Fits(TestCase):
+    def compare(self, reference, other, *options):
+        done = subprocess.run(
+            [sys.executable, "-B", ROOT / "tests" / "cli" / "compare_results.py", *options,
+             reference, other], capture_output=True, text=True)
+        self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+
+    def test_a_fit_file_s_result_is_the_command_s_bit_by_bit(self):
+        command("calibrate", DATA / "fits" / "demo.toml", "-o", self.folder / "a.h5", "--quiet",
+                "--json", self.folder / "a.json")
+        fits = plastica.fit(DATA / "fits" / "demo.toml", threads=1)
+        fits.save(self.folder / "b.h5")
+        self.compare(self.folder / "a.h5", self.folder / "b.h5")
+        self.assertEqual(fits.to_json(), (self.folder / "a.json").read_text())
+        self.assertEqual(fits.report(), command("show", self.folder / "a.h5"))
+
+    def test_so_are_laws_and_intervals(self):
+        options = ["--laws", "ideal,linear", "--profile", "--bootstrap", "20"]
+        command("calibrate", CURVE, "-o", self.folder / "a.h5", "--quiet", *options)
+        fits = plastica.fit(str(CURVE), laws=["ideal", "linear"], profile=True, bootstrap=20)
+        fits.save(self.folder / "b.h5")
+        # Python says in its text what the command has from its options.
+        self.compare(self.folder / "a.h5", self.folder / "b.h5", "--but", "/inputs")
+        with self.assertRaises(KeyError):
+            fits["al6061-t651-20c"]
+        fit = fits["al6061-t651-20c", "linear"]
+        profile = fit.profiles["yield_stress"]
+        self.assertLess(profile["interval"][0], fit.parameters["yield_stress"].value)
+        self.assertEqual(fit.bootstrap["values"].shape[1], len(fit.bootstrap["interval"]))
+
+    def test_a_fit_through_a_scene_is_the_command_s(self):
+        command("calibrate", DATA / "fits" / "bend_test.toml", "-o", self.folder / "a.h5", "--quiet")
+        fits = plastica.fit(DATA / "fits" / "bend_test.toml")
+        fits.save(self.folder / "b.h5")
+        self.compare(self.folder / "a.h5", self.folder / "b.h5")
+        fit = fits[0]
+        target = next(iter(fit.targets.values()))
+        self.assertEqual(target["fitted"].shape, target["ordinate"].shape)
+        self.assertIn("yield_stress", fit.segments)
+        self.assertRefuses(lambda: fit.measured, "through scenes")
+
+    def test_curves_in_arrays_are_those_of_the_file(self):
+        of_file = plastica.fit(str(CURVE))[0]
+        for curve in (of_file.measured, [*of_file.measured],
+                      pandas.DataFrame({"Strain": of_file.measured[0],
+                                        "Stress": of_file.measured[1]})):
+            fits = plastica.fit({of_file.name: curve})
+            for name, one in of_file.parameters.items():
+                other = fits[of_file.name].parameters[name]
+                self.assertEqual(one, other, name)
+            self.assertSameBits(of_file.fitted[1], fits[0].fitted[1])
+
+    def test_a_fit_finds_what_a_curve_was_made_of(self):
+        noise = 1e6
+        strain, stress = hardening_curve(noise)
+        fit = plastica.fit(
+            (strain, stress), parameters=["youngs_modulus", "yield_stress", "tangent_modulus"],
+            material={"hardening": {"law": "linear"}},
+            options={"objective": "least-squares", "noise": noise})[0]
+        self.assertEqual(fit.status, "fitted")
+        for name, truth in (("youngs_modulus", 200e9), ("yield_stress", 300e6),
+                            ("tangent_modulus", 2e9)):
+            one = fit.parameters[name]
+            self.assertLess(abs(one.value - truth), 4.0 * one.error, name)
+            self.assertLess(one.interval[0], one.value)
+
+    def test_scipy_finds_the_same_optimum(self):
+        strain, stress = hardening_curve(1e6)
+        how = {"parameters": ["youngs_modulus", "yield_stress", "tangent_modulus"],
+               "material": {"hardening": {"law": "linear"}}, "options": {"modulus_prior": False}}
+        asked = plastica.problem((strain, stress), **how)
+        self.assertEqual([path.rpartition(".")[2] for path in asked.parameters], how["parameters"])
+        found = least_squares(asked.residuals, asked.start, asked.jacobian, asked.bounds,
+                              x_scale=asked.start, xtol=1e-14, ftol=1e-15, gtol=1e-15)
+        fit = plastica.fit((strain, stress), **how)[0]
+        values = np.array([fit.parameters[name].value for name in how["parameters"]])
+        # The cost is flat at its least: half of its 16 digits are those of the values.
+        np.testing.assert_allclose(found.x, values, rtol=1e-7)
+        self.assertAlmostEqual(asked.cost(values), 2.0 * found.cost, delta=1e-9 * found.cost)
+
+    def test_the_jacobian_is_that_of_differences(self):
+        strain, stress = plastica.fit(str(CURVE))[0].measured
+        asked = plastica.problem((strain, stress), options={"modulus_prior": False})
+        for x in (asked.start, 0.7 * asked.start, np.array([1.0, 20.0]) * asked.start):
+            exact = asked.jacobian(x)
+            self.assertEqual(exact.shape, (len(asked.strain) + 1, 2))
+            for k in range(2):
+                step = np.zeros(2)
+                step[k] = 1e-6 * x[k]
+                slope = (asked.residuals(x + step) - asked.residuals(x - step)) / (2.0 * step[k])
+                scale = np.abs(exact[:, k]).max()
+                np.testing.assert_allclose(exact[:, k], slope, atol=1e-7 * scale + 1e-30)
+        residuals = asked.residuals(asked.start)
+        self.assertAlmostEqual(asked.cost(asked.start), np.sum(residuals**2),
+                               delta=1e-12 * np.sum(residuals**2))
+        off = asked.model(asked.start) - asked.stress
+        weights = np.divide(residuals[:-1], off, where=off != 0.0, out=np.zeros(len(off))) ** 2
+        self.assertAlmostEqual(weights.sum(), 1.0, delta=0.02)  # samples that are met have none
+        # Of the path: half of what lies on both sides.
+        steps = np.abs(np.diff(asked.strain))
+        path = 0.5 * (np.r_[steps, 0.0] + np.r_[0.0, steps]) / steps.sum()
+        np.testing.assert_allclose(weights[off != 0.0], path[off != 0.0], rtol=1e-9)
+
+    def test_a_problem_s_mistakes_are_told(self):
+        curve = hardening_curve()
+        self.assertRefuses(lambda: plastica.problem({"a": curve, "b": curve}), "one specimen")
+        asked = plastica.problem(curve)
+        self.assertRefuses(lambda: asked.residuals([1.0]), "x", "2 numbers")
+        self.assertRefuses(lambda: asked.residuals([-1.0, 1.0]), "cannot be run")
+        self.assertEqual(asked.cost([-1.0, 1.0]), float("inf"))
+        self.assertRefuses(lambda: plastica.problem(curve, parameters={
+            "youngs_modulus": None,
+            "yield_stress": {"prior": {"mean": 3e8, "standard_deviation": 1e6}}}), "prior")
+        self.assertRefuses(lambda: plastica.problem(DATA / "fits" / "bend_test.toml"), "scenes")
+
+    def test_parameters_are_given_as_files_have_them(self):
+        curve = hardening_curve(1e6)
+        bounded = plastica.fit(curve, parameters={
+            "youngs_modulus": (150e9, 250e9), "yield_stress": {"bounds": [1e8, "400 MPa"]}})[0]
+        self.assertEqual(bounded.parameters["youngs_modulus"].bounds, (150e9, 250e9))
+        self.assertEqual(bounded.parameters["yield_stress"].bounds, (1e8, 4e8))
+        held = plastica.fit(curve, fixed={"youngs_modulus": 201e9})[0].parameters
+        self.assertEqual((held["youngs_modulus"].role, held["youngs_modulus"].value),
+                         ("fixed", 201e9))
+        prior = plastica.fit(curve, parameters={"youngs_modulus": None, "yield_stress": {
+            "prior": {"mean": 310e6, "standard_deviation": 1e3}}})[0]
+        self.assertAlmostEqual(prior.parameters["yield_stress"].value, 310e6, delta=1e5)
+
+    def test_a_curve_that_cannot_be_fitted_loses_no_other(self):
+        strain, stress = hardening_curve(1e6)
+        bad = {"none": ([0.0, 0.01], [0.0, 1e8]), "turned": (strain[::-1], stress[::-1]),
+               "empty of numbers": (strain, np.full(301, np.nan)),
+               "percent": (100.0 * strain, stress), "megapascal": (strain, 1e-6 * stress)}
+        fits = plastica.fit({"good": (strain, stress), **bad})
+        self.assertEqual(len(fits), 6)
+        self.assertEqual(fits["good"].status, "fitted")
+        for name in bad:
+            self.assertEqual(fits[name].status, "rejected", name)
+            self.assertGreater(len(fits[name].reason), 10, name)
+        self.assertIn("rejected 5", fits.report())
+
+    def test_mistakes_are_told(self):
+        strain, stress = hardening_curve()
+        curve = (strain, stress)
+        for call, words in (
+            (lambda: plastica.fit((strain, stress[:-1])), ("301 strains and 300 stresses",)),
+            (lambda: plastica.fit(strain), ("must be a pair",)),
+            (lambda: plastica.fit({"a": (strain, "text")}), ("a:", "numbers")),
+            (lambda: plastica.fit({}), ("no curve",)),
+            (lambda: plastica.fit((np.eye(3), np.eye(3))), ("one row",)),
+            (lambda: plastica.fit(([], [])), ("no samples",)),
+            (lambda: plastica.fit(curve, parameters=["yeild_stress"]), ("did you mean yield_stress",)),
+            (lambda: plastica.fit(curve, parameters="yield_stress"), ("must be a list",)),
+            (lambda: plastica.fit(curve, parameters={"yield_stress": 3e8}), ("fixed",)),
+            (lambda: plastica.fit(curve, laws=["vocee"]), ("vocee", "voce")),
+            (lambda: plastica.fit(curve, options={"seeed": 1}), ("did you mean seed",)),
+            (lambda: plastica.fit(curve, test="tensoin"), ("tensoin", "tension")),
+            (lambda: plastica.fit(curve, bootstrap=3), ("at least 20",)),
+            (lambda: plastica.fit(curve, confidence=95), ("confidence",)),
+            (lambda: plastica.fit(curve, columns={"strain": "a"}), ("columns",)),
+            (lambda: plastica.fit(curve, groups={"b": {"lot": "1"}}), ("groups.b",)),
+            (lambda: plastica.fit(CURVE, columns={"strein": "a"}), ("columns.strein",)),
+            (lambda: plastica.fit(self.folder / "none.csv"), ("none.csv", "No such file")),
+            (lambda: plastica.fit(self.folder / "none.toml"), ("none.toml",)),
+            (lambda: plastica.fit(DATA / "fits" / "demo.toml", test="tension"), ("the fit file says",)),
+            (lambda: plastica.fit(pandas.DataFrame({"a": [1.0]})), ("no column strain",)),
+            (lambda: plastica.fit(curve, threads=1.5), ("threads",)),
+        ):
+            self.assertRefuses(call, *words)
+
+    def test_groups_have_means(self):
+        strain, stress = hardening_curve(1e6)
+        fits = plastica.fit(
+            {f"{lot}{k}": hardening_curve(1e6, seed) for seed, (lot, k) in enumerate(
+                [("a", 1), ("a", 2), ("b", 1)])},
+            groups={"a1": {"lot": "A"}, "a2": {"lot": "A"}, "b1": {"lot": "B"}})
+        self.assertIn("Group lot A: 2 specimens", fits.report())
+        self.assertEqual(list(fits.to_dataframe()["lot"]), ["A", "A", "B"])
+
+    def test_what_is_saved_is_loaded_and_pickled(self):
+        fits = plastica.fit(str(CURVE))
+        fits.save(self.folder / "a.h5")
+        for again in (plastica.load(self.folder / "a.h5"), pickle.loads(pickle.dumps(fits))):
+            self.assertEqual(again.report(), fits.report())
+            self.assertEqual(again[0].parameters, fits[0].parameters)
+            self.assertSameBits(again[0].fitted[1], fits[0].fitted[1])
+        self.assertRefuses(lambda: fits.save(self.folder / "a.h5"), "exists")
+
+    def test_notebooks_show_tables_with_names_as_text(self):
+        strain, stress = hardening_curve(1e6)
+        fits = plastica.fit({"<script>alert(1)</script>": (strain, stress)})
+        for shown in (fits._repr_html_(), fits[0]._repr_html_()):
+            self.assertNotIn("<script>", shown)
+            self.assertIn("yield_stress", shown)
+        self.assertIn("1 fitted", repr(fits))
+
+    def test_pictures_are_drawn(self):
+        import matplotlib
+        matplotlib.use("Agg")
+        axes = plastica.fit(str(CURVE))[0].plot()
+        self.assertEqual(len(axes.get_lines()), 2)
+        self.assertEqual(axes.get_xlabel(), "strain [%]")
+
+    def test_threads_change_no_bit(self):
+        curves = {f"s{k}": hardening_curve(1e6, k) for k in range(6)}
+        one, two = plastica.fit(curves, threads=1), plastica.fit(curves, threads=2)
+        for a, b in zip(one, two):
+            self.assertEqual(repr(a.parameters), repr(b.parameters))  # NaN is NaN
+
+    def test_notes_of_guesses_are_told(self):
+        path = self.folder / "bare.csv"
+        strain, stress = hardening_curve(1e6)
+        np.savetxt(path, np.column_stack([strain, 1e-6 * stress]), delimiter=",",
+                   header="Strain,Stress (MPa)", comments="")
+        with warnings.catch_warnings(record=True) as told:
+            warnings.simplefilter("always")
+            fit = plastica.fit(path)[0]
+        self.assertEqual(fit.status, "fitted")
+        self.assertAlmostEqual(fit.parameters["yield_stress"].value, 300e6, delta=60e6)
+        del told
+
+
+if __name__ == "__main__":
+    unittest.main()
