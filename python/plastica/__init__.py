@@ -12,10 +12,7 @@ from .fields import Beam, Hardening, Material, Rate, Rules, Section, Solver
 from .files import load
 from .fit import fit
 from .fits import Fit, Fits, Parameter
-from .model import Batch, Model, SceneWarning, Sensitivity, prepare, simulate
-from .problem import Problem, problem
-from .response import Response, Simulation
-from .scene import (
+from .items import (
     Cut,
     Drive,
     InitialMotion,
@@ -23,11 +20,14 @@ from .scene import (
     PointMass,
     Probe,
     Region,
-    Scene,
     Support,
     cycles,
     turning_points,
 )
+from .model import Batch, Model, SceneWarning, Sensitivity, prepare, simulate
+from .problem import Problem, problem
+from .response import Response, Simulation
+from .scene import Scene
 from .studies import Advice, Claim, Sweep, advise, check, export, sweep
 
 __all__ = [

@@ -21,7 +21,7 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 COMMAND = pathlib.Path(sys.argv[1]).resolve()
 PAGES = sys.argv[2:] or [
     "README.md", "docs/laboratory.md", "docs/simulation-engineer.md", "docs/ci.md", "docs/hdf5.md",
-    "docs/accuracy.md", "docs/reports.md", "docs/speed.md", "docs/extending.md"]
+    "docs/accuracy.md", "docs/python.md", "docs/reports.md", "docs/speed.md", "docs/extending.md"]
 FEWEST_COMMANDS = 80
 MOST_LEFT_OUT = 3
 

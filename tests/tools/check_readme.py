@@ -100,7 +100,6 @@ def blocks(run):
     crash = run("simulate", "data/scenes/crash_bumper.toml", "-o", "crash.h5")
     beam = run("export", "bent.h5", "--to", "opensees", "--segments", "4")
     sweep = run("sweep", "data/sweeps/cantilever_deflection.toml", "-o", "sweep.h5")
-    chosen = run("recommend", "sweep.h5", "--within", "0.1 %")
     arm = run("advise", "data/scenes/robot_arm.toml", "--within", "1 %", "--for", "mujoco")
     checked = run("check", "data/checks/motion.toml")
     reports = {
@@ -112,7 +111,6 @@ def blocks(run):
         "scene-report": until(scene, "Joints"),
         "motion-report": chapters(crash, "Breaks", "Fragments", "Energies"),
         "sweep-report": first_group(sweep),
-        "recommend-report": chosen,
         "mujoco-advice": arm,
         "check-report": without_time(checked),
         "breaking-prints": printed_by("breaking"),
