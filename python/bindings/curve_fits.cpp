@@ -182,9 +182,10 @@ auto curve_of(const Part& part) {
 
 std::vector<std::string> repairs(const CurveFitView& view) {
   std::vector<std::string> lines;
-  for (const auto& repair : view.record().target.repairs) lines.push_back(repair.text);
-  for (const auto& correction : view.record().target.corrections) {
-    if (correction.applied) lines.push_back(correction.text);
+  const calibrate::Target& target = view.record().target;
+  for (const auto& repair : target.repairs) lines.push_back(repair.kind + ": " + repair.text);
+  for (const auto& correction : target.corrections) {
+    if (correction.applied) lines.push_back(correction.kind + ": " + correction.text);
   }
   return lines;
 }
@@ -287,6 +288,7 @@ void bind_curve_fits(py::module_& core) {
           [](const FitStoreContents& contents) { return contents.options.confidence; })
       .def_property_readonly(
           "inputs", [](const FitStoreContents& contents) { return texts_of(contents.inputs); })
+      .def_property_readonly("advised", &advised_law<FitStoreContents>)
       .def("report", &report_of, py::arg("all"))
       .def("json",
            [](const FitStoreContents& contents) {

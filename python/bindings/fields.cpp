@@ -5,6 +5,7 @@
 
 #include <string>
 
+#include "plastica/io/units.hpp"
 #include "plastica/model/item_field.hpp"
 #include "plastica/model/support_kind.hpp"
 #include "python/bindings/bindings.hpp"
@@ -50,6 +51,14 @@ void bind_fields(py::module_& core) {
     for (const Field& field : fields()) all.append(describe(field));
     return all;
   });
+  core.def(
+      "unit_conversion",
+      [](const std::string& unit, const std::string& of, const std::string& field) {
+        const Dimension dimension = of == "stress" ? Dimension::Stress : Dimension::Strain;
+        const io::UnitConversion conversion = io::unit_conversion(unit, dimension, {}, field);
+        return py::make_tuple(conversion.scale, conversion.offset);
+      },
+      py::arg("unit"), py::arg("dimension"), py::arg("field"));
   core.def("item_units", [] {
     py::dict units;
     units["support"] = units_of(support_fields());

@@ -4,8 +4,10 @@
 
 #include <cstddef>
 #include <memory>
+#include <span>
 #include <string>
 
+#include "calibrate/report/law_choice.hpp"
 #include "calibrate/result/fit_outcome.hpp"
 #include "calibrate/store/fit_store.hpp"
 #include "calibrate/store/scene_fit_store.hpp"
@@ -43,6 +45,16 @@ pybind11::object bootstrap_of(const calibrate::FitOutcome& outcome,
                               const calibrate::BootstrapResult& bootstrap, pybind11::handle owner);
 /// The texts that a result depends on, by their files' names.
 pybind11::dict texts_of(const std::vector<io::InputText>& inputs);
+
+/// The law that is advised over all records; None where none is, or none are compared.
+template <class Contents>
+pybind11::object advised_law(const Contents& contents) {
+  const auto records = std::span(contents.records);
+  if (!calibrate::compares_laws(records)) return pybind11::none();
+  const calibrate::LawComparison laws = calibrate::compare_laws(records);
+  if (!laws.advised) return pybind11::none();
+  return pybind11::cast(name_of(laws.laws[*laws.advised].fit.law));
+}
 
 /// Defines what all records have.
 template <class View>

@@ -92,6 +92,12 @@ py::dict targets_of(const py::object& self) {
     py::dict one;
     one["abscissa"] = view_of(target.abscissa, self);
     one["ordinate"] = view_of(target.ordinate, self);
+    one["abscissa_name"] =
+        target.abscissa_probe.empty()
+            ? std::string(
+                  calibrate::words_of<calibrate::Abscissa>()[static_cast<std::size_t>(target.kind)])
+            : target.abscissa_probe;
+    one["ordinate_name"] = target.ordinate_probe;
     one["abscissa_unit"] = si_unit(target.abscissa_is);
     one["ordinate_unit"] = si_unit(target.ordinate_is);
     if (i < record.result.targets.size()) {
@@ -175,6 +181,7 @@ void bind_scene_fits(py::module_& core) {
       .def_readonly("confidence", &SceneFitContents::confidence)
       .def_property_readonly(
           "inputs", [](const SceneFitContents& contents) { return texts_of(contents.inputs); })
+      .def_property_readonly("advised", &advised_law<SceneFitContents>)
       .def(
           "report",
           [](const SceneFitContents& contents, bool all) {

@@ -6,7 +6,13 @@
 >>> response.probes["tip"]
 """
 
-from ._core import __version__
+try:
+    from ._core import __version__
+except ImportError as error:
+    raise ImportError(
+        "the engine of plastica is not beside this folder of its sources: `pip install .` in the clone "
+        "puts both together, and PYTHONPATH=build/release/python finds what a build has"
+    ) from error
 from .errors import InputError
 from .fields import Beam, Hardening, Material, Rate, Rules, Section, Solver
 from .files import load

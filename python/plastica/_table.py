@@ -36,6 +36,9 @@ class Table:
     def _refuse(cls, name: str, value: Any) -> InputError:
         return refuse(f"{cls.__name__}.{name}", value, "is no name there" + _nearest(name, cls._keys()))
 
+    def __eq__(self, other: object) -> bool:
+        return type(self) is type(other) and self.to_dict() == other.to_dict()  # type: ignore[attr-defined]
+
     def __setattr__(self, name: str, value: Any) -> None:
         if name not in self._keys() and not name.startswith("_"):
             raise self._refuse(name, value)

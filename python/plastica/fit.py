@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
+import re
 import tempfile
 import warnings as _warnings
 from dataclasses import dataclass
 from os import PathLike, fspath
 from pathlib import Path
-from typing import Any, Mapping, Sequence, Union
+from typing import Any, Iterator, Mapping, Sequence, Union
 
 import numpy as np
 
@@ -60,9 +61,10 @@ def fit(
     Parameters
     ----------
     curves
-        - a pair ``(strain, stress)`` of arrays [1, Pa], or a DataFrame with columns of these names;
+        - a pair ``(strain, stress)`` of arrays [1, Pa], or a DataFrame with columns of these names,
+          which may have units, ``"Stress [MPa]"``;
         - a mapping from names of specimens to such pairs or DataFrames;
-        - the path of a file of curves (CSV, .xlsx, HDF5), or a list of these;
+        - the path of a file of curves (CSV, .xlsx, HDF5), or several of these;
         - the path of a fit file, ``"fit.toml"``, which then says all but laws and intervals; its
           targets may be curves of beams, fitted through scenes.
     parameters : sequence of str, or mapping
@@ -87,7 +89,7 @@ def fit(
         Of curves in arrays: for each specimen's name what groups it, ``{"lot": "A"}``.
     columns : mapping
         Of files of curves: which column is what, ``{"strain": "Strain", "stress": "Stress:MPa"}``,
-        as the options of ``plastica calibrate``. Default: guessed.
+        as the options of ``plastica calibrate``; ``"table": "FILE:KEY"``. Default: guessed.
     group_by : sequence of str
         Of files of curves: columns of the table that form groups.
     options : mapping
@@ -101,7 +103,8 @@ def fit(
     accept : bool
         Fit curves that are those of no material, too.
     threads : int
-        0: as many as the machine has. Results have the same bits for any number.
+        0: as many as the machine has. Results have the same bits for any number; a specimen's name
+        decides the seed of its search.
     progress : bool or callable
         True prints a line; a callable is given the fraction done, and 1.
 
@@ -167,6 +170,8 @@ def _asked(curves: Any, said: Mapping[str, Any], intervals: _Intervals,
             asked.set_laws(_laws(laws))
     else:
         text = _text(said, {**intervals.keys(), **({} if laws is None else {"laws": _laws(laws)})})
+        if isinstance(curves, Iterator):
+            curves = list(curves)
         is_files = _is_path(curves) or _is_list_of_paths(curves)
         for name in ("groups",) if is_files else ("columns", "group_by"):
             if said[name]:
@@ -203,7 +208,15 @@ def _of_files(curves: Any, text: str, said: Mapping[str, Any], accept: bool) -> 
             raise refuse(f"columns.{key}", columns[key], f"is none of {', '.join(_COLUMNS)}")
     columns.update({key: said[key] for key in ("test", "measure") if said[key]})
     paths = sorted(fspath(each) for each in files)
-    return _core.CurveFits.of_bare_files(paths, columns, list(said["group_by"]), text, accept)
+    try:
+        return _core.CurveFits.of_bare_files(paths, columns, list(said["group_by"]), text, accept)
+    except InputError as error:
+        # The reader speaks of the command's options.
+        field = (error.field or "").replace("--load", "--force").replace("-", "_")
+        name = field.lstrip("_")
+        if field.startswith("__"):
+            field = f"columns.{name}" if name in _COLUMNS else name
+        raise InputError(error.file, error.line, field or None, error.value, error.rule) from None
 
 
 _MATERIAL = "material."
@@ -304,14 +317,29 @@ def _is_frame(value: Any) -> bool:
     return hasattr(value, "columns") and hasattr(value, "iloc")
 
 
+_HEADER = re.compile(r"(.*?)\s*(?:\[(.*)\]|\((.*)\))?\s*\Z")
+
+
+def _column(name: str, frame: Any, wanted: str) -> Any:
+    """A column of a table by its name, in SI by the unit in its header."""
+    for column in frame.columns:
+        words = _HEADER.match(str(column).strip())
+        if words is None or words[1].lower() != wanted:
+            continue
+        unit = words[2] or words[3]
+        if unit is None:
+            return frame[column]
+        scale, offset = _core.unit_conversion(unit, wanted, str(column))
+        return scale * np.asarray(frame[column], dtype=np.float64) + offset
+    raise refuse(name, None, f"has no column {wanted}, but "
+                 + ", ".join(str(column) for column in frame.columns))
+
+
 def _pair(name: str, curve: Any) -> tuple[Any, Any]:
     if _is_frame(curve):
-        found = {str(column).strip().lower(): column for column in curve.columns}
-        for wanted in ("strain", "stress"):
-            if wanted not in found:
-                raise refuse(name, None, f"has no column {wanted}, but "
-                             + ", ".join(str(column) for column in curve.columns))
-        curve = (curve[found["strain"]], curve[found["stress"]])
+        curve = (_column(name, curve, "strain"), _column(name, curve, "stress"))
+    if _is_path(curve):
+        raise refuse(name, curve, "is a path: give paths without names, in a list")
     if not isinstance(curve, (tuple, list)) or len(curve) != 2:
         raise refuse(name, None, "must be a pair (strain, stress) of arrays, or a DataFrame")
     try:

@@ -61,8 +61,9 @@ class Parameter:
 class Fit:
     """The fit of one specimen's curve, or one through scenes."""
 
-    def __init__(self, record: _core.CurveFit | _core.SceneFit) -> None:
-        self._record = record
+    def __init__(self, fits: Fits, index: int) -> None:
+        self._fits, self._index = fits, index
+        self._record = fits._contents.record(index)
 
     @property
     def name(self) -> str:
@@ -83,8 +84,15 @@ class Fit:
 
     @property
     def usable(self) -> bool:
-        """Whether it is fitted and follows its curve, with no parameter at a bound."""
+        """Whether it is fitted and may be used at all: the misfit is below half of the largest
+        value, and no more than one parameter is at a bound. How good it is, `warnings` and the
+        verdicts say."""
         return self._record.usable
+
+    @property
+    def why_unusable(self) -> str:
+        """A sentence; empty if it may be used, or is not fitted."""
+        return self._record.why_unusable
 
     @property
     def law(self) -> str:
@@ -166,13 +174,31 @@ class Fit:
 
     @property
     def misfit(self) -> float:
-        """Root of the mean squared residual [Pa]."""
-        return self._curve().misfit
+        """Root of the mean squared residual [Pa]; NaN without a fit."""
+        return self._curve().misfit if self.status == "fitted" else float("nan")
+
+    @property
+    def misfit_word(self) -> str:
+        """``"close"``, ``"fair"`` or ``"poor"``: how closely the law follows the curve."""
+        return self._curve().misfit_word
+
+    @property
+    def runs_test_p(self) -> float:
+        """Probability of so few runs of one sign, if the residuals were noise; NaN for fewer than 20
+        samples."""
+        return self._curve().runs_test_p
+
+    @property
+    def break_strain_total(self) -> float | None:
+        """Total strain at which the fitted model breaks [1]."""
+        return self._curve().break_strain_total
 
     @property
     def misfit_fraction(self) -> float:
         """The same over the largest measured stress [1]; of a fit through scenes that of the target
-        with the largest."""
+        with the largest. NaN without a fit."""
+        if self.status != "fitted":
+            return float("nan")
         if isinstance(self._record, _core.CurveFit):
             return self._record.misfit_fraction
         return max((one["misfit_fraction"] for one in self.targets.values()), default=float("nan"))
@@ -203,9 +229,11 @@ class Fit:
             axes = plt.figure().add_subplot()
         if isinstance(self._record, _core.CurveFit):
             for (strain, stress), label, style in (
-                (self.measured, "measured", {"color": "0.7", "linewidth": 3.0}),
+                (self.measured, "measured", {"color": "0.8", "linestyle": "", "marker": "."}),
+                (self.corrected, "corrected", {"color": "0.5", "linewidth": 3.0}),
                 (self.fitted, f"fitted, {self.law}", {"color": "C0"})):
-                axes.plot(100.0 * strain, 1e-6 * stress, label=label, **style)
+                if len(strain) > 0:
+                    axes.plot(100.0 * strain, 1e-6 * stress, label=label, **style)
             axes.set(xlabel="strain [%]", ylabel="stress [MPa]", title=self.name)
         else:
             for name, target in self.targets.items():
@@ -214,12 +242,16 @@ class Fit:
                 if "fitted" in target:
                     axes.plot(target["abscissa"], target["fitted"], color=line.get_color(),
                               label=f"{name}, fitted")
-            units = {(one["abscissa_unit"], one["ordinate_unit"]) for one in self.targets.values()}
-            if len(units) == 1:
-                abscissa, ordinate = units.pop()
-                axes.set(xlabel=f"[{abscissa}]", ylabel=f"[{ordinate}]", title=self.name)
+            axes.set_title(self.name)
+            for side, label in (("abscissa", axes.set_xlabel), ("ordinate", axes.set_ylabel)):
+                said = {f'{one[f"{side}_name"]} [{one[f"{side}_unit"]}]'
+                        for one in self.targets.values()}
+                label(", ".join(sorted(said)))
         axes.legend()
         return axes
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return Fits.__getitem__, (self._fits, self._index)
 
     def _repr_html_(self) -> str:
         rows = "".join(
@@ -249,7 +281,7 @@ class Fits:
 
     def __init__(self, contents: _Contents) -> None:
         self._contents = contents
-        self._fits = [Fit(contents.record(k)) for k in range(len(contents))]
+        self._fits = [Fit(self, k) for k in range(len(contents))]
 
     def __len__(self) -> int:
         return len(self._fits)
@@ -284,6 +316,11 @@ class Fits:
         """Of the intervals."""
         return self._contents.confidence
 
+    @property
+    def advised(self) -> str | None:
+        """Where laws are compared: the law that is advised for all specimens; None if none is."""
+        return self._contents.advised
+
     def report(self, *, all: bool = False) -> str:
         """What the command prints; with `all` the whole report of each fit."""
         return self._contents.report(all)
@@ -306,7 +343,8 @@ class Fits:
                 row[parameter.name] = parameter.value
                 row[f"{parameter.name}_error"] = parameter.error
                 row[f"{parameter.name}_low"], row[f"{parameter.name}_high"] = parameter.interval
-            row["misfit_fraction"] = one.misfit_fraction if one.status == "fitted" else np.nan
+                row[f"{parameter.name}_verdict"] = parameter.verdict or parameter.role
+            row["misfit_fraction"] = one.misfit_fraction
             rows.append(row)
         return pandas.DataFrame(rows)
 

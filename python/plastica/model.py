@@ -29,8 +29,8 @@ def _prepared(scene: Scene | Mapping[str, Any], parameters: Sequence[str]) -> _c
         scene = Scene.from_dict(scene)
     if isinstance(parameters, str):
         raise refuse("parameters", parameters, "must be a list of paths")
-    text, name = scene.text_and_name()
-    return _core.PreparedScene(text, name, list(parameters))
+    paths = list(parameters)
+    return scene.read_by(lambda text, name: _core.PreparedScene(text, name, paths))
 
 
 def simulate(scene: Scene | Mapping[str, Any], *, progress: Progress = None) -> Simulation:
@@ -200,7 +200,7 @@ class Model:
         ----------
         values : sequence of float or mapping
             Of the parameters, in their order or by their paths [SI] (n_parameters). One that is out
-            of its field's range makes the status ``"invalid_parameter"``.
+            of its field's range makes the status ``"invalid-parameter"``.
         """
         return Response(
             self._prepared.run(

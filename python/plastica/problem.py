@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import Any, Mapping, Sequence
 
+import numpy as np
 import numpy.typing as npt
 
 from . import _core
@@ -51,8 +52,14 @@ class Problem:
         return self._core.stress
 
     def model(self, x: npt.ArrayLike) -> Floats:
-        """The model's stress at these strains [Pa] (n_samples)."""
-        return self._core.model(x)
+        """The model's stress at these strains [Pa] (n_samples).
+
+        Raises
+        ------
+        InputError
+            Where the model cannot be run: a sampler asks `cost` first, which is infinite there.
+        """
+        return self._core.model(np.asarray(x, dtype=np.float64))
 
     def residuals(self, x: npt.ArrayLike) -> Floats:
         """sqrt(w_i) (model - measured), w_i the weights of the objective, whose sum is 1; and last
@@ -64,15 +71,15 @@ class Problem:
         InputError
             Where the model cannot be run.
         """
-        return self._core.residuals(x)
+        return self._core.residuals(np.asarray(x, dtype=np.float64))
 
     def jacobian(self, x: npt.ArrayLike) -> Floats:
         """Derivatives of the residuals by the unknowns, exact [Pa/SI] (n_samples + 1, n)."""
-        return self._core.jacobian(x)[0]
+        return self._core.jacobian(np.asarray(x, dtype=np.float64))[0]
 
     def cost(self, x: npt.ArrayLike) -> float:
         """The sum of the squared residuals [Pa^2]; infinite where the model cannot be run."""
-        return self._core.cost(x)
+        return self._core.cost(np.asarray(x, dtype=np.float64))
 
     def __repr__(self) -> str:
         return f"<Problem: {len(self.strain)} samples; {', '.join(self.parameters)}>"

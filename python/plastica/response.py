@@ -34,7 +34,7 @@ class Response:
 
     @property
     def status(self) -> str:
-        """How the run ended: ``"completed"``, ``"broken"``, ``"limit_load"``, …"""
+        """How the run ended: ``"completed"``, ``"broken"``, ``"limit-load"``, …"""
         return self._view.status
 
     @property

@@ -6,7 +6,7 @@ import tomllib
 from dataclasses import dataclass, field
 from os import PathLike, fspath
 from pathlib import Path
-from typing import Any, ClassVar, Mapping
+from typing import Any, Callable, ClassVar, Mapping, TypeVar
 
 from . import _toml
 from ._table import Table, table
@@ -26,6 +26,8 @@ from .items import (
 
 __all__ = ["Scene"]
 
+T = TypeVar("T")
+
 # Lists of tables: attribute, key of files, type.
 _LISTS: Mapping[str, tuple[str, type[Table]]] = {
     "regions": ("region", Region),
@@ -41,7 +43,7 @@ _RENAMED = {"from": "from_"}
 
 
 @table
-@dataclass(slots=True, kw_only=True)
+@dataclass(slots=True, kw_only=True, eq=False)
 class Scene(Table):
     """All that a simulation needs to know: the same as a scene file.
 
@@ -145,14 +147,28 @@ class Scene(Table):
         scene.source = Source(name, text, scene.to_dict())
         return scene
 
-    def text_and_name(self) -> tuple[str, str]:
-        """What the engine reads: the file as it is, or the text of a scene that was changed; and
-        what it is called in errors, from whose folder relative paths begin."""
-        if self.source is None:
-            return self.to_toml(), ""
-        if self.to_dict() == self.source.tree:
-            return self.source.text, self.source.path
-        return self.to_toml(), str(Path(self.source.path).with_suffix(""))
+    def is_its_file(self) -> bool:
+        """Whether it was read from a file and is as it was there."""
+        return self.source is not None and self.to_dict() == self.source.tree
+
+    def read_by(self, reader: Callable[[str, str], T]) -> T:
+        """Hands the scene to the engine: the text of its file, or of the scene as it is now, and the
+        path from whose folder relative paths begin.
+
+        Raises
+        ------
+        InputError
+            As the engine does; without file and line where it is no file that was read.
+        """
+        if self.source is not None and self.is_its_file():
+            return reader(self.source.text, self.source.path)
+        try:
+            return reader(self.to_toml(), "" if self.source is None else self.source.path)
+        except InputError as error:
+            mine = ("", None if self.source is None else self.source.path)
+            if error.file is not None and error.file not in mine:
+                raise  # of a table that the scene names
+            raise InputError(None, None, error.field, error.value, error.rule) from None
 
 
 @dataclass(frozen=True, slots=True)

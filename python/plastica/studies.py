@@ -133,11 +133,8 @@ def sweep(
         compared["against"] = against
     units = {field["path"]: field["unit"] for field in _core.fields()}
     with tempfile.TemporaryDirectory() as folder:
-        text, name = scene.text_and_name()
-        path = Path(folder) / "scene.toml"
-        path.write_text(text, encoding="utf-8")
         tree: dict[str, Any] = {
-            "scene": str(path) if not name else _beside(name, text),
+            "scene": _file_of(scene, Path(folder)),
             "axis": [{"field": field,
                       "values": _toml.give_unit(_toml.plain(list(values)), units.get(field, ""))}
                      for field, values in axes.items()],
@@ -158,12 +155,15 @@ def sweep(
         return _run(asked, threads, progress)
 
 
-def _beside(name: str, text: str) -> str:
-    """The scene's own file, whose folder has what it names; it must say what the scene says."""
-    path = Path(name).resolve()
-    if not path.is_file() or path.read_text(encoding="utf-8") != text:
-        raise refuse("scene", name, "was read from a file and then changed: save its to_toml() "
-                     "beside that file and sweep it by its path")
+def _file_of(scene: Scene, folder: Path) -> str:
+    """A file that says what the scene says: its own, whose folder has what it names, or one that is
+    written into a folder."""
+    if scene.source is not None and scene.is_its_file():
+        path = Path(scene.source.path).resolve()
+        if path.is_file() and path.read_text(encoding="utf-8") == scene.source.text:
+            return str(path)
+    path = folder / "scene.toml"
+    path.write_text(scene.to_toml(), encoding="utf-8")
     return str(path)
 
 
@@ -248,9 +248,9 @@ def advise(
         raise refuse("max_work", max_work, "must be above 0")
     if not isinstance(scene, Scene):
         scene = Scene.from_dict(scene)
-    text, name = scene.text_and_name()
-    said = _core.advise(text, name, within or 0.0, budget or 0.0, list(probes), max_runs, max_work,
-                        _thread_count(threads), reporter(progress, "advise: runs", max_runs))
+    count, report = _thread_count(threads), reporter(progress, "advise: runs", max_runs)
+    said = scene.read_by(lambda text, name: _core.advise(
+        text, name, within or 0.0, budget or 0.0, list(probes), max_runs, max_work, count, report))
     tree = scene.to_dict()
     for path, value in said["values"].items():
         table, _, key = path.rpartition(".")
@@ -332,8 +332,8 @@ def export(
     """
     if not isinstance(scene, Scene):
         scene = Scene.from_dict(scene)
-    text, name = scene.text_and_name()
-    written, notes = _core.export_beam(text, name, to, up, gravity, damping_time, contacts)
+    written, notes = scene.read_by(lambda text, name: _core.export_beam(
+        text, name, to, up, gravity, damping_time, contacts))
     for note in notes:
         _warnings.warn(note, SceneWarning, stacklevel=2)
     return written

@@ -93,7 +93,7 @@ def write_table(prefix, fields, tables):
     for key in ("section", "material"):
         if prefix == "beam":
             inner[key] = key.capitalize()
-    lines = ["", "", "@table", "@dataclass(slots=True, kw_only=True)", f"class {name}(Table):",
+    lines = ["", "", "@table", "@dataclass(slots=True, kw_only=True, eq=False)", f"class {name}(Table):",
              f'    """{about}', "", "    Attributes", "    ----------"]
     for key, type_hint, text in entries:
         kind = type_hint.replace(" | None", "").replace("Number", "float or str")
