@@ -103,6 +103,9 @@ std::span<const std::string_view> up_axes() {
 }
 
 void put_into(const EngineWorld& world, EngineBeam& beam) {
+  if (!world.up.empty() && std::ranges::find(up_axes(), world.up) == up_axes().end()) {
+    throw InputError({}, "--up", world.up, "must be x, y, z, -x, -y or -z");
+  }
   check_not_negative("--gravity", world.gravity);
   check_not_negative("--damping", world.damping_time);
   if (!world.up.empty()) turn_up(axis_of(world.up), beam);

@@ -3,6 +3,7 @@
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
 
+#include <stdexcept>
 #include <string>
 
 #include "plastica/io/units.hpp"
@@ -51,6 +52,16 @@ void bind_fields(py::module_& core) {
     for (const Field& field : fields()) all.append(describe(field));
     return all;
   });
+  core.def(
+      "quantity",
+      [](const std::string& text, const std::string& of, const std::string& field) {
+        for (int k = 0; k <= static_cast<int>(kLastDimension); ++k) {
+          const auto dimension = static_cast<Dimension>(k);
+          if (name_of(dimension) == of) return io::parse_quantity(text, dimension, {}, field);
+        }
+        throw std::logic_error("no dimension is called " + of);
+      },
+      py::arg("text"), py::arg("dimension"), py::arg("field"));
   core.def(
       "unit_conversion",
       [](const std::string& unit, const std::string& of, const std::string& field) {

@@ -240,6 +240,16 @@ py::tuple differentiate(const PreparedScene& scene, const Values& values) {
                         by_sample, permanent);
 }
 
+/// By the probes' names.
+py::dict probe_units(const PreparedScene& prepared) {
+  const Scene& scene = prepared.file.setup.scene;
+  py::dict units;
+  for (const Probe& probe : scene.probes) {
+    units[py::str(probe.name)] = si_unit(dimension_of(probe.quantity, scene.drive.deformation));
+  }
+  return units;
+}
+
 std::vector<std::string> parameter_paths(const PreparedScene& scene) {
   std::vector<std::string> paths;
   for (const Field* field : scene.model->parameters) paths.emplace_back(field->path);
@@ -259,6 +269,7 @@ void bind_models(py::module_& core) {
       .def(py::init(&prepared), py::arg("text"), py::arg("name"), py::arg("parameters"))
       .def_property_readonly("parameters", &parameter_paths)
       .def_property_readonly("probe_names", &PreparedScene::probe_names)
+      .def_property_readonly("probe_units", &probe_units)
       .def_property_readonly("notes", [](const PreparedScene& scene) { return scene.file.notes; })
       .def_property_readonly("level_reason",
                              [](const PreparedScene& scene) { return scene.model->level_reason; })

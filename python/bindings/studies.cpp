@@ -35,8 +35,10 @@ namespace {
 using sweeps::SweepRecord;
 using Record = std::shared_ptr<SweepRecord>;
 
-py::object value_of(const FieldValue& value) {
-  if (const auto* number = std::get_if<double>(&value)) return py::cast(*number);
+py::object value_of(const FieldValue& value, bool whole) {
+  if (const auto* number = std::get_if<double>(&value)) {
+    return whole ? py::object(py::int_(static_cast<std::int64_t>(*number))) : py::cast(*number);
+  }
   if (const auto* word = std::get_if<std::string>(&value)) return py::cast(*word);
   return py::none();
 }
@@ -72,7 +74,10 @@ py::dict columns_of(const SweepRecord& record) {
   py::dict columns;
   for (std::size_t a = 0; a < record.axes.size(); ++a) {
     py::list values;
-    for (std::size_t i = 0; i < record.cases(); ++i) values.append(value_of(record.at(i, a)));
+    const bool whole = record.axes[a].field->kind == FieldKind::Integer;
+    for (std::size_t i = 0; i < record.cases(); ++i) {
+      values.append(value_of(record.at(i, a), whole));
+    }
     columns[py::str(std::string(record.axes[a].field->path))] = values;
   }
   const auto add = [&](const char* name, const auto& of) {
@@ -83,10 +88,15 @@ py::dict columns_of(const SweepRecord& record) {
   const auto result = [&](std::size_t i) -> const sweeps::CaseResult& { return record.results[i]; };
   const auto& compared = record.comparison;
   add("status", [&](std::size_t i) { return name_of(result(i).status); });
-  add("reason", [&](std::size_t i) { return result(i).reason; });
+  add("reason", [&](std::size_t i) {
+    return result(i).reason.empty() ? compared.reason[i] : result(i).reason;
+  });
   add("value", [&](std::size_t i) { return result(i).value.value_or(kNone); });
   add("reference", [&](std::size_t i) { return compared.reference[i].value_or(kNone); });
   add("error", [&](std::size_t i) { return compared.error[i].value_or(kNone); });
+  add("reference_error", [&](std::size_t i) {
+    return i < compared.reference_error.size() ? compared.reference_error[i].value_or(kNone) : kNone;
+  });
   add("segment_iterations", [&](std::size_t i) { return result(i).segment_iterations(); });
   add("cutbacks", [&](std::size_t i) { return result(i).cutbacks; });
   add("energy_balance_error", [&](std::size_t i) { return result(i).energy_balance_error; });
@@ -115,7 +125,9 @@ py::dict advised_values(const Setup& before, const sweeps::Advice& advice) {
   py::dict values;
   for (const Field& field : fields()) {
     const FieldValue value = field.get(after);
-    if (value != field.get(before)) values[py::str(std::string(field.path))] = value_of(value);
+    if (value != field.get(before)) {
+      values[py::str(std::string(field.path))] = value_of(value, field.kind == FieldKind::Integer);
+    }
   }
   return values;
 }
@@ -189,7 +201,7 @@ py::tuple check(const std::string& path, int threads, const py::object& progress
   return py::make_tuple(verdicts, sweeps::check_report(checked));
 }
 
-py::tuple export_beam(std::string text, const std::string& name, const std::string& to,
+std::string export_beam(std::string text, const std::string& name, const std::string& to,
                       const std::string& up, std::optional<double> gravity,
                       std::optional<double> damping_time, const std::string& contacts) {
   const io::SceneFile file = io::parse_scene_file(std::move(text), name);
@@ -211,8 +223,7 @@ py::tuple export_beam(std::string text, const std::string& name, const std::stri
   return io::with_place_in(file, [&] {
     calibrate::EngineBeam beam = calibrate::engine_beam(file.setup.scene, file.setup.solver);
     calibrate::put_into(world, beam);
-    const auto notes = calibrate::engine_notes(beam, format);
-    return py::make_tuple(calibrate::engine_text(beam, format), notes);
+    return calibrate::engine_text(beam, format);
   });
 }
 

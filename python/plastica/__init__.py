@@ -34,12 +34,14 @@ from .model import Batch, Model, SceneWarning, Sensitivity, prepare, simulate
 from .problem import Problem, problem
 from .response import Response, Simulation
 from .scene import Scene
+from .scene_fit import BeamTest, fit_scenes
 from .studies import Advice, Claim, Sweep, advise, check, export, sweep
 
 __all__ = [
-    "Advice", "Batch", "Beam", "Claim", "Cut", "Drive", "Fit", "Fits", "Hardening",
+    "Advice", "Batch", "Beam", "BeamTest", "Claim", "Cut", "Drive", "Fit", "Fits", "Hardening",
     "InitialMotion", "InputError", "Load", "Material", "Model", "Parameter", "PointMass", "Probe",
     "Problem", "Rate", "Region", "Response", "Rules", "Scene", "SceneWarning", "Section",
     "Sensitivity", "Simulation", "Solver", "Support", "Sweep", "__version__", "advise", "check",
-    "cycles", "export", "fit", "load", "prepare", "problem", "simulate", "sweep", "turning_points",
+    "cycles", "export", "fit", "fit_scenes", "load", "prepare", "problem", "simulate", "sweep",
+    "turning_points",
 ]

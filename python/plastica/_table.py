@@ -39,6 +39,12 @@ class Table:
     def __eq__(self, other: object) -> bool:
         return type(self) is type(other) and self.to_dict() == other.to_dict()  # type: ignore[attr-defined]
 
+    def __repr__(self) -> str:
+        given = ((name, getattr(self, name)) for name in self._keys())
+        said = ", ".join(f"{name}={value!r}" for name, value in given
+                         if value is not None and value != [] and name != "source")
+        return f"{type(self).__name__}({said})"
+
     def __setattr__(self, name: str, value: Any) -> None:
         if name not in self._keys() and not name.startswith("_"):
             raise self._refuse(name, value)

@@ -243,10 +243,10 @@ class Fit:
                     axes.plot(target["abscissa"], target["fitted"], color=line.get_color(),
                               label=f"{name}, fitted")
             axes.set_title(self.name)
-            for side, label in (("abscissa", axes.set_xlabel), ("ordinate", axes.set_ylabel)):
+            for side, set_label in (("abscissa", axes.set_xlabel), ("ordinate", axes.set_ylabel)):
                 said = {f'{one[f"{side}_name"]} [{one[f"{side}_unit"]}]'
                         for one in self.targets.values()}
-                label(", ".join(sorted(said)))
+                set_label(", ".join(sorted(said)))
         axes.legend()
         return axes
 

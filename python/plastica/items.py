@@ -37,7 +37,7 @@ def cycles(count: int) -> dict[str, Any]:
 
 
 @table
-@dataclass(slots=True, kw_only=True, eq=False)
+@dataclass(slots=True, kw_only=True, eq=False, repr=False)
 class Drive(Table):
     """What is done to a coupon, a beam under the same strain everywhere.
 
@@ -55,7 +55,7 @@ class Drive(Table):
 
 
 @table
-@dataclass(slots=True, kw_only=True, eq=False)
+@dataclass(slots=True, kw_only=True, eq=False, repr=False)
 class Region(Table):
     """A part of the beam with a section or material of its own.
 
@@ -81,7 +81,7 @@ class Region(Table):
 
 
 @table
-@dataclass(slots=True, kw_only=True, eq=False)
+@dataclass(slots=True, kw_only=True, eq=False, repr=False)
 class Support(Table):
     """Holds the beam at a place, or along a length by springs.
 
@@ -124,7 +124,7 @@ class Support(Table):
 
 
 @table
-@dataclass(slots=True, kw_only=True, eq=False)
+@dataclass(slots=True, kw_only=True, eq=False, repr=False)
 class Load(Table):
     """A force and a moment at a place, or along a length.
 
@@ -152,7 +152,7 @@ class Load(Table):
 
 
 @table
-@dataclass(slots=True, kw_only=True, eq=False)
+@dataclass(slots=True, kw_only=True, eq=False, repr=False)
 class PointMass(Table):
     """What moves and weighs besides the beam.
 
@@ -171,7 +171,7 @@ class PointMass(Table):
 
 
 @table
-@dataclass(slots=True, kw_only=True, eq=False)
+@dataclass(slots=True, kw_only=True, eq=False, repr=False)
 class InitialMotion(Table):
     """How segments move at time 0 of a motion.
 
@@ -194,7 +194,7 @@ class InitialMotion(Table):
 
 
 @table
-@dataclass(slots=True, kw_only=True, eq=False)
+@dataclass(slots=True, kw_only=True, eq=False, repr=False)
 class Cut(Table):
     """Cuts a beam in motion.
 
@@ -210,7 +210,7 @@ class Cut(Table):
 
 
 @table
-@dataclass(slots=True, kw_only=True, eq=False)
+@dataclass(slots=True, kw_only=True, eq=False, repr=False)
 class Probe(Table):
     """A number that is recorded at each sample.
 

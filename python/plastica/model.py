@@ -159,7 +159,13 @@ class Model:
 
     @property
     def probe_names(self) -> list[str]:
+        """In the order of the scene."""
         return self._prepared.probe_names
+
+    @property
+    def probe_units(self) -> dict[str, str]:
+        """SI units by the probes' names."""
+        return self._prepared.probe_units
 
     @property
     def level(self) -> str:

@@ -43,7 +43,7 @@ _RENAMED = {"from": "from_"}
 
 
 @table
-@dataclass(slots=True, kw_only=True, eq=False)
+@dataclass(slots=True, kw_only=True, eq=False, repr=False)
 class Scene(Table):
     """All that a simulation needs to know: the same as a scene file.
 
@@ -145,6 +145,29 @@ class Scene(Table):
             raise InputError(name, None, None, None, rule) from error
         scene = cls.from_dict(tree)
         scene.source = Source(name, text, scene.to_dict())
+        return scene
+
+    def changed(self, values: Mapping[str, Any]) -> Scene:
+        """A copy with other values of fields, by their paths: ``{"beam.segments": 40}``; None is as a
+        file leaves it.
+
+        Raises
+        ------
+        InputError
+            For a path that there is not.
+        """
+        tree = self.to_dict()
+        for path, value in values.items():
+            *tables, key = path.split(".")
+            table = tree
+            for name in tables:
+                inner = table.setdefault(name, {})
+                if not isinstance(inner, dict):  # "S355" stands for a table with a name
+                    inner = table[name] = {"profile" if name == "section" else "name": inner}
+                table = inner
+            table[key] = value
+        scene = Scene.from_dict(tree)
+        scene.source = self.source
         return scene
 
     def is_its_file(self) -> bool:

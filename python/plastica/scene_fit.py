@@ -12,7 +12,6 @@ import numpy.typing as npt
 
 from . import _core, _toml
 from ._progress import Progress, reporter
-from ._table import Table
 from .errors import InputError, refuse
 from .fit import Parameters, _Intervals, _laws, _parameters
 from .fits import Fits
@@ -215,13 +214,12 @@ def _abscissa(name: str, test: BeamTest, scene: Scene,
         return "s", {"time": True}
     if against == "strain":
         return "1", {"drive": against}
-    for kind, items, first, second in (("support", scene.supports, "translation", "rotation"),
-                                       ("load", scene.loads, "force", "moment")):
-        for k, item in enumerate(items):
-            if against != f"{kind}[{k + 1}]":
-                continue
-            assert isinstance(item, Table)
-            of = first if getattr(item, first) is not None else second
-            return _core.item_units()[kind][of][0], {"drive": against}
+    driven = {f"support[{k + 1}]": "support.translation" if item.translation is not None
+              else "support.rotation" for k, item in enumerate(scene.supports)}
+    driven.update({f"load[{k + 1}]": "load.force" if item.force is not None else "load.moment"
+                   for k, item in enumerate(scene.loads)})
+    if against in driven:
+        kind, _, key = driven[against].partition(".")
+        return _core.item_units()[kind][key][0], {"drive": against}
     raise refuse(f"{name}.against", against, "is neither a probe of the scene nor \"time\", "
                  "\"strain\", or a support or load that it has, \"support[1]\"")

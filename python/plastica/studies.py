@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
+import json
 import tempfile
 import warnings as _warnings
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from os import PathLike, fspath
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Mapping, Sequence
@@ -37,6 +38,14 @@ class Sweep:
     def warnings(self) -> list[str]:
         """What a reader must not overlook of the cases."""
         return self._record.warnings
+
+    @property
+    def groups(self) -> list[dict[str, Any]]:
+        """Where an axis refines, what its cases show, as ``to_json`` has it: ``label``, observed
+        ``order``, and of the ``three_finest`` order, ``extrapolated`` value and grid convergence
+        index ``gci``, …"""
+        groups: list[dict[str, Any]] = json.loads(self.to_json())["groups"]
+        return groups
 
     @property
     def curves(self) -> dict[int, tuple[Floats, Floats]]:
@@ -148,11 +157,12 @@ def sweep(
         written = Path(folder) / "sweep.toml"
         written.write_text(_toml.write(tree), encoding="utf-8")
         try:
-            asked = _core.Sweep(str(written))
+            return _run(_core.Sweep(str(written)), threads, progress)
         except InputError as error:
+            if error.file is not None and not error.file.startswith(folder):
+                raise
             # Lines of a file that nobody has written would only confuse.
             raise InputError(None, None, error.field, error.value, error.rule) from None
-        return _run(asked, threads, progress)
 
 
 def _file_of(scene: Scene, folder: Path) -> str:
@@ -194,8 +204,8 @@ class Advice:
     runs: int
     """How many runs that took."""
     warnings: list[str]
-    _report: str
-    _json: str
+    _report: str = field(repr=False)
+    _json: str = field(repr=False)
 
     def report(self) -> str:
         """What the command prints."""
@@ -209,8 +219,8 @@ class Advice:
 def advise(
     scene: Scene | Mapping[str, Any],
     *,
-    within: float | None = None,
-    budget: float | None = None,
+    within: float | str | None = None,
+    budget: float | str | None = None,
     probes: Sequence[str] = (),
     max_runs: int = 100,
     max_work: float = 1e8,
@@ -219,13 +229,16 @@ def advise(
 ) -> Advice:
     """Chooses model, segments and time step of a scene for an error or a time.
 
+    Errors are those of the worst quantity of the worst probe: its history (rms), its largest size and
+    its last value, over their sizes.
+
     Parameters
     ----------
     scene : Scene or mapping
-    within : float
-        The cheapest within this error [1] is looked for, or
-    budget : float
-        the most accurate whose run takes no more CPU time [s].
+    within : float or str
+        The cheapest within this error is looked for, 0.01 or ``"1 %"``; or
+    budget : float or str
+        the most accurate whose run takes no more CPU time, 2e-3 or ``"2 ms"`` [s].
     probes : sequence of str
         Names; default: all of the scene.
     max_runs : int
@@ -239,7 +252,8 @@ def advise(
     """
     if (within is None) == (budget is None):
         raise refuse("advise", None, "needs one of within and budget")
-    for name, number in (("within", within), ("budget", budget)):
+    error, seconds = _number(within, "pure number", "within"), _number(budget, "time", "budget")
+    for name, number in (("within", error), ("budget", seconds)):
         if number is not None and not 0.0 < number < (1.0 if name == "within" else float("inf")):
             raise refuse(name, number, "must be above 0" + (" and below 1" if name == "within" else ""))
     if max_runs < 4:
@@ -250,27 +264,17 @@ def advise(
         scene = Scene.from_dict(scene)
     count, report = _thread_count(threads), reporter(progress, "advise: runs", max_runs)
     said = scene.read_by(lambda text, name: _core.advise(
-        text, name, within or 0.0, budget or 0.0, list(probes), max_runs, max_work, count, report))
-    tree = scene.to_dict()
-    for path, value in said["values"].items():
-        table, _, key = path.rpartition(".")
-        _inner(tree, table)[key] = int(value) if path in _integers() and value is not None else value
+        text, name, error or 0.0, seconds or 0.0, list(probes), max_runs, max_work, count, report))
+    values = dict(said["values"])
     if said["segment_lengths"]:
-        _inner(tree, "beam")["segment_lengths"] = said["segment_lengths"]
-        _inner(tree, "beam").pop("segments", None)
-    return Advice(said["found"], said["end"], Scene.from_dict(tree), said["values"],
+        values.update({"beam.segment_lengths": said["segment_lengths"], "beam.segments": None})
+    return Advice(said["found"], said["end"], scene.changed(values), said["values"],
                   said["promised"], said["verified"], said["expected_seconds"], said["runs"],
                   said["warnings"], said["report"], said["json"])
 
 
-def _integers() -> list[str]:
-    return [field["path"] for field in _core.fields() if field["kind"] == "integer"]
-
-
-def _inner(tree: dict[str, Any], path: str) -> dict[str, Any]:
-    for key in path.split("."):
-        tree = tree.setdefault(key, {})
-    return tree
+def _number(value: float | str | None, dimension: str, name: str) -> float | None:
+    return _core.quantity(value, dimension, name) if isinstance(value, str) else value
 
 
 @dataclass(frozen=True)
@@ -306,8 +310,8 @@ def export(
     to: str,
     *,
     up: str = "",
-    gravity: float | None = None,
-    damping_time: float | None = None,
+    gravity: float | str | None = None,
+    damping_time: float | str | None = None,
     contacts: str = "none",
 ) -> str:
     """The beam of a scene as the text that another engine reads.
@@ -318,9 +322,9 @@ def export(
     to : {"csv", "mjcf", "agx", "bullet", "chrono", "opensees"}
     up : str
         The axis that points up, ``"y"``; default: as in the scene.
-    gravity : float
+    gravity : float or str
         [m/s^2]; default: the scene's.
-    damping_time : float
+    damping_time : float or str
         Damping of the joints over their stiffness [s].
     contacts : {"none", "others", "all"}
         What the segments touch (mjcf).
@@ -328,12 +332,17 @@ def export(
     Returns
     -------
     str
-        What of it the engine cannot take is told as a `SceneWarning` each, and in its comments.
+        What of the scene the engine cannot take, and where numbers come from, its comments say.
     """
     if not isinstance(scene, Scene):
         scene = Scene.from_dict(scene)
-    written, notes = scene.read_by(lambda text, name: _core.export_beam(
-        text, name, to, up, gravity, damping_time, contacts))
-    for note in notes:
-        _warnings.warn(note, SceneWarning, stacklevel=2)
-    return written
+    pull = _number(gravity, "acceleration", "gravity")
+    damping = _number(damping_time, "time", "damping_time")
+    try:
+        return scene.read_by(
+            lambda text, name: _core.export_beam(text, name, to, up, pull, damping, contacts))
+    except InputError as error:
+        # The engine speaks of the command's options.
+        name = {"--gravity": "gravity", "--damping": "damping_time", "--up": "up"}.get(
+            error.field or "", error.field)
+        raise InputError(error.file, error.line, name, error.value, error.rule) from None

@@ -21,7 +21,8 @@ from ._table import Table, table
 __all__ = [{names}]
 
 Number = Union[float, str, None]
-"""A number in SI, a text with a unit, or nothing."""
+"""A number in SI, a text with a unit, or nothing. A strain of 1 and more needs its unit, since it may be
+meant in percent."""
 '''
 
 # The tables, each behind those that it holds; with keys of files that are no fields.
@@ -93,7 +94,7 @@ def write_table(prefix, fields, tables):
     for key in ("section", "material"):
         if prefix == "beam":
             inner[key] = key.capitalize()
-    lines = ["", "", "@table", "@dataclass(slots=True, kw_only=True, eq=False)", f"class {name}(Table):",
+    lines = ["", "", "@table", "@dataclass(slots=True, kw_only=True, eq=False, repr=False)", f"class {name}(Table):",
              f'    """{about}', "", "    Attributes", "    ----------"]
     for key, type_hint, text in entries:
         kind = type_hint.replace(" | None", "").replace("Number", "float or str")

@@ -1,5 +1,6 @@
 """Fits: the same as the command's, of files and of arrays; SciPy finds the same optimum."""
 
+import dataclasses
 import pickle
 import subprocess
 import sys
@@ -67,6 +68,34 @@ class Fits(TestCase):
         self.assertEqual(target["fitted"].shape, target["ordinate"].shape)
         self.assertIn("yield_stress", fit.segments)
         self.assertRefuses(lambda: fit.measured, "through scenes")
+
+    def test_a_beam_test_in_arrays_is_that_of_the_fit_file(self):
+        table = pandas.read_csv(DATA / "targets" / "bend_test.csv")
+        scene = plastica.Scene.from_toml(DATA / "scenes" / "bend_test.toml")
+        test = plastica.BeamTest(
+            scene=scene.changed({"beam.segments": 32}), abscissa=1e-3 * table.iloc[:, 0],
+            ordinate=table.iloc[:, 1], probe="force", against="support[2]", ordinate_factor=-1)
+        parameters = {"youngs_modulus": (50e9, 500e9), "yield_stress": (100e6, 2e9),
+                      "break_strain": (1e-4, "100 %")}
+        ours = plastica.fit_scenes({"bend_test": test}, parameters)[0]
+        theirs = plastica.fit(DATA / "fits" / "bend_test.toml")[0]
+        for name, one in theirs.parameters.items():
+            # 1e-3 x and x mm differ in the last bit.
+            self.assertAlmostEqual(ours.parameters[name].value / one.value, 1.0, delta=1e-6)
+        for change, words in (
+            ({"ordinate": [1.0]}, ("as many",)),
+            ({"probe": "forze"}, ("test.probe", "force")),
+            ({"against": "support[9]"}, ("test.against", "support[9]")),
+            ({"abscissa": [[1.0]]}, ("one row",)),
+        ):
+            wrong = dataclasses.replace(test, **change)
+            error = self.assertRefuses(lambda w=wrong: plastica.fit_scenes(w, parameters), *words)
+            self.assertIsNone(error.file)
+        self.assertRefuses(lambda: plastica.fit_scenes(test, {"yeild_stress": (1e8, 2e9)}),
+                           "yield_stress")
+        self.assertRefuses(lambda: plastica.fit_scenes(test, ["yield_stress"]), "bound")
+        self.assertRefuses(lambda: plastica.fit_scenes({}, parameters), "no test")
+        self.assertRefuses(lambda: plastica.fit_scenes({"a/b": test}, parameters), "slashes")
 
     def test_curves_in_arrays_are_those_of_the_file(self):
         of_file = plastica.fit(str(CURVE))[0]
@@ -197,6 +226,35 @@ class Fits(TestCase):
         ):
             self.assertRefuses(call, *words)
 
+    def test_columns_of_tables_have_units(self):
+        frame = pandas.read_csv(CURVE)
+        self.assertIn("[%]", frame.columns[0])
+        of_file = plastica.fit(str(CURVE))[0]
+        of_table = plastica.fit({of_file.name: frame})[of_file.name]
+        for name, one in of_file.parameters.items():
+            # Bits differ, as 0.01 x and x % do.
+            self.assertAlmostEqual(of_table.parameters[name].value / one.value, 1.0, delta=1e-9)
+        self.assertRefuses(lambda: plastica.fit(frame.rename(columns={
+            frame.columns[1]: "Stress [V]"})), "Stress [V]", "not a unit of stress")
+
+    def test_paths_may_come_one_after_the_other(self):
+        fits = plastica.fit((DATA / "targets").glob("al6061-t651-2*.csv"))
+        self.assertEqual(len(fits), 2)
+        self.assertRefuses(lambda: plastica.fit({"a": str(CURVE)}), "is a path")
+        self.assertRefuses(lambda: plastica.fit(CURVE, columns={"strain": "Dehnung"}),
+                           "columns.strain", "Dehnung")
+
+    def test_the_advised_law_is_there(self):
+        curve = hardening_curve(1e6)
+        fits = plastica.fit(curve, laws=["ideal", "linear"])
+        self.assertEqual(fits.advised, "linear")
+        self.assertIsNone(plastica.fit(curve).advised)
+
+    def test_what_is_not_fitted_has_no_numbers(self):
+        fit = plastica.fit(([0.0, 0.01], [0.0, 1e8]))[0]
+        self.assertTrue(np.isnan(fit.misfit) and np.isnan(fit.misfit_fraction))
+        self.assertFalse(fit.usable)
+
     def test_groups_have_means(self):
         strain, stress = hardening_curve(1e6)
         fits = plastica.fit(
@@ -214,6 +272,7 @@ class Fits(TestCase):
             self.assertEqual(again[0].parameters, fits[0].parameters)
             self.assertSameBits(again[0].fitted[1], fits[0].fitted[1])
         self.assertRefuses(lambda: fits.save(self.folder / "a.h5"), "exists")
+        self.assertEqual(pickle.loads(pickle.dumps(fits[0])).parameters, fits[0].parameters)
 
     def test_notebooks_show_tables_with_names_as_text(self):
         strain, stress = hardening_curve(1e6)
@@ -227,7 +286,7 @@ class Fits(TestCase):
         import matplotlib
         matplotlib.use("Agg")
         axes = plastica.fit(str(CURVE))[0].plot()
-        self.assertEqual(len(axes.get_lines()), 2)
+        self.assertEqual(len(axes.get_lines()), 3)
         self.assertEqual(axes.get_xlabel(), "strain [%]")
 
     def test_threads_change_no_bit(self):

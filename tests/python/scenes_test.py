@@ -90,6 +90,32 @@ class Scenes(TestCase):
         for probe in before.probes:
             self.assertSameBits(before.probes[probe], after.probes[probe])
 
+    def test_a_scene_is_changed_by_paths(self):
+        scene = cantilever(material="S355")
+        other = scene.changed({"beam.segments": 40, "material.yield_stress": 3e8,
+                               "solver.steps": 4, "rules.yield_model": None})
+        self.assertEqual((scene.beam.segments, scene.material), (20, "S355"))
+        self.assertEqual(other.material, plastica.Material(name="S355", yield_stress=3e8))
+        self.assertEqual((other.beam.segments, other.solver.steps), (40, 4))
+        self.assertIsNone(other.rules.yield_model)
+        self.assertRefuses(lambda: scene.changed({"beam.segmants": 4}), "did you mean segments?")
+        kept = plastica.Scene.from_toml(DATA / "scenes" / "recorded_force.toml")
+        self.assertEqual(plastica.simulate(kept.changed({"solver.steps": 5})).samples, 6)
+
+    def test_what_is_not_given_is_not_shown(self):
+        self.assertEqual(repr(plastica.Beam(length=1.0, segments=3)),
+                         "Beam(length=1.0, segments=3)")
+        scene = cantilever(drive=None)
+        self.assertNotIn("None", repr(scene))
+        arrays = plastica.Drive(strain=np.linspace(0.0, 0.1, 3))
+        self.assertEqual(arrays, plastica.Drive(strain=[0.0, 0.05, 0.1]))
+
+    def test_a_changed_scene_s_mistake_names_no_file(self):
+        scene = plastica.Scene.from_toml(DATA / "scenes" / "cantilever.toml")
+        scene.beam.length = -1.0
+        error = self.assertRefuses(lambda: plastica.simulate(scene), "beam.length")
+        self.assertEqual((error.file, error.line), (None, None))
+
     def test_scenes_are_pickled(self):
         scene = pickle.loads(pickle.dumps(cantilever()))
         self.assertEqual(scene, cantilever())

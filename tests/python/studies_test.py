@@ -37,8 +37,15 @@ class Studies(TestCase):
         table = plastica.sweep(scene, {"beam.segments": segments}, probe="tip",
                                against="theory:elastica").to_dataframe()
         self.assertEqual(list(table["beam.segments"]), segments)
+        self.assertEqual(table["beam.segments"].dtype.kind, "i")
         order = -np.polyfit(np.log(segments), np.log(np.abs(table["error"])), 1)[0]
         self.assertAlmostEqual(order, 2.0, delta=0.02)
+
+    def test_groups_have_observed_orders(self):
+        made = plastica.sweep(cantilever(), {"beam.segments": [10, 20, 40]}, probe="tip",
+                              against="finest")
+        self.assertAlmostEqual(made.groups[0]["three_finest"]["order"], 2.0, delta=0.01)
+        self.assertIn("finest", made.to_dataframe()["reason"][2])
 
     def test_axes_have_units_and_words(self):
         scene = cantilever()
@@ -66,6 +73,8 @@ class Studies(TestCase):
             (lambda: plastica.sweep(scene, {"beam.segmnts": [5]}, probe="tip"), ("beam.segmnts",)),
             (lambda: plastica.sweep(scene, {"beam.segments": [5.5]}, probe="tip"), ("5.5",)),
             (lambda: plastica.sweep(scene, {"beam.segments": [5]}, probe="tipp"), ("tipp", "tip")),
+            (lambda: plastica.sweep(scene, {"beam.segments": [5]}, probe="tip",
+                                    against="theory:nonsense"), ("nonsense",)),
             (lambda: plastica.sweep(scene), ("axes",)),
             (lambda: plastica.sweep(self.folder / "none.toml"), ("none.toml",)),
         ):
@@ -82,6 +91,8 @@ class Studies(TestCase):
         fine = cantilever(beam=plastica.Beam(length=1.0, segments=400), loads=scene.loads)
         tips = [plastica.simulate(each).probes["tip"][-1] for each in (advice.scene, fine)]
         self.assertLess(abs(tips[0] / tips[1] - 1.0), 0.01)
+        self.assertEqual(plastica.advise(scene, within="1 %").values, advice.values)
+        self.assertLess(len(repr(advice)), 2000)
         path = self.write(scene)
         said = command("advise", path, "--within", "1 %", "--quiet", "-o", self.folder / "b.toml")
         self.assertIn(f"{int(advice.values['beam.segments'])}", said)
@@ -116,6 +127,10 @@ class Studies(TestCase):
             theirs = (self.folder / f"a.{ending}").read_text()
             self.assertEqual(plastica.export(scene, to), theirs)
         self.assertRefuses(lambda: plastica.export(scene, "mujoco"), "mujoco", "mjcf")
+        self.assertRefuses(lambda: plastica.export(scene, "mjcf", up="w"), "up = w", "must be")
+        self.assertRefuses(lambda: plastica.export(scene, "mjcf", gravity=-1.0), "gravity")
+        self.assertEqual(plastica.export(scene, "mjcf", up="z", gravity="9.81 m/s^2"),
+                         plastica.export(scene, "mjcf", up="z", gravity=9.81))
 
 
 if __name__ == "__main__":
