@@ -3,6 +3,7 @@
 #include <exception>
 
 #include "plastica/base/check.hpp"
+#include "plastica/base/machine_error.hpp"
 #include "python/bindings/bindings.hpp"
 
 namespace py = pybind11;
@@ -33,6 +34,8 @@ void bind_errors(py::module_& core) {
       const py::object raised = type(or_none(where.file), line, or_none(error.field()),
                                      or_none(error.value()), py::str(error.rule()));
       PyErr_SetObject(type.ptr(), raised.ptr());
+    } catch (const MachineError& error) {
+      PyErr_SetString(PyExc_OSError, error.what());
     }
   });
 }

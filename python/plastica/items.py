@@ -75,9 +75,9 @@ class Region(Table):
 
     from_: Place | None = None
     to: Place | None = None
-    section: Section | str | Mapping[str, Any] | None = None
-    to_section: Section | Mapping[str, Any] | None = None
-    material: Material | str | Mapping[str, Any] | None = None
+    section: Section | None = None
+    to_section: Section | None = None
+    material: Material | None = None
 
 
 @table

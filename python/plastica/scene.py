@@ -10,7 +10,7 @@ from typing import Any, Callable, ClassVar, Mapping, TypeVar
 
 from . import _toml
 from ._table import Table, table
-from .errors import InputError, refuse
+from .errors import InputError
 from .fields import Beam, Material, Rules, Section, Solver
 from .items import (
     Cut,
@@ -28,27 +28,14 @@ __all__ = ["Scene"]
 
 T = TypeVar("T")
 
-# Lists of tables: attribute, key of files, type.
-_LISTS: Mapping[str, tuple[str, type[Table]]] = {
-    "regions": ("region", Region),
-    "supports": ("support", Support),
-    "loads": ("load", Load),
-    "masses": ("mass", PointMass),
-    "initial_motions": ("initial_motion", InitialMotion),
-    "cuts": ("cut", Cut),
-    "probes": ("probe", Probe),
-}
-# Keys that are words of Python.
-_RENAMED = {"from": "from_"}
-
-
 @table
 @dataclass(slots=True, kw_only=True, eq=False, repr=False)
 class Scene(Table):
     """All that a simulation needs to know: the same as a scene file.
 
     A scene has a `drive` (a coupon) or `supports` and `loads`. Numbers are in SI; a text may have a
-    unit of its own, ``length="400 mm"``. What is not given is as a file leaves it.
+    unit of its own, ``length="400 mm"``. What is not given is as a file leaves it. Its tables are
+    always there: ``scene.solver.steps = 40``.
 
     Examples
     --------
@@ -66,14 +53,25 @@ class Scene(Table):
         "material": Material, "section": Section, "beam": Beam, "rules": Rules, "solver": Solver,
         "drive": Drive,
     }
+    _always: ClassVar[bool] = True
+    _lists: ClassVar[Mapping[str, tuple[str, type[Table]]]] = {
+        "regions": ("region", Region),
+        "supports": ("support", Support),
+        "loads": ("load", Load),
+        "masses": ("mass", PointMass),
+        "initial_motions": ("initial_motion", InitialMotion),
+        "cuts": ("cut", Cut),
+        "probes": ("probe", Probe),
+    }
+    _hidden: ClassVar[frozenset[str]] = frozenset({"source"})
 
     name: str | None = None
-    material: Material | str | Mapping[str, Any] | None = None
-    section: Section | str | Mapping[str, Any] | None = None
-    beam: Beam | Mapping[str, Any] | None = None
-    rules: Rules | Mapping[str, Any] | None = None
-    solver: Solver | Mapping[str, Any] | None = None
-    drive: Drive | Mapping[str, Any] | None = None
+    material: Material = field(default_factory=Material)
+    section: Section = field(default_factory=Section)
+    beam: Beam = field(default_factory=Beam)
+    rules: Rules = field(default_factory=Rules)
+    solver: Solver = field(default_factory=Solver)
+    drive: Drive = field(default_factory=Drive)
     gravity: Vector | Mapping[str, Any] | None = None
     regions: list[Region] = field(default_factory=list)
     supports: list[Support] = field(default_factory=list)
@@ -84,44 +82,6 @@ class Scene(Table):
     probes: list[Probe] = field(default_factory=list)
     source: Source | None = field(default=None, repr=False, compare=False)
     """The file that it was read from."""
-
-    def to_dict(self) -> dict[str, Any]:
-        """The scene as a dictionary with the keys of files (``"support"``, ``"load"``), in SI."""
-        result: dict[str, Any] = {}
-        for name in self._keys():
-            value = getattr(self, name)
-            if name == "source" or value is None or isinstance(value, list) and not value:
-                continue
-            key = _LISTS[name][0] if name in _LISTS else name
-            result[key] = _files_keys(_as_dicts(value))
-        return result
-
-    @classmethod
-    def from_dict(cls, table: Mapping[str, Any]) -> Scene:
-        """A scene from the keys and values of a file.
-
-        Raises
-        ------
-        InputError
-            For a key that there is not. Values are checked when the scene is run.
-        """
-        if not isinstance(table, Mapping):
-            raise refuse("Scene", table, "must be a dictionary")
-        given: dict[str, Any] = {}
-        names = {key: (name, kind) for name, (key, kind) in _LISTS.items()}
-        for key, value in table.items():
-            if key in names:
-                name, kind = names[key]
-                if not isinstance(value, (list, tuple)):
-                    raise refuse(key, value, "must be a list of tables")
-                given[name] = [_from_item(kind, item) for item in value]
-            elif key not in cls._keys() or key in _LISTS or key == "source":
-                raise cls._refuse(key, value)
-            else:
-                inner = cls._tables.get(key)
-                is_table = inner is not None and isinstance(value, Mapping)
-                given[key] = inner.from_dict(value) if inner and is_table else value
-        return cls(**given)
 
     def to_toml(self) -> str:
         """The scene as the text of a scene file, which the command takes."""
@@ -162,8 +122,6 @@ class Scene(Table):
             table = tree
             for name in tables:
                 inner = table.setdefault(name, {})
-                if not isinstance(inner, dict):  # "S355" stands for a table with a name
-                    inner = table[name] = {"profile" if name == "section" else "name": inner}
                 table = inner
             table[key] = value
         scene = Scene.from_dict(tree)
@@ -201,28 +159,3 @@ class Source:
     path: str
     text: str
     tree: dict[str, Any]
-
-
-def _as_dicts(value: Any) -> Any:
-    if isinstance(value, Table):
-        return value.to_dict()
-    if isinstance(value, list):
-        return [_as_dicts(each) for each in value]
-    return _toml.plain(value)
-
-
-def _files_keys(value: Any) -> Any:
-    if isinstance(value, list):
-        return [_files_keys(each) for each in value]
-    if not isinstance(value, dict):
-        return value
-    renamed = {new: old for old, new in _RENAMED.items()}
-    return {renamed.get(key, key): each for key, each in value.items()}
-
-
-def _from_item(kind: type[Table], item: Any) -> Table:
-    if isinstance(item, kind):
-        return item
-    if not isinstance(item, Mapping):
-        raise refuse(kind.__name__, item, "must be a table")
-    return kind.from_dict({_RENAMED.get(key, key): value for key, value in item.items()})

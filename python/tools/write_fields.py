@@ -36,8 +36,8 @@ TABLES = {
         "profile": ("str | None", 'a rolled profile, "IPE 200", in place of shape and dimensions'),
     }),
     "beam": ("Beam", "The beam's axis and its segments.", {
-        "section": ("Section | str | Mapping[str, Any] | None", "in place of the scene's"),
-        "material": ("Material | str | Mapping[str, Any] | None", "in place of the scene's"),
+        "section": ("Section | None", "in place of the scene's"),
+        "material": ("Material | None", "in place of the scene's"),
         "arc_towards": ("str | Sequence[float] | None", "of an arc: direction of its centre"),
         "points": ("Sequence[Sequence[Number]] | None", "of a polyline [m]"),
         "segment_lengths": ("Sequence[Number] | None",
@@ -50,6 +50,9 @@ TABLES = {
         "control_motion": ("Sequence[Number] | None", "where it is taken [m]"),
     }),
 }
+
+# What a text in place of the table stands for.
+BARE = {"material": "name", "section": "profile"}
 
 
 def hint(field):
@@ -84,8 +87,7 @@ def write_table(prefix, fields, tables):
     for other, (other_name, other_about, _) in TABLES.items():
         if other.startswith(prefix + "."):
             inner[other.rpartition(".")[2]] = other_name
-            entries.append((other.rpartition(".")[2], f"{other_name} | Mapping[str, Any] | None",
-                            other_about))
+            entries.append((other.rpartition(".")[2], other_name, other_about))
     # "plastic_strain_1" and its like have a list, too.
     for key in dict.fromkeys(k.rpartition("_")[0] for k, _, _ in entries if k[-1].isdigit()):
         entries.append((key, "Sequence[Number] | None", f"The numbers {key}_1, {key}_2, … in a row."))
@@ -104,8 +106,15 @@ def write_table(prefix, fields, tables):
     if inner:
         held = ", ".join(f'"{key}": {value}' for key, value in inner.items())
         lines += ["", f"    _tables: ClassVar[Mapping[str, type[Table]]] = {{{held}}}"]
+        if prefix != "beam":
+            lines.append("    _always: ClassVar[bool] = True")
+    if prefix in BARE:
+        lines += ["", f'    _bare: ClassVar[str] = "{BARE[prefix]}"']
     lines.append("")
-    lines += [f"    {key}: {type_hint} = None" for key, type_hint, _ in entries]
+    for key, type_hint, _ in entries:
+        always = key in inner and prefix != "beam"
+        lines.append(f"    {key}: {type_hint} = "
+                     + (f"field(default_factory={type_hint})" if always else "None"))
     tables.append("\n".join(lines))
 
 

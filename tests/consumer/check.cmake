@@ -38,6 +38,14 @@ foreach(file bash-completion/completions/plastica zsh/vendor-completions/_plasti
     message(FATAL_ERROR "the package lacks ${file}")
   endif()
 endforeach()
+if(python)
+  step(${CMAKE_COMMAND} -E env PYTHONPATH=${installed}/lib/python3/dist-packages ${python} -B -c
+    "import plastica; print(plastica.__file__, plastica.fit(([0, 1e-3, 2e-3, 3e-3, 1e-2, 2e-2, 3e-2],
+      [0, 2e8, 3e8, 3e8, 3e8, 3e8, 3e8]))[0].status)")
+  if(NOT text MATCHES "^${installed}/.* [a-z]+\n$")
+    message(FATAL_ERROR "the package's Python is another:\n${text}")
+  endif()
+endif()
 step(${CMAKE_COMMAND} -S ${CMAKE_CURRENT_LIST_DIR} -B ${scratch}/build -G ${generator}
   -DCMAKE_CXX_COMPILER=${compiler} -DCMAKE_PREFIX_PATH=${installed})
 step(${CMAKE_COMMAND} --build ${scratch}/build)

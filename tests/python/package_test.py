@@ -39,7 +39,7 @@ class Package(TestCase):
             table, _, name = field["path"].rpartition(".")
             if table == "gravity":
                 continue  # Scene.gravity has all three
-            self.assertIn(name, tables[table]._keys(), field["path"])
+            self.assertIn(name, tables[table]._attributes(), field["path"])
 
     def test_the_version_is_the_command_s(self):
         self.assertIn(plastica.__version__, command("--version"))

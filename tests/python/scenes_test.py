@@ -84,7 +84,6 @@ class Scenes(TestCase):
     def test_relative_paths_begin_at_the_file(self):
         scene = plastica.Scene.from_toml(DATA / "scenes" / "recorded_force.toml")
         before = plastica.simulate(scene)
-        scene.solver = scene.solver or plastica.Solver()
         scene.name = "another"  # the text is written anew
         after = plastica.simulate(scene)
         for probe in before.probes:
@@ -94,7 +93,7 @@ class Scenes(TestCase):
         scene = cantilever(material="S355")
         other = scene.changed({"beam.segments": 40, "material.yield_stress": 3e8,
                                "solver.steps": 4, "rules.yield_model": None})
-        self.assertEqual((scene.beam.segments, scene.material), (20, "S355"))
+        self.assertEqual((scene.beam.segments, scene.material), (20, plastica.Material(name="S355")))
         self.assertEqual(other.material, plastica.Material(name="S355", yield_stress=3e8))
         self.assertEqual((other.beam.segments, other.solver.steps), (40, 4))
         self.assertIsNone(other.rules.yield_model)
