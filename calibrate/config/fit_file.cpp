@@ -141,12 +141,12 @@ std::vector<const TableSource*> tables_of(const FitFile& file) {
 }
 
 std::vector<io::InputText> input_texts(const FitFile& file) {
-  const std::string name =
-      file.path.empty() ? "command-line.toml" : std::filesystem::path(file.path).filename().string();
+  const std::string name = file.path.empty() ? "command-line.toml"
+                                             : std::filesystem::path(file.path).filename().string();
   std::vector<io::InputText> texts{{name, file.text}};
   for (const TableSource* table : tables_of(file)) {
-    texts.push_back(
-        {std::filesystem::path(table->file).filename().string(), io::table_text(table->file, table->csv)});
+    texts.push_back({std::filesystem::path(table->file).filename().string(),
+                     io::table_text(table->file, table->csv)});
   }
   return texts;
 }

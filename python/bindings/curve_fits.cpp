@@ -115,6 +115,7 @@ Contents run_fits(CurveFits& fits, int threads, const py::object& progress) {
   in_background(
       [&](const Background& background) {
         contents->inputs = calibrate::input_texts(fits.file);
+        if (fits.file.path.empty()) contents->inputs.front().name = "python.toml";
         if (fits.targets.empty()) fits.targets = calibrate::import_all(fits.file, threads);
         const auto cases = calibrate::cases_of(fits.targets.size(), options);
         options.keep_trace = cases.size() <= kTracedFits;

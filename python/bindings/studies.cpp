@@ -95,7 +95,8 @@ py::dict columns_of(const SweepRecord& record) {
   add("reference", [&](std::size_t i) { return compared.reference[i].value_or(kNone); });
   add("error", [&](std::size_t i) { return compared.error[i].value_or(kNone); });
   add("reference_error", [&](std::size_t i) {
-    return i < compared.reference_error.size() ? compared.reference_error[i].value_or(kNone) : kNone;
+    return i < compared.reference_error.size() ? compared.reference_error[i].value_or(kNone)
+                                               : kNone;
   });
   add("segment_iterations", [&](std::size_t i) { return result(i).segment_iterations(); });
   add("cutbacks", [&](std::size_t i) { return result(i).cutbacks; });
@@ -202,8 +203,8 @@ py::tuple check(const std::string& path, int threads, const py::object& progress
 }
 
 std::string export_beam(std::string text, const std::string& name, const std::string& to,
-                      const std::string& up, std::optional<double> gravity,
-                      std::optional<double> damping_time, const std::string& contacts) {
+                        const std::string& up, std::optional<double> gravity,
+                        std::optional<double> damping_time, const std::string& contacts) {
   const io::SceneFile file = io::parse_scene_file(std::move(text), name);
   const auto index_of = [](const std::string& field, const std::string& word, const auto& words) {
     const auto found = std::ranges::find(words, word);
