@@ -69,6 +69,8 @@ pybind11::class_<View> bind_record(pybind11::module_& core, const char* name) {
       .def_property_readonly("parameters",
                              [](const View& view) { return view.outcome().parameters; })
       .def_property_readonly("warnings", [](const View& view) { return view.outcome().warnings; })
+      .def_property_readonly("held_out",
+                             [](const View& view) { return view.outcome().held_out_misfit(); })
       .def_property_readonly("correlation",
                              [](const py::object& self) {
                                const auto& view = self.cast<const View&>();

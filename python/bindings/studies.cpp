@@ -21,7 +21,6 @@
 #include "sweeps/advise/advice.hpp"
 #include "sweeps/advise/advice_json.hpp"
 #include "sweeps/advise/advice_text.hpp"
-#include "sweeps/check/report.hpp"
 #include "sweeps/check/run_check.hpp"
 #include "sweeps/report/json.hpp"
 #include "sweeps/report/text.hpp"
@@ -173,8 +172,8 @@ py::dict advise(std::string text, const std::string& name, double within, double
   return said;
 }
 
-py::tuple check(const std::string& path, int threads, const py::object& progress) {
-  sweeps::CheckedFile checked{sweeps::read_check_file(path, {}), {}, 0.0};
+py::list check(const sweeps::CheckFile& file, int threads, const py::object& progress) {
+  std::vector<sweeps::ClaimVerdict> found;
   in_background(
       [&](const Background& background) {
         sweeps::CheckOptions options;
@@ -183,14 +182,14 @@ py::tuple check(const std::string& path, int threads, const py::object& progress
         options.progress = [&](std::size_t done) {
           background.set_progress(static_cast<double>(done));
         };
-        checked.verdicts = sweeps::run_check(checked.file, options);
+        found = sweeps::run_check(file, options);
       },
       progress);
   py::list verdicts;
-  for (std::size_t i = 0; i < checked.verdicts.size(); ++i) {
-    const sweeps::ClaimVerdict& verdict = checked.verdicts[i];
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    const sweeps::ClaimVerdict& verdict = found[i];
     py::dict one;
-    one["name"] = checked.file.claims[i].name;
+    one["name"] = file.claims[i].name;
     one["holds"] = verdict.holds;
     one["number"] = verdict.number ? py::cast(*verdict.number) : py::none();
     one["found"] = verdict.found;
@@ -199,7 +198,7 @@ py::tuple check(const std::string& path, int threads, const py::object& progress
     one["warnings"] = verdict.warnings;
     verdicts.append(one);
   }
-  return py::make_tuple(verdicts, sweeps::check_report(checked));
+  return verdicts;
 }
 
 std::string export_beam(std::string text, const std::string& name, const std::string& to,
@@ -271,7 +270,12 @@ void bind_studies(py::module_& core) {
   core.def("advise", &advise, py::arg("text"), py::arg("name"), py::arg("within"),
            py::arg("budget"), py::arg("probes"), py::arg("max_runs"), py::arg("max_work"),
            py::arg("threads"), py::arg("progress"));
-  core.def("check", &check, py::arg("path"), py::arg("threads"), py::arg("progress"));
+  py::class_<sweeps::CheckFile>(core, "CheckFile")
+      .def(py::init([](const std::string& path) { return sweeps::read_check_file(path, {}); }),
+           py::arg("path"))
+      .def_property_readonly("cases", &sweeps::cases_of)
+      .def_readonly("notes", &sweeps::CheckFile::notes)
+      .def("run", &check, py::arg("threads"), py::arg("progress"));
   core.def("export_beam", &export_beam, py::arg("text"), py::arg("name"), py::arg("to"),
            py::arg("up"), py::arg("gravity"), py::arg("damping_time"), py::arg("contacts"));
 }

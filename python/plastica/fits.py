@@ -110,6 +110,12 @@ class Fit:
         return self._record.warnings
 
     @property
+    def held_out(self) -> float:
+        """Where laws are compared: what fits without one part of the curves leave of that part, root
+        mean square over the largest value [1]; else NaN."""
+        return self._record.held_out
+
+    @property
     def correlation(self) -> pandas.DataFrame:
         """Of the parameters that were searched."""
         import pandas

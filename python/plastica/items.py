@@ -5,8 +5,9 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Any, ClassVar, Mapping, Sequence, Union
 
+
 from ._table import Table, table
-from .fields import Material, Number, Section
+from .fields import Material, Number, Numbers, Section
 
 __all__ = [
     "Cut", "Drive", "InitialMotion", "Load", "PointMass", "Probe", "Region", "Support", "Vector",
@@ -15,7 +16,7 @@ __all__ = [
 
 Place = Union[str, float, Mapping[str, int]]
 """``"start"``, ``"end"``, a fraction of the length, or ``{"segment": 3}``: that one's outer end."""
-Vector = Sequence[Number]
+Vector = Numbers
 """Numbers along, or about, x, y and z."""
 Direction = Union[str, Sequence[float]]
 """``"x"``, ``"-y"``, or a vector."""
@@ -51,7 +52,7 @@ class Drive(Table):
     """
 
     deformation: str | None = None
-    strain: Sequence[Number] | Mapping[str, Any] | None = None
+    strain: Vector | Mapping[str, Any] | None = None
 
 
 @table

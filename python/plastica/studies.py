@@ -301,7 +301,10 @@ def check(path: str | PathLike[str], *, threads: int = 0, progress: Progress = N
     InputError
         For a bad file. A claim that does not hold is no error: see `Claim.holds`.
     """
-    verdicts, _ = _core.check(fspath(path), _thread_count(threads), reporter(progress, "check", 0.0))
+    file = _core.CheckFile(fspath(path))
+    for note in file.notes:
+        _warnings.warn(note, SceneWarning, stacklevel=2)
+    verdicts = file.run(_thread_count(threads), reporter(progress, "check", file.cases))
     return [Claim(**verdict) for verdict in verdicts]
 
 

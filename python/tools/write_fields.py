@@ -16,6 +16,9 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 from typing import Any, ClassVar, Literal, Mapping, Sequence, Union
 
+import numpy as np
+import numpy.typing as npt
+
 from ._table import Table, table
 
 __all__ = [{names}]
@@ -23,6 +26,8 @@ __all__ = [{names}]
 Number = Union[float, str, None]
 """A number in SI, a text with a unit, or nothing. A strain of 1 and more needs its unit, since it may be
 meant in percent."""
+Numbers = Union[Sequence[Number], npt.NDArray[np.floating[Any]]]
+"""Several of them."""
 '''
 
 # The tables, each behind those that it holds; with keys of files that are no fields.
@@ -38,16 +43,16 @@ TABLES = {
     "beam": ("Beam", "The beam's axis and its segments.", {
         "section": ("Section | None", "in place of the scene's"),
         "material": ("Material | None", "in place of the scene's"),
-        "arc_towards": ("str | Sequence[float] | None", "of an arc: direction of its centre"),
-        "points": ("Sequence[Sequence[Number]] | None", "of a polyline [m]"),
-        "segment_lengths": ("Sequence[Number] | None",
+        "arc_towards": ("str | Numbers | None", "of an arc: direction of its centre"),
+        "points": ("Sequence[Numbers] | npt.NDArray[np.floating[Any]] | None", "of a polyline [m]"),
+        "segment_lengths": ("Numbers | None",
                             'texts with a unit, or fractions of the length [1]'),
-        "joint_lengths": ("Sequence[Number] | None", "length that each joint stands for [m]"),
+        "joint_lengths": ("Numbers | None", "length that each joint stands for [m]"),
     }),
     "rules": ("Rules", "By which rules a chain stands for the beam.", {}),
     "solver": ("Solver", "How the scene is solved.", {
         "control_at": ("str | float | Mapping[str, int] | None", "the point that is watched"),
-        "control_motion": ("Sequence[Number] | None", "where it is taken [m]"),
+        "control_motion": ("Numbers | None", "where it is taken [m]"),
     }),
 }
 
@@ -90,7 +95,7 @@ def write_table(prefix, fields, tables):
             entries.append((other.rpartition(".")[2], other_name, other_about))
     # "plastic_strain_1" and its like have a list, too.
     for key in dict.fromkeys(k.rpartition("_")[0] for k, _, _ in entries if k[-1].isdigit()):
-        entries.append((key, "Sequence[Number] | None", f"The numbers {key}_1, {key}_2, … in a row."))
+        entries.append((key, "Numbers | None", f"The numbers {key}_1, {key}_2, … in a row."))
     for key, (type_hint, text) in further.items():
         entries.append((key, type_hint, text[0].upper() + text[1:] + "."))
     for key in ("section", "material"):
@@ -128,7 +133,7 @@ def main():
     for prefix in TABLES:
         write_table(prefix, fields, tables)
     names = ", ".join(f'"{name}"' for name, _, _ in TABLES.values())
-    Path(out).write_text(HEAD.replace("{names}", f'{names}, "Number"') + "".join(tables) + "\n")
+    Path(out).write_text(HEAD.replace("{names}", f'{names}, "Number", "Numbers"') + "".join(tables) + "\n")
 
 
 if __name__ == "__main__":

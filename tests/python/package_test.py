@@ -2,6 +2,8 @@
 
 import ast
 import inspect
+import json
+import os
 import pathlib
 import subprocess
 import sys
@@ -51,6 +53,18 @@ class Package(TestCase):
             [sys.executable, "-m", "mypy", "--config-file", ROOT / "pyproject.toml", "-p", "plastica",
              "--cache-dir", self.folder], capture_output=True, text=True,
             cwd=f"{plastica.__path__[0]}/..")
+        self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+
+    def test_types_are_strict_in_the_notebooks_too(self):
+        for path in sorted((ROOT / "python" / "notebooks").glob("*.ipynb")):
+            cells = json.loads(path.read_text())["cells"]
+            code = ["".join(cell["source"]) for cell in cells if cell["cell_type"] == "code"]
+            (self.folder / f"{path.stem}.py").write_text("\n\n".join(code) + "\n")
+        done = subprocess.run(
+            [sys.executable, "-m", "mypy", "--config-file", ROOT / "pyproject.toml",
+             "--cache-dir", self.folder / "cache", *sorted(self.folder.glob("*.py"))],
+            capture_output=True, text=True,
+            env={**os.environ, "MYPYPATH": str(pathlib.Path(plastica.__path__[0]).parent)})
         self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
 
     def test_the_stub_has_what_the_module_has(self):
