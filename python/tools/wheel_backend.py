@@ -12,6 +12,7 @@ import shutil
 import subprocess
 import sys
 import sysconfig
+import tempfile
 import tomllib
 import zipfile
 from pathlib import Path
@@ -69,23 +70,38 @@ def stripped(path):
     """The bytes of an extension without symbols for a debugger, where the machine can take them off."""
     if path.suffix != ".so" or not shutil.which("strip"):
         return path.read_bytes()
-    copy = BUILD / f"stripped-{path.name}"
-    subprocess.run(["strip", "--strip-unneeded", "-o", copy, path], check=True)
-    return copy.read_bytes()
+    with tempfile.TemporaryDirectory() as folder:
+        copy = Path(folder) / path.name
+        subprocess.run(["strip", "--strip-unneeded", "-o", copy, path], check=True)
+        return copy.read_bytes()
+
+
+def info_files():
+    """What stands beside the package in a wheel, by path: but for the list of all files."""
+    info = f"plastica-{version()}.dist-info"
+    wheel = (f"Wheel-Version: 1.0\nGenerator: plastica\nRoot-Is-Purelib: false\nTag: {tag()}\n")
+    return info, {f"{info}/METADATA": metadata().encode(), f"{info}/WHEEL": wheel.encode(),
+                  f"{info}/LICENSE": (ROOT / "LICENSE").read_bytes()}
+
+
+def prepare_metadata_for_build_wheel(metadata_directory, config_settings=None):
+    """Else pip would build a wheel to read it."""
+    info, files = info_files()
+    for path, content in files.items():
+        target = Path(metadata_directory) / path
+        target.parent.mkdir(parents=True, exist_ok=True)
+        target.write_bytes(content)
+    return info
 
 
 def build_wheel(wheel_directory, config_settings=None, metadata_directory=None):
     package = build_package()
-    name = f"plastica-{version()}"
+    info, beside = info_files()
     files = {f"plastica/{path.name}": stripped(path) for path in sorted(package.iterdir())
-             if path.suffix in (".py", ".pyi", ".so", ".typed") or path.name == "py.typed"}
-    info = f"{name}.dist-info"
-    files[f"{info}/METADATA"] = metadata().encode()
-    files[f"{info}/WHEEL"] = (f"Wheel-Version: 1.0\nGenerator: plastica\nRoot-Is-Purelib: false\n"
-                              f"Tag: {tag()}\n").encode()
-    files[f"{info}/LICENSE"] = (ROOT / "LICENSE").read_bytes()
+             if path.suffix in (".py", ".pyi", ".so", ".typed")}
+    files.update(beside)
     record = "".join(record_line(*each) for each in files.items()) + f"{info}/RECORD,,\n"
-    wheel = f"{name}-{tag()}.whl"
+    wheel = f"plastica-{version()}-{tag()}.whl"
     with zipfile.ZipFile(Path(wheel_directory) / wheel, "w", zipfile.ZIP_DEFLATED) as archive:
         for path, content in files.items():
             archive.writestr(path, content)

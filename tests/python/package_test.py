@@ -1,6 +1,9 @@
 """The package as such: documented, typed, quick to import."""
 
 import ast
+import base64
+import csv
+import hashlib
 import inspect
 import json
 import os
@@ -9,10 +12,14 @@ import subprocess
 import sys
 import tomllib
 import unittest
+import zipfile
 
 import plastica
 from plastica import _core
 from support import ROOT, TestCase, command
+
+sys.path.insert(0, str(ROOT / "python" / "tools"))
+import wheel_backend  # noqa: E402
 
 
 def public():
@@ -90,9 +97,25 @@ class Package(TestCase):
         done = subprocess.run([sys.executable, "-B", "-c", text], capture_output=True, text=True)
         self.assertEqual(done.stdout, "[]\n", done.stderr)
 
+    def test_a_wheel_holds_the_package_and_is_as_it_says(self):
+        wheel_backend.build_package = lambda: pathlib.Path(plastica.__path__[0])
+        name = wheel_backend.build_wheel(self.folder)
+        place = self.folder / "site"
+        with zipfile.ZipFile(self.folder / name) as wheel:
+            wheel.extractall(place)
+            info = f"plastica-{plastica.__version__}.dist-info"
+            rows = list(csv.reader(wheel.read(f"{info}/RECORD").decode().splitlines()))
+            self.assertEqual({row[0] for row in rows}, set(wheel.namelist()))
+            for path, digest, size in rows[:-1]:
+                content = wheel.read(path)
+                sha = base64.urlsafe_b64encode(hashlib.sha256(content).digest()).decode()
+                self.assertEqual((digest, int(size)), (f"sha256={sha.rstrip('=')}", len(content)))
+        text = "import plastica; print(plastica.__file__, plastica.simulate)"
+        done = subprocess.run([sys.executable, "-B", "-c", text], capture_output=True, text=True,
+                              env={**os.environ, "PYTHONPATH": str(place)})
+        self.assertTrue(done.stdout.startswith(str(place)), done.stderr)
+
     def test_the_wheel_s_metadata_are_the_project_s(self):
-        sys.path.insert(0, str(ROOT / "python" / "tools"))
-        import wheel_backend
         project = tomllib.loads((ROOT / "pyproject.toml").read_text())["project"]
         self.assertEqual(wheel_backend.version(), plastica.__version__)
         self.assertIn(f"Name: {project['name']}\nVersion: {plastica.__version__}\n",
