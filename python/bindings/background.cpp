@@ -75,7 +75,7 @@ void in_background(const std::function<void(const Background&)>& work, const py:
           last = now;
         }
       } catch (py::error_already_set& error) {
-        raised.emplace(std::move(error));
+        raised.emplace(error);
         worker.stop();
       }
     }

@@ -1,6 +1,7 @@
 #include <pybind11/pybind11.h>
 
 #include <exception>
+#include <utility>
 
 #include "plastica/base/check.hpp"
 #include "plastica/base/machine_error.hpp"
@@ -26,7 +27,7 @@ void bind_errors(py::module_& core) {
   static PyObject* const module = core.ptr();
   py::register_exception_translator([](std::exception_ptr thrown) {
     try {
-      if (thrown) std::rethrow_exception(thrown);
+      if (thrown) std::rethrow_exception(std::move(thrown));
     } catch (const InputError& error) {
       const auto type = py::handle(module).attr("_InputError");
       const auto& where = error.where();

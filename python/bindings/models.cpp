@@ -126,12 +126,12 @@ class BatchColumns {
   BatchColumns(const PreparedScene& scene, std::size_t cases)
       : samples_(sample_count(scene)),
         probes_(scene.file.setup.scene.probes.size()),
-        status_({size(cases)}),
-        valid_({size(cases)}),
-        iterations_({size(cases)}),
-        permanent_({size(cases)}),
-        balance_({size(cases)}),
-        seconds_({size(cases)}),
+        status_(size(cases)),
+        valid_(size(cases)),
+        iterations_(size(cases)),
+        permanent_(size(cases)),
+        balance_(size(cases)),
+        seconds_(size(cases)),
         values_({size(probes_), size(cases), size(samples_)}) {
     status_out_ = status_.mutable_data();
     valid_out_ = valid_.mutable_data();
