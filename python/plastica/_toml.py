@@ -22,7 +22,6 @@ _OF_HISTORY = {"time": "s", "smooth_step": "s", "period": "s", "phase": "rad"}
 _FURTHER = {
     "beam.joint_lengths": "m",
     "beam.points": "m",
-    "solver.control_motion": "m",
     "gravity": "m/s^2",
     "gravity.acceleration": "m/s^2",
     "cut.time": "s",
