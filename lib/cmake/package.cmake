@@ -16,10 +16,15 @@ set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "gnuplot-nox")
-if(PLASTICA_PYTHON)
-  string(APPEND CPACK_DEBIAN_PACKAGE_RECOMMENDS ", python3-numpy, python3-pandas")
-endif()
 set(CPACK_DEBIAN_PACKAGE_SUGGESTS "libhdf5-dev, libnlopt-dev, libeigen3-dev, libdeflate-dev")
+if(PLASTICA_PYTHON)
+  # The extension is of one version of Python.
+  set(minor ${PLASTICA_PYTHON_MINOR})
+  math(EXPR next "${minor} + 1")
+  string(APPEND CPACK_DEBIAN_PACKAGE_RECOMMENDS
+    ", python3 (>= 3.${minor}), python3 (<< 3.${next}), python3-numpy")
+  string(APPEND CPACK_DEBIAN_PACKAGE_SUGGESTS ", python3-pandas, python3-matplotlib")
+endif()
 
 set(doc ${CMAKE_INSTALL_DATAROOTDIR}/doc/plastica)
 install(FILES ${PROJECT_SOURCE_DIR}/README.md ${PROJECT_SOURCE_DIR}/CITATION.cff DESTINATION ${doc})

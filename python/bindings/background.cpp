@@ -77,6 +77,9 @@ void in_background(const std::function<void(const Background&)>& work, const py:
       } catch (py::error_already_set& error) {
         raised.emplace(error);
         worker.stop();
+      } catch (...) {
+        worker.stop();
+        throw;
       }
     }
     try {

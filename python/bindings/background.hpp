@@ -4,6 +4,8 @@
 
 #include <cstddef>
 #include <functional>
+#include <optional>
+#include <utility>
 
 #include "plastica/base/stop_flag.hpp"
 
@@ -23,5 +25,14 @@ struct Background {
 /// @throws what the work throws; KeyboardInterrupt, or what `progress` raised, once it has ended
 void in_background(const std::function<void(const Background&)>& work,
                    const pybind11::object& progress);
+
+/// The same of work that says nothing: what uses OpenMP must not do so in the caller's thread,
+/// whose threads a forked process would wait for.
+template <class Work>
+auto in_background(const Work& work) {
+  std::optional<decltype(work())> made;
+  in_background([&](const Background&) { made.emplace(work()); }, pybind11::none());
+  return std::move(*made);
+}
 
 }  // namespace plastica::python

@@ -20,10 +20,12 @@
 #include "calibrate/store/journaled_batch.hpp"
 #include "calibrate/target/make.hpp"
 #include "calibrate/target/plausibility.hpp"
+#include "plastica/base/parallel_for.hpp"
 #include "python/bindings/background.hpp"
 #include "python/bindings/bindings.hpp"
 #include "python/bindings/fit_records.hpp"
 #include "python/bindings/problems.hpp"
+#include "python/bindings/result_files.hpp"
 
 namespace py = pybind11;
 
@@ -64,6 +66,7 @@ CurveFits of_curves(std::string text, const std::vector<GivenCurve>& curves, boo
   options.measure = block.source.measure;
   if (block.source.loading) options.loading = block.source.loading;
   options.accept = options.accept || accept;
+  std::vector<calibrate::Curve> given;
   for (const auto& [name, strain, stress, group] : curves) {
     calibrate::Curve curve{values_of(strain, name, "strain"), values_of(stress, name, "stress")};
     if (curve.strain.size() != curve.stress.size()) {
@@ -73,10 +76,18 @@ CurveFits of_curves(std::string text, const std::vector<GivenCurve>& curves, boo
                            " stresses: must be as many of both");
     }
     if (curve.strain.empty()) throw InputError({}, name, "", "has no samples");
-    fits.targets.push_back(calibrate::make_target(name, std::move(curve), options));
-    fits.targets.back().group = group;
+    given.push_back(std::move(curve));
   }
-  calibrate::check_groups(fits.targets, options);
+  fits.targets.resize(given.size());
+  in_background([&] {
+    parallel_for(given.size(), {}, [&](std::size_t i, int) {
+      fits.targets[i] =
+          calibrate::make_target(std::get<0>(curves[i]), std::move(given[i]), options);
+      fits.targets[i].group = std::get<3>(curves[i]);
+    });
+    calibrate::check_groups(fits.targets, options);
+    return true;
+  });
   return fits;
 }
 
@@ -97,7 +108,7 @@ CurveFits of_bare_files(const std::vector<std::string>& files,
   }
   bare.group = group;
   bare.says = std::move(says);
-  CurveFits fits{calibrate::fit_of_bare_files(bare), {}};
+  CurveFits fits{in_background([&] { return calibrate::fit_of_bare_files(bare); }), {}};
   for (calibrate::TargetBlock& block : fits.file.targets) block.options.accept |= accept;
   return fits;
 }
@@ -143,7 +154,9 @@ Contents run_fits(CurveFits& fits, int threads, const py::object& progress) {
 
 /// The cost of the one fit as a function.
 py::object problem_of(CurveFits& fits) {
-  if (fits.targets.empty()) fits.targets = calibrate::import_all(fits.file);
+  if (fits.targets.empty()) {
+    fits.targets = in_background([&] { return calibrate::import_all(fits.file); });
+  }
   if (fits.targets.size() != 1) {
     throw InputError({}, "curves", std::to_string(fits.targets.size()), "must be one specimen");
   }
@@ -268,18 +281,13 @@ void bind_curve_fits(py::module_& core) {
            })
       .def("set_intervals",
            [](CurveFits& fits, bool profile, int bootstrap, int block, int specimens) {
-             auto& intervals = fits.file.options.intervals;
-             intervals = {intervals.profile || profile,
-                          bootstrap > 0 ? bootstrap : intervals.bootstrap,
-                          block > 1 ? block : intervals.block,
-                          specimens > 0 ? specimens : intervals.specimens};
-             calibrate::check_intervals(intervals);
+             set_intervals(profile, bootstrap, block, specimens, fits.file.options.intervals);
            })
       .def_property_readonly("notes", [](const CurveFits& fits) { return fits.file.notes; })
       .def("problem", &problem_of)
       .def("run", &run_fits, py::arg("threads"), py::arg("progress"));
-  py::class_<FitStoreContents, Contents>(core, "CurveFitContents")
-      .def("__len__", [](const FitStoreContents& contents) { return contents.records.size(); })
+  auto type = py::class_<FitStoreContents, Contents>(core, "CurveFitContents");
+  type.def("__len__", [](const FitStoreContents& contents) { return contents.records.size(); })
       .def("record",
            [](const Contents& contents, std::size_t index) {
              return CurveFitView{contents, index};
@@ -290,26 +298,21 @@ void bind_curve_fits(py::module_& core) {
       .def_property_readonly(
           "inputs", [](const FitStoreContents& contents) { return texts_of(contents.inputs); })
       .def_property_readonly("advised", &advised_law<FitStoreContents>)
-      .def("report", &report_of, py::arg("all"))
-      .def("json",
-           [](const FitStoreContents& contents) {
-             const calibrate::FitOptions& fit = contents.options;
-             return calibrate::json_summary(contents.records, 2,
-                                            {fit.intervals.specimens, fit.seed, fit.confidence});
-           })
+      .def("report", &report_of, py::arg("all"), py::call_guard<py::gil_scoped_release>())
       .def(
-          "write",
-          [](const FitStoreContents& contents, const std::string& path, bool overwrite) {
-            io::check_output_path(path, overwrite);
-            calibrate::write_fit_store(path, contents, io::overwrite_if(overwrite));
+          "json",
+          [](const FitStoreContents& contents) {
+            const calibrate::FitOptions& fit = contents.options;
+            return calibrate::json_summary(contents.records, 2,
+                                           {fit.intervals.specimens, fit.seed, fit.confidence});
           },
-          py::arg("path"), py::arg("overwrite"), py::call_guard<py::gil_scoped_release>());
-  core.def(
-      "read_curve_fits",
-      [](const std::string& path) {
-        return std::make_shared<FitStoreContents>(calibrate::read_fit_store(path));
-      },
-      py::arg("path"), py::call_guard<py::gil_scoped_release>());
+          py::call_guard<py::gil_scoped_release>());
+  bind_files<FitStoreContents>(
+      core, type, "read_curve_fits",
+      [](const std::string& path) { return calibrate::read_fit_store(path); },
+      [](const std::string& path, const FitStoreContents& contents, io::Overwrite overwrite) {
+        calibrate::write_fit_store(path, contents, overwrite);
+      });
 }
 
 }  // namespace plastica::python

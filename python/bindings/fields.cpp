@@ -6,6 +6,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "plastica/base/renamed.hpp"
 #include "plastica/io/units.hpp"
 #include "plastica/model/item_field.hpp"
 #include "plastica/model/support_kind.hpp"
@@ -70,6 +71,11 @@ void bind_fields(py::module_& core) {
         return py::make_tuple(conversion.scale, conversion.offset);
       },
       py::arg("unit"), py::arg("dimension"), py::arg("field"));
+  core.def("renamed_keys", [] {
+    py::dict now;
+    for (const Renamed& one : kRenamedWords) now[py::str(std::string(one.before))] = one.now;
+    return now;
+  });
   core.def("item_units", [] {
     py::dict units;
     units["support"] = units_of(support_fields());

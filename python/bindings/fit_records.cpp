@@ -43,10 +43,13 @@ py::object bootstrap_of(const calibrate::FitOutcome& outcome,
   return said;
 }
 
-py::dict texts_of(const std::vector<io::InputText>& inputs) {
-  py::dict texts;
-  for (const io::InputText& input : inputs) texts[py::str(input.name)] = input.text;
-  return texts;
+void set_intervals(bool profile, int bootstrap, int block, int specimens,
+                   calibrate::IntervalOptions& intervals) {
+  intervals.profile = intervals.profile || profile;
+  if (bootstrap != 0) intervals.bootstrap = bootstrap;
+  if (block != 1) intervals.block = block;
+  if (specimens != 0) intervals.specimens = specimens;
+  calibrate::check_intervals(intervals);
 }
 
 }  // namespace plastica::python

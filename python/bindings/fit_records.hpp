@@ -43,8 +43,10 @@ pybind11::dict profiles_of(const calibrate::FitOutcome& outcome, pybind11::handl
 /// where there is none.
 pybind11::object bootstrap_of(const calibrate::FitOutcome& outcome,
                               const calibrate::BootstrapResult& bootstrap, pybind11::handle owner);
-/// The texts that a result depends on, by their files' names.
-pybind11::dict texts_of(const std::vector<io::InputText>& inputs);
+/// Adds intervals to those that a file asks for. @throws InputError for numbers that no fit can
+/// have
+void set_intervals(bool profile, int bootstrap, int block, int specimens,
+                   calibrate::IntervalOptions& intervals);
 
 /// The law that is advised over all records; None where none is, or none are compared.
 template <class Contents>

@@ -24,6 +24,7 @@
 #include "python/bindings/background.hpp"
 #include "python/bindings/bindings.hpp"
 #include "python/bindings/response_view.hpp"
+#include "python/bindings/result_files.hpp"
 
 namespace py = pybind11;
 
@@ -34,12 +35,17 @@ using Values = py::array_t<double, py::array::c_style | py::array::forcecast>;
 using Record = std::shared_ptr<io::SceneRecord>;
 using SharedModel = std::shared_ptr<const Model>;
 
+std::vector<std::string> names_of(const std::vector<Probe>& probes) {
+  std::vector<std::string> names;
+  names.reserve(probes.size());
+  for (const Probe& probe : probes) names.push_back(probe.name);
+  return names;
+}
+
 ResponseView view_of_record(const Record& record) {
   const Scene& scene = record->setup.scene;
-  std::vector<std::string> names;
-  for (const Probe& probe : scene.probes) names.push_back(probe.name);
   // A response lives as long as its record.
-  return {{record, &record->response}, std::move(names), scene.drive.strain};
+  return {{record, &record->response}, names_of(scene.probes), scene.drive.strain};
 }
 
 /// A model with what a run of it is told besides.
@@ -47,11 +53,7 @@ struct PreparedScene {
   io::SceneFile file;
   SharedModel model;
 
-  std::vector<std::string> probe_names() const {
-    std::vector<std::string> names;
-    for (const Probe& probe : file.setup.scene.probes) names.push_back(probe.name);
-    return names;
-  }
+  std::vector<std::string> probe_names() const { return names_of(file.setup.scene.probes); }
   /// When a run ends [s], where its time is not that of loads alone; 0 of others.
   double duration() const { return is_motion(*model) ? model->chain->stops.back() : 0.0; }
 };
@@ -117,6 +119,7 @@ ResponseView run_prepared(const PreparedScene& scene, const Values& values,
     Workspace workspace = make_workspace(*scene.model);
     run(*scene.model, numbers, workspace, *response);
   }
+  io::keep_valid_samples(*response);
   return {std::move(response), scene.probe_names(), scene.model->drive};
 }
 
@@ -289,35 +292,28 @@ void bind_models(py::module_& core) {
       .def("run_batch", &run_prepared_batch, py::arg("values"), py::arg("threads"),
            py::arg("progress"))
       .def("differentiate", &differentiate, py::arg("values"));
-  py::class_<io::SceneRecord, Record>(core, "SceneRecord")
-      .def_property_readonly("response", &view_of_record)
+  auto type = py::class_<io::SceneRecord, Record>(core, "SceneRecord");
+  type.def_property_readonly("response", &view_of_record)
       .def_property_readonly("name",
                              [](const io::SceneRecord& record) { return record.setup.scene.name; })
       .def_readonly("level_reason", &io::SceneRecord::level_reason)
       .def_readonly("warnings", &io::SceneRecord::warnings)
       .def_property_readonly("inputs",
-                             [](const io::SceneRecord& record) {
-                               py::dict texts;
-                               for (const io::InputText& input : record.inputs) {
-                                 texts[py::str(input.name)] = input.text;
-                               }
-                               return texts;
-                             })
+                             [](const io::SceneRecord& record) { return texts_of(record.inputs); })
       .def("report", [](const io::SceneRecord& record) { return report::scene_report(record); })
-      .def("json", [](const io::SceneRecord& record) { return report::scene_json(record); })
-      .def(
-          "write",
-          [](const io::SceneRecord& record, const std::string& path, bool overwrite) {
-            io::check_output_path(path, overwrite);
-            io::write_scene_store(path, record, io::overwrite_if(overwrite));
-          },
-          py::arg("path"), py::arg("overwrite"), py::call_guard<py::gil_scoped_release>());
+      .def("json", [](const io::SceneRecord& record) { return report::scene_json(record); });
+  bind_files<io::SceneRecord>(
+      core, type, "read_scene", [](const std::string& path) { return io::read_scene_store(path); },
+      [](const std::string& path, const io::SceneRecord& record, io::Overwrite overwrite) {
+        io::write_scene_store(path, record, overwrite);
+      });
   core.def(
-      "read_scene",
+      "read_scene_file",
       [](const std::string& path) {
-        return std::make_shared<io::SceneRecord>(io::read_scene_store(path));
+        const io::SceneFile file = io::read_scene_file(path);
+        return py::make_tuple(file.text, file.notes);
       },
-      py::arg("path"), py::call_guard<py::gil_scoped_release>());
+      py::arg("path"));
   core.def("schema_of", &io::schema_of, py::arg("path"));
 }
 

@@ -122,7 +122,17 @@ void bind_events(py::module_& core) {
       .def_readonly("strain", &BreakEvent::strain)
       .def_readonly("stress", &BreakEvent::stress)
       .def_readonly("permanent_strain", &BreakEvent::permanent_strain)
-      .def_readonly("dissipation", &BreakEvent::dissipation);
+      .def_readonly("dissipation", &BreakEvent::dissipation)
+      .def(py::pickle(
+          [](const BreakEvent& event) {
+            return py::make_tuple(event.sample, event.strain, event.stress, event.permanent_strain,
+                                  event.dissipation);
+          },
+          [](const py::tuple& state) {
+            return BreakEvent{state[0].cast<std::size_t>(), state[1].cast<double>(),
+                              state[2].cast<double>(), state[3].cast<double>(),
+                              state[4].cast<double>()};
+          }));
   py::class_<BrokenJoint>(core, "BrokenJoint")
       .def_readonly("joint", &BrokenJoint::joint)
       .def_property_readonly("cause",
@@ -134,19 +144,49 @@ void bind_events(py::module_& core) {
       .def_readonly("limit", &BrokenJoint::limit)
       .def_readonly("moment", &BrokenJoint::moment)
       .def_readonly("angle", &BrokenJoint::angle)
-      .def_readonly("dissipation", &BrokenJoint::dissipation);
+      .def_readonly("dissipation", &BrokenJoint::dissipation)
+      .def(py::pickle(
+          [](const BrokenJoint& joint) {
+            return py::make_tuple(joint.joint, static_cast<int>(joint.cause), joint.cut,
+                                  joint.strain, joint.limit, joint.moment, joint.angle,
+                                  joint.dissipation);
+          },
+          [](const py::tuple& state) {
+            return BrokenJoint{state[0].cast<int>(),
+                               static_cast<BreakCause>(state[1].cast<int>()),
+                               state[2].cast<bool>(),
+                               state[3].cast<double>(),
+                               state[4].cast<double>(),
+                               state[5].cast<std::array<double, 3>>(),
+                               state[6].cast<std::array<double, 3>>(),
+                               state[7].cast<double>()};
+          }));
+  using Fragments = std::vector<std::pair<int, int>>;
+  const auto fragments_of = [](const ChainBreak& event) {
+    Fragments fragments;
+    fragments.reserve(event.fragments.size());
+    for (const Fragment& one : event.fragments) fragments.emplace_back(one.first, one.last);
+    return fragments;
+  };
   py::class_<ChainBreak>(core, "ChainBreak")
       .def_readonly("time", &ChainBreak::time)
       .def_readonly("factor", &ChainBreak::factor)
       .def_readonly("joints", &ChainBreak::joints)
-      .def_property_readonly("fragments", [](const ChainBreak& event) {
-        std::vector<std::pair<int, int>> fragments;
-        fragments.reserve(event.fragments.size());
-        for (const Fragment& fragment : event.fragments) {
-          fragments.emplace_back(fragment.first, fragment.last);
-        }
-        return fragments;
-      });
+      .def_property_readonly("fragments", fragments_of)
+      .def(py::pickle(
+          [fragments_of](const ChainBreak& event) {
+            return py::make_tuple(event.time, event.factor, event.joints, fragments_of(event));
+          },
+          [](const py::tuple& state) {
+            ChainBreak event{state[0].cast<double>(),
+                             state[1].cast<double>(),
+                             state[2].cast<std::vector<BrokenJoint>>(),
+                             {}};
+            for (const auto& [first, last] : state[3].cast<Fragments>()) {
+              event.fragments.push_back({first, last});
+            }
+            return event;
+          }));
 }
 
 }  // namespace

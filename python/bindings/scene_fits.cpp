@@ -19,6 +19,7 @@
 #include "python/bindings/background.hpp"
 #include "python/bindings/bindings.hpp"
 #include "python/bindings/fit_records.hpp"
+#include "python/bindings/result_files.hpp"
 
 namespace py = pybind11;
 
@@ -154,7 +155,9 @@ void bind_scene_fits(py::module_& core) {
         return calibrate::scene_fit_report(view.record(), report_options(*view.contents));
       });
   py::class_<SceneFitFile>(core, "SceneFits")
-      .def(py::init([](const std::string& path) { return calibrate::read_scene_fit_file(path); }),
+      .def(py::init([](const std::string& path) {
+             return in_background([&] { return calibrate::read_scene_fit_file(path); });
+           }),
            py::arg("path"))
       .def("set_laws",
            [](SceneFitFile& file, const std::vector<std::string>& laws) {
@@ -162,18 +165,12 @@ void bind_scene_fits(py::module_& core) {
            })
       .def("set_intervals",
            [](SceneFitFile& file, bool profile, int bootstrap, int block, int specimens) {
-             auto& intervals = file.options.intervals;
-             intervals = {intervals.profile || profile,
-                          bootstrap > 0 ? bootstrap : intervals.bootstrap,
-                          block > 1 ? block : intervals.block,
-                          specimens > 0 ? specimens : intervals.specimens};
-             calibrate::check_intervals(intervals);
+             set_intervals(profile, bootstrap, block, specimens, file.options.intervals);
            })
-      .def_readonly("chooses_segments", &SceneFitFile::chooses_segments)
       .def_readonly("notes", &SceneFitFile::notes)
       .def("run", &run_scene_fits, py::arg("journal"), py::arg("threads"), py::arg("progress"));
-  py::class_<SceneFitContents, Contents>(core, "SceneFitContents")
-      .def("__len__", [](const SceneFitContents& contents) { return contents.records.size(); })
+  auto type = py::class_<SceneFitContents, Contents>(core, "SceneFitContents");
+  type.def("__len__", [](const SceneFitContents& contents) { return contents.records.size(); })
       .def("record",
            [](const Contents& contents, std::size_t index) {
              return SceneFitView{contents, index};
@@ -189,23 +186,15 @@ void bind_scene_fits(py::module_& core) {
             return calibrate::fits_text(records, report_options(contents), all);
           },
           py::arg("all"))
-      .def("json",
-           [](const SceneFitContents& contents) {
-             return calibrate::json_summary(contents.records, contents.confidence);
-           })
-      .def(
-          "write",
-          [](const SceneFitContents& contents, const std::string& path, bool overwrite) {
-            io::check_output_path(path, overwrite);
-            calibrate::write_scene_fit_store(path, contents, io::overwrite_if(overwrite));
-          },
-          py::arg("path"), py::arg("overwrite"), py::call_guard<py::gil_scoped_release>());
-  core.def(
-      "read_scene_fits",
-      [](const std::string& path) {
-        return std::make_shared<SceneFitContents>(calibrate::read_scene_fit_store(path));
-      },
-      py::arg("path"), py::call_guard<py::gil_scoped_release>());
+      .def("json", [](const SceneFitContents& contents) {
+        return calibrate::json_summary(contents.records, contents.confidence);
+      });
+  bind_files<SceneFitContents>(
+      core, type, "read_scene_fits",
+      [](const std::string& path) { return calibrate::read_scene_fit_store(path); },
+      [](const std::string& path, const SceneFitContents& contents, io::Overwrite overwrite) {
+        calibrate::write_scene_fit_store(path, contents, overwrite);
+      });
   core.def("names_scenes", &calibrate::names_scenes, py::arg("path"));
 }
 

@@ -15,9 +15,10 @@
 #include "calibrate/engine/engine_text.hpp"
 #include "calibrate/engine/engine_world.hpp"
 #include "plastica/io/scene_file.hpp"
+#include "python/bindings/arrays.hpp"
 #include "python/bindings/background.hpp"
 #include "python/bindings/bindings.hpp"
-#include "python/bindings/fit_records.hpp"
+#include "python/bindings/result_files.hpp"
 #include "sweeps/advise/advice.hpp"
 #include "sweeps/advise/advice_json.hpp"
 #include "sweeps/advise/advice_text.hpp"
@@ -231,13 +232,16 @@ std::string export_beam(std::string text, const std::string& name, const std::st
 
 void bind_studies(py::module_& core) {
   py::class_<sweeps::Sweep>(core, "Sweep")
-      .def(py::init(&sweeps::read_sweep_file), py::arg("path"))
+      .def(py::init([](const std::string& path) {
+             return in_background([&] { return sweeps::read_sweep_file(path); });
+           }),
+           py::arg("path"))
       .def_property_readonly(
           "cases", [](const sweeps::Sweep& sweep) { return sweeps::CaseTable(sweep).size(); })
       .def_readonly("notes", &sweeps::Sweep::notes)
       .def("run", &run_sweep, py::arg("threads"), py::arg("progress"));
-  py::class_<SweepRecord, Record>(core, "SweepRecord")
-      .def_readonly("name", &SweepRecord::name)
+  auto type = py::class_<SweepRecord, Record>(core, "SweepRecord");
+  type.def_readonly("name", &SweepRecord::name)
       .def_readonly("against", &SweepRecord::against)
       .def_readonly("warnings", &SweepRecord::warnings)
       .def_property_readonly("inputs",
@@ -253,25 +257,20 @@ void bind_studies(py::module_& core) {
       .def("columns", &columns_of)
       .def("curves", &curves_of)
       .def("report", [](const SweepRecord& record) { return sweeps::sweep_report(record); })
-      .def("json", &sweeps::sweep_json)
-      .def(
-          "write",
-          [](const SweepRecord& record, const std::string& path, bool overwrite) {
-            io::check_output_path(path, overwrite);
-            sweeps::write_sweep_store(path, record, io::overwrite_if(overwrite));
-          },
-          py::arg("path"), py::arg("overwrite"), py::call_guard<py::gil_scoped_release>());
-  core.def(
-      "read_sweep",
-      [](const std::string& path) {
-        return std::make_shared<SweepRecord>(sweeps::read_sweep_store(path));
-      },
-      py::arg("path"), py::call_guard<py::gil_scoped_release>());
+      .def("json", &sweeps::sweep_json);
+  bind_files<SweepRecord>(
+      core, type, "read_sweep",
+      [](const std::string& path) { return sweeps::read_sweep_store(path); },
+      [](const std::string& path, const SweepRecord& record, io::Overwrite overwrite) {
+        sweeps::write_sweep_store(path, record, overwrite);
+      });
   core.def("advise", &advise, py::arg("text"), py::arg("name"), py::arg("within"),
            py::arg("budget"), py::arg("probes"), py::arg("max_runs"), py::arg("max_work"),
            py::arg("threads"), py::arg("progress"));
   py::class_<sweeps::CheckFile>(core, "CheckFile")
-      .def(py::init([](const std::string& path) { return sweeps::read_check_file(path, {}); }),
+      .def(py::init([](const std::string& path) {
+             return in_background([&] { return sweeps::read_check_file(path, {}); });
+           }),
            py::arg("path"))
       .def_property_readonly("cases", &sweeps::cases_of)
       .def_readonly("notes", &sweeps::CheckFile::notes)

@@ -13,7 +13,7 @@ except ImportError as error:
         "the engine of plastica is not beside this folder of its sources: `pip install .` in the clone "
         "puts both together, and PYTHONPATH=build/release/python finds what a build has"
     ) from error
-from .errors import InputError
+from .errors import InputError, SceneWarning
 from .fields import Beam, Hardening, Material, Rate, Rules, Section, Solver
 from .files import load
 from .fit import fit
@@ -30,7 +30,7 @@ from .items import (
     cycles,
     turning_points,
 )
-from .model import Batch, Model, SceneWarning, Sensitivity, prepare, simulate
+from .model import Batch, Model, Sensitivity, prepare, simulate
 from .problem import Problem, problem
 from .response import Response, Simulation
 from .scene import Scene

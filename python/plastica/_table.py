@@ -6,6 +6,7 @@ import dataclasses
 import difflib
 from typing import Any, ClassVar, Mapping, TypeVar
 
+from . import _core
 from ._toml import plain
 from .errors import InputError, refuse
 
@@ -106,10 +107,14 @@ class Table:
         if not isinstance(table, Mapping):
             raise refuse(cls.__name__, table, "must be a dictionary")
         keys = cls._keys()
+        given = {}
         for key, value in table.items():
-            if key not in keys:
+            # A name that was changed is taken for one version.
+            now = key if key in keys else _core.renamed_keys().get(key, key)
+            if now not in keys:
                 raise cls._refuse(key, value, list(keys))
-        return cls(**{keys[key]: value for key, value in table.items()})
+            given[keys[now]] = value
+        return cls(**given)
 
 
 def _is_nothing(value: Any) -> bool:

@@ -6,7 +6,7 @@ from typing import Any
 
 from . import _core
 
-__all__ = ["InputError"]
+__all__ = ["InputError", "SceneWarning"]
 
 
 class InputError(ValueError):
@@ -49,6 +49,10 @@ class InputError(ValueError):
             place += f":{self.line}"
         said = " = ".join(part for part in (self.field, self.value) if part)
         return ": ".join(part for part in (place, said, self.rule) if part)
+
+
+class SceneWarning(UserWarning):
+    """What a reader must not overlook: what a result leaves out, or an old name in a file."""
 
 
 def refuse(field: str, value: Any, rule: str) -> InputError:

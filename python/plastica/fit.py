@@ -13,12 +13,13 @@ from typing import Any, Iterator, Mapping, Sequence, Union
 import numpy as np
 
 from . import _core, _toml
+from ._numbers import numbers
 from ._progress import Progress, reporter
 from ._table import Table
-from .errors import InputError, refuse
+from .errors import InputError, SceneWarning, refuse
 from .fields import Material, Section
 from .fits import Fits
-from .model import SceneWarning, _thread_count
+from .model import _thread_count
 
 __all__ = ["fit"]
 
@@ -161,7 +162,7 @@ def _asked(curves: Any, said: Mapping[str, Any], intervals: _Intervals,
     asked: _core.CurveFits | _core.SceneFits
     if _is_path(curves) and fspath(curves).endswith(".toml"):
         for name, value in said.items():
-            if value:
+            if value is not None and not (isinstance(value, (list, tuple)) and not value):
                 raise refuse(name, None, f"is what the fit file says: {fspath(curves)}")
         asked = _of_fit_file(fspath(curves), accept)
         asked.set_intervals(intervals.profile, intervals.bootstrap, intervals.block,
@@ -277,6 +278,9 @@ def _auto(bounds: Any) -> Any:
 
 def _text(said: Mapping[str, Any], intervals: Mapping[str, Any]) -> str:
     """What a fit file would say besides its targets."""
+    for key in said["options"] or {}:
+        if key == "parameters" or key in intervals:
+            raise refuse(f"options.{key}", None, "is an argument of its own")
     table = {**(said["options"] or {}), **intervals,
              "parameters": _parameters(said["parameters"], said["fixed"])}
     if said["confidence"] is not None:
@@ -330,7 +334,7 @@ def _column(name: str, frame: Any, wanted: str) -> Any:
         if unit is None:
             return frame[column]
         scale, offset = _core.unit_conversion(unit, wanted, str(column))
-        return scale * np.asarray(frame[column], dtype=np.float64) + offset
+        return scale * numbers(frame[column], name) + offset
     raise refuse(name, None, f"has no column {wanted}, but "
                  + ", ".join(str(column) for column in frame.columns))
 
@@ -342,7 +346,4 @@ def _pair(name: str, curve: Any) -> tuple[Any, Any]:
         raise refuse(name, curve, "is a path: give paths without names, in a list")
     if not isinstance(curve, (tuple, list)) or len(curve) != 2:
         raise refuse(name, None, "must be a pair (strain, stress) of arrays, or a DataFrame")
-    try:
-        return tuple(np.asarray(each, dtype=np.float64) for each in curve)  # type: ignore[return-value]
-    except (TypeError, ValueError) as error:
-        raise refuse(name, None, f"is no array of numbers: {error}") from error
+    return numbers(curve[0], name), numbers(curve[1], name)

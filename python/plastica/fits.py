@@ -106,8 +106,9 @@ class Fit:
 
     @property
     def warnings(self) -> list[str]:
-        """What a reader must not overlook."""
-        return self._record.warnings
+        """What a reader must not overlook, of the curve and of its fit."""
+        of_curve = self._record.target_warnings if isinstance(self._record, _core.CurveFit) else []
+        return [*of_curve, *self._record.warnings]
 
     @property
     def held_out(self) -> float:
@@ -227,6 +228,15 @@ class Fit:
         """What ``plastica show`` prints of it."""
         return self._record.report()
 
+    def to_dataframe(self) -> pandas.DataFrame:
+        """A row for each parameter: value, error, interval [SI], unit, verdict."""
+        import pandas
+
+        rows = [{"parameter": one.name, "value": one.value, "error": one.error,
+                 "low": one.interval[0], "high": one.interval[1], "unit": one.unit,
+                 "verdict": one.verdict or one.role} for one in self.parameters.values()]
+        return pandas.DataFrame(rows).set_index("parameter") if rows else pandas.DataFrame()
+
     def plot(self, axes: Any = None) -> Any:
         """Draws the curve, measured and fitted, with matplotlib. Returns the axes."""
         import matplotlib.pyplot as plt
@@ -316,6 +326,28 @@ class Fits:
     def names(self) -> list[str]:
         """Of the specimens, each once."""
         return list(dict.fromkeys(one.name for one in self._fits))
+
+    @property
+    def parameters(self) -> dict[str, Parameter]:
+        """Those of a single fit.
+
+        Raises
+        ------
+        InputError
+            Of several fits: ``fits["a"].parameters`` are those of one, `to_dataframe` has all.
+        """
+        if len(self) != 1:
+            raise refuse("parameters", None, f"are those of one of {len(self)} fits: "
+                         "fits[NAME].parameters, or to_dataframe() for all")
+        return self._fits[0].parameters
+
+    def plot(self, axes: Any = None) -> Any:
+        """Draws the curves of all fits into one picture, with matplotlib. Returns the axes."""
+        for one in self._fits:
+            axes = one.plot(axes)
+        if len(self) > 1:
+            axes.set_title("")
+        return axes
 
     @property
     def confidence(self) -> float:

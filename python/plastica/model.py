@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import copy
 import warnings as _warnings
 from dataclasses import dataclass
 from typing import Any, Callable, Mapping, Sequence, Union
@@ -10,18 +11,15 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _core
+from ._numbers import numbers
 from ._progress import Progress, reporter
-from .errors import refuse
+from .errors import SceneWarning, refuse
 from .response import Floats, Integers, Response, Simulation
 from .scene import Scene
 
-__all__ = ["Batch", "Model", "Sensitivity", "SceneWarning", "prepare", "simulate"]
+__all__ = ["Batch", "Model", "Sensitivity", "prepare", "simulate"]
 
 Values = Union[Sequence[float], npt.ArrayLike, Mapping[str, float]]
-
-
-class SceneWarning(UserWarning):
-    """What a result leaves out, as the command says it."""
 
 
 def _prepared(scene: Scene | Mapping[str, Any], parameters: Sequence[str]) -> _core.PreparedScene:
@@ -150,7 +148,8 @@ class Model:
 
     def __init__(self, scene: Scene | Mapping[str, Any], parameters: Sequence[str] = ()) -> None:
         self._prepared = _prepared(scene, parameters)
-        self._made_of = (scene, list(parameters))
+        # Of the scene as it is now: it may be changed.
+        self._made_of = (copy.deepcopy(scene), list(parameters))
 
     @property
     def parameters(self) -> list[str]:
@@ -189,7 +188,7 @@ class Model:
 
     def _row(self, values: Values) -> npt.NDArray[np.float64]:
         if not isinstance(values, Mapping):
-            return np.asarray(values, dtype=np.float64)
+            return numbers(values, "values")
         names = self.parameters
         for name in values:
             if name not in names:
@@ -197,7 +196,7 @@ class Model:
         missing = [name for name in names if name not in values]
         if missing:
             raise refuse(missing[0], None, "has no value")
-        return np.array([values[name] for name in names], dtype=np.float64)
+        return numbers([values[name] for name in names], "values")
 
     def run(self, values: Values = (), *, progress: Progress = None) -> Response:
         """Runs the model.
@@ -234,7 +233,7 @@ class Model:
         KeyboardInterrupt
             On Ctrl-C, within a step of each run under way.
         """
-        array = np.asarray(values, dtype=np.float64)
+        array = numbers(values, "values")
         cases = array.shape[0] if array.ndim else 0
         columns = self._prepared.run_batch(
             array, _thread_count(threads), reporter(progress, "run_batch", cases)
@@ -260,6 +259,7 @@ class Model:
 
 
 def _thread_count(threads: int) -> int:
-    if isinstance(threads, bool) or int(threads) != threads or threads < 0:
-        raise refuse("threads", threads, "must be a whole number, at least 0")
+    whole = isinstance(threads, (int, np.integer)) and not isinstance(threads, bool)
+    if not whole or not 0 <= threads <= 65536:
+        raise refuse("threads", threads, "must be a whole number, from 0 (all of the machine's) on")
     return int(threads)

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from typing import Any, Mapping, Sequence
 
-import numpy as np
 import numpy.typing as npt
 
 from . import _core
+from ._numbers import numbers
 from .errors import refuse
 from .fit import Parameters, _asked, _Intervals
 from .fields import Material, Section
@@ -23,8 +23,15 @@ class Problem:
     follows from the others. Values are in SI; priors, the elastic slope's too, are not in it.
     """
 
-    def __init__(self, core: _core.CurveProblem) -> None:
-        self._core = core
+    def __init__(self, curve: Any, asked: Mapping[str, Any], accept: bool) -> None:
+        self._made_of = (curve, dict(asked), accept)
+        fits = _asked(curve, asked, _Intervals(), None, accept)
+        if not isinstance(fits, _core.CurveFits):
+            raise refuse("curve", curve, "goes through scenes: must be a specimen's curve")
+        self._core = fits.problem()
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return Problem, self._made_of
 
     @property
     def parameters(self) -> list[str]:
@@ -59,7 +66,7 @@ class Problem:
         InputError
             Where the model cannot be run: a sampler asks `cost` first, which is infinite there.
         """
-        return self._core.model(np.asarray(x, dtype=np.float64))
+        return self._core.model(numbers(x, "x"))
 
     def residuals(self, x: npt.ArrayLike) -> Floats:
         """sqrt(w_i) (model - measured), w_i the weights of the objective, whose sum is 1; and last
@@ -71,15 +78,15 @@ class Problem:
         InputError
             Where the model cannot be run.
         """
-        return self._core.residuals(np.asarray(x, dtype=np.float64))
+        return self._core.residuals(numbers(x, "x"))
 
     def jacobian(self, x: npt.ArrayLike) -> Floats:
         """Derivatives of the residuals by the unknowns, exact [Pa/SI] (n_samples + 1, n)."""
-        return self._core.jacobian(np.asarray(x, dtype=np.float64))[0]
+        return self._core.jacobian(numbers(x, "x"))[0]
 
     def cost(self, x: npt.ArrayLike) -> float:
         """The sum of the squared residuals [Pa^2]; infinite where the model cannot be run."""
-        return self._core.cost(np.asarray(x, dtype=np.float64))
+        return self._core.cost(numbers(x, "x"))
 
     def __repr__(self) -> str:
         return f"<Problem: {len(self.strain)} samples; {', '.join(self.parameters)}>"
@@ -114,12 +121,9 @@ def problem(
     >>> scipy.optimize.least_squares(asked.residuals, asked.start, asked.jacobian, asked.bounds,
     ...                              x_scale=asked.start)
     """
-    asked = _asked(
+    return Problem(
         curve, {"parameters": parameters, "fixed": fixed, "material": material,
                 "section": section, "test": test, "measure": measure, "loading": loading,
                 "corrections": corrections, "characteristics": characteristics, "groups": None,
                 "columns": columns, "group_by": (), "options": options, "confidence": None},
-        _Intervals(), None, accept)
-    if not isinstance(asked, _core.CurveFits):
-        raise refuse("curve", curve, "goes through scenes: must be a specimen's curve")
-    return Problem(asked.problem())
+        accept)

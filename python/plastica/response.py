@@ -5,7 +5,8 @@ from __future__ import annotations
 import tempfile
 from os import PathLike, fspath
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from types import SimpleNamespace
+from typing import TYPE_CHECKING, Any, cast
 
 import numpy as np
 import numpy.typing as npt
@@ -198,6 +199,10 @@ class Response:
         )
         return pandas.DataFrame(dict(self.probes), index=index)
 
+    def __reduce__(self) -> tuple[Any, ...]:
+        names = [name for name, of in vars(_core.ResponseView).items() if isinstance(of, property)]
+        return _from_values, ({name: getattr(self._view, name) for name in names},)
+
     def __repr__(self) -> str:
         return f"<{type(self).__name__}: {self.status}, {self.samples} samples>"
 
@@ -249,6 +254,14 @@ class Simulation(Response):
             path = Path(folder) / "scene.h5"
             self.save(path)
             return _from_bytes, (path.read_bytes(),)
+
+
+def _from_values(values: dict[str, Any]) -> Response:
+    """A response that stands for one of the engine's, with the same arrays."""
+    for each in values.values():
+        if isinstance(each, np.ndarray):
+            each.flags.writeable = False
+    return Response(cast(_core.ResponseView, SimpleNamespace(**values)))
 
 
 def _from_bytes(content: bytes) -> Simulation:

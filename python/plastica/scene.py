@@ -3,14 +3,15 @@
 from __future__ import annotations
 
 import tomllib
+import warnings
 from dataclasses import dataclass, field
 from os import PathLike, fspath
 from pathlib import Path
 from typing import Any, Callable, ClassVar, Mapping, TypeVar
 
-from . import _toml
+from . import _core, _toml
 from ._table import Table, table
-from .errors import InputError
+from .errors import InputError, SceneWarning, refuse
 from .fields import Beam, Material, Rules, Section, Solver
 from .items import (
     Cut,
@@ -97,13 +98,10 @@ class Scene(Table):
             For a file that cannot be read, is not TOML, or has a key that there is not.
         """
         name = fspath(path)
-        try:
-            text = Path(name).read_text(encoding="utf-8")
-            tree = tomllib.loads(text)
-        except (OSError, UnicodeDecodeError, tomllib.TOMLDecodeError) as error:
-            rule = error.strerror if isinstance(error, OSError) and error.strerror else str(error)
-            raise InputError(name, None, None, None, rule) from error
-        scene = cls.from_dict(tree)
+        text, notes = _core.read_scene_file(name)
+        for note in notes:
+            warnings.warn(note, SceneWarning, stacklevel=2)
+        scene = cls.from_dict(tomllib.loads(text))
         scene.source = Source(name, text, scene.to_dict())
         return scene
 
@@ -122,6 +120,8 @@ class Scene(Table):
             table = tree
             for name in tables:
                 inner = table.setdefault(name, {})
+                if not isinstance(inner, dict):
+                    raise refuse(path, value, f"is no path of a field: {name} is no table")
                 table = inner
             table[key] = value
         scene = Scene.from_dict(tree)

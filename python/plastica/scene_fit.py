@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import tempfile
+import warnings as _warnings
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, Mapping, Sequence, Union
@@ -11,8 +12,9 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _core, _toml
+from ._numbers import numbers
 from ._progress import Progress, reporter
-from .errors import InputError, refuse
+from .errors import InputError, SceneWarning, refuse
 from .fit import Parameters, _Intervals, _laws, _parameters
 from .fits import Fits
 from .model import _thread_count
@@ -135,6 +137,8 @@ def fit_scenes(
         path.write_text(_toml.write(tree), encoding="utf-8")
         try:
             asked = _core.SceneFits(str(path))
+            for note in asked.notes:
+                _warnings.warn(note, SceneWarning, stacklevel=2)
             return Fits(asked.run(str(folder / "journal"), count, report))
         except InputError as error:
             if error.file is not None and not error.file.startswith(place):
@@ -161,10 +165,7 @@ def _named(tests: Tests) -> dict[str, BeamTest]:
 
 
 def _column(name: str, what: str, values: npt.ArrayLike) -> Floats:
-    try:
-        column = np.asarray(values, dtype=np.float64)
-    except (TypeError, ValueError) as error:
-        raise refuse(f"{name}.{what}", None, f"is no array of numbers: {error}") from error
+    column = numbers(values, f"{name}.{what}")
     if column.ndim != 1:
         raise refuse(f"{name}.{what}", None, "must be one row of numbers")
     return column

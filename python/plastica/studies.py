@@ -12,8 +12,8 @@ from typing import TYPE_CHECKING, Any, Mapping, Sequence
 
 from . import _core, _toml
 from ._progress import Progress, reporter
-from .errors import InputError, refuse
-from .model import SceneWarning, _thread_count
+from .errors import InputError, SceneWarning, refuse
+from .model import _thread_count
 from .response import Floats
 from .scene import Scene
 
@@ -71,6 +71,12 @@ class Sweep:
         """Writes the result file, which `plastica.load` and the command read."""
         self._record.write(fspath(path), overwrite)
 
+    def __reduce__(self) -> tuple[Any, ...]:
+        with tempfile.TemporaryDirectory() as folder:
+            path = Path(folder) / "sweep.h5"
+            self.save(path)
+            return _from_bytes, (path.read_bytes(),)
+
     def __len__(self) -> int:
         return len(self._record.columns()["status"])
 
@@ -79,6 +85,13 @@ class Sweep:
 
     def __repr__(self) -> str:
         return f"<Sweep: {len(self)} cases over {', '.join(self.axes)}>"
+
+
+def _from_bytes(content: bytes) -> Sweep:
+    with tempfile.TemporaryDirectory() as folder:
+        path = Path(folder) / "sweep.h5"
+        path.write_bytes(content)
+        return Sweep(_core.read_sweep(str(path)))
 
 
 def sweep(
@@ -139,7 +152,8 @@ def sweep(
         scene = Scene.from_toml(scene) if isinstance(scene, (str, PathLike)) else Scene.from_dict(scene)
     compared: dict[str, Any] = {**({"probe": probe, "take": take} if probe else {}), **(error or {})}
     if against is not None:
-        compared["against"] = against
+        kind, _, path = against.partition(":")
+        compared["against"] = f"{kind}:{Path(path).resolve()}" if kind == "reference" else against
     units = {field["path"]: field["unit"] for field in _core.fields()}
     with tempfile.TemporaryDirectory() as folder:
         tree: dict[str, Any] = {
@@ -172,9 +186,22 @@ def _file_of(scene: Scene, folder: Path) -> str:
         path = Path(scene.source.path).resolve()
         if path.is_file() and path.read_text(encoding="utf-8") == scene.source.text:
             return str(path)
+    place = Path("." if scene.source is None else scene.source.path).resolve()
+    place = place if scene.source is None else place.parent
+    tree = _absolute(scene.to_dict(), place)
     path = folder / "scene.toml"
-    path.write_text(scene.to_toml(), encoding="utf-8")
+    path.write_text(_toml.write(_toml.with_units(tree)), encoding="utf-8")
     return str(path)
+
+
+def _absolute(tree: Any, place: Path) -> Any:
+    """The same with the paths of tables from the root on."""
+    if isinstance(tree, list):
+        return [_absolute(each, place) for each in tree]
+    if not isinstance(tree, dict):
+        return tree
+    return {key: str(place / value) if key == "table" and isinstance(value, str)
+            else _absolute(value, place) for key, value in tree.items()}
 
 
 def _run(asked: _core.Sweep, threads: int, progress: Progress) -> Sweep:

@@ -6,12 +6,14 @@ environment holds further arguments of CMake; build/wheel is its folder.
 
 import base64
 import hashlib
+import io
 import os
 import shlex
 import shutil
 import subprocess
 import sys
 import sysconfig
+import tarfile
 import tempfile
 import tomllib
 import zipfile
@@ -31,7 +33,7 @@ def version():
 def metadata():
     project = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["project"]
     lines = ["Metadata-Version: 2.1", f"Name: {project['name']}", f"Version: {version()}",
-             f"Summary: {project['description']}", f"Requires-Python: {project['requires-python']}"]
+             f"Summary: {project['description']}", "License: MIT", f"Requires-Python: {project['requires-python']}"]
     lines += [f"Requires-Dist: {each}" for each in project["dependencies"]]
     for extra, needs in project["optional-dependencies"].items():
         lines.append(f"Provides-Extra: {extra}")
@@ -97,22 +99,33 @@ def prepare_metadata_for_build_wheel(metadata_directory, config_settings=None):
 def build_wheel(wheel_directory, config_settings=None, metadata_directory=None):
     package = build_package()
     info, beside = info_files()
-    files = {f"plastica/{path.name}": stripped(path) for path in sorted(package.iterdir())
-             if path.suffix in (".py", ".pyi", ".so", ".typed")}
+    # What an earlier build has left there, of modules that are gone or for another Python, stays there.
+    sources = ROOT / "python" / "plastica"
+    names = {path.name for path in sources.iterdir() if path.suffix in (".py", ".pyi", ".typed")}
+    names |= {"fields.py", "_core" + sysconfig.get_config_var("EXT_SUFFIX")}
+    files = {f"plastica/{name}": stripped(package / name) for name in sorted(names)}
     files.update(beside)
     record = "".join(record_line(*each) for each in files.items()) + f"{info}/RECORD,,\n"
     wheel = f"plastica-{version()}-{tag()}.whl"
     with zipfile.ZipFile(Path(wheel_directory) / wheel, "w", zipfile.ZIP_DEFLATED) as archive:
-        for path, content in files.items():
-            archive.writestr(path, content)
-        archive.writestr(f"{info}/RECORD", record)
+        for path, content in {**files, f"{info}/RECORD": record.encode()}.items():
+            entry = zipfile.ZipInfo(path)  # of 1980: the same sources give the same wheel
+            entry.compress_type = zipfile.ZIP_DEFLATED
+            entry.external_attr = 0o100644 << 16
+            archive.writestr(entry, content)
     return wheel
 
 
 def build_sdist(sdist_directory, config_settings=None):
-    """Part of PEP 517: the sources, as git has them."""
+    """Part of PEP 517: the files of the folder that git has, with what pip reads beside them."""
     name = f"plastica-{version()}"
     made = Path(sdist_directory) / f"{name}.tar.gz"
-    subprocess.run(["git", "archive", "--format=tar.gz", f"--prefix={name}/", "-o", made, "HEAD"],
-                   cwd=ROOT, check=True)
+    listed = subprocess.run(["git", "ls-files", "-z"], cwd=ROOT, check=True, capture_output=True)
+    with tarfile.open(made, "w:gz", format=tarfile.PAX_FORMAT) as archive:
+        for path in filter(None, listed.stdout.decode().split("\0")):
+            archive.add(ROOT / path, f"{name}/{path}")
+        content = metadata().encode()
+        entry = tarfile.TarInfo(f"{name}/PKG-INFO")
+        entry.size = len(content)
+        archive.addfile(entry, io.BytesIO(content))
     return made.name

@@ -298,14 +298,57 @@ class Fits(TestCase):
     def test_notes_of_guesses_are_told(self):
         path = self.folder / "bare.csv"
         strain, stress = hardening_curve(1e6)
-        np.savetxt(path, np.column_stack([strain, 1e-6 * stress]), delimiter=",",
-                   header="Strain,Stress (MPa)", comments="")
+        # A force beside the stress, which is not taken.
+        np.savetxt(path, np.column_stack([100.0 * strain, 1e-6 * stress]), delimiter=",",
+                   header="Strain (%),Stress (MPa)", comments="")
+        said = command("calibrate", path, "--dry-run", folder=self.folder)
+        self.assertIn("bare", said)
+        fit = plastica.fit(path)[0]
+        self.assertEqual(fit.status, "fitted")
+        old = self.folder / "old.toml"
+        old.write_text(f"""[fit]
+objective = "strain-path"
+[[target]]
+files = "{path}"
+strain = {{ column = "Strain" }}
+stress = {{ column = "Stress" }}
+""")
         with warnings.catch_warnings(record=True) as told:
             warnings.simplefilter("always")
-            fit = plastica.fit(path)[0]
-        self.assertEqual(fit.status, "fitted")
-        self.assertAlmostEqual(fit.parameters["yield_stress"].value, 300e6, delta=60e6)
-        del told
+            plastica.fit(old)
+        self.assertEqual([one.category for one in told], [plastica.SceneWarning])
+        self.assertIn("strain-path is now path", str(told[0].message))
+
+    def test_warnings_of_the_curve_are_there(self):
+        strain = np.linspace(0.0, 1e-3, 50)
+        fit = plastica.fit((strain, 2e11 * strain), accept=True)[0]
+        self.assertTrue(any("elastic to its end" in line for line in fit.warnings), fit.warnings)
+
+    def test_masked_samples_are_missing_and_imaginary_ones_refused(self):
+        strain, stress = hardening_curve(1e6)
+        spoiled = stress.copy()
+        spoiled[100:120] = 9e9
+        masked = np.ma.masked_greater(spoiled, 1e9)
+        good = plastica.fit({"a": (strain, np.where(masked.mask, np.nan, stress))})["a"]
+        fit = plastica.fit({"a": (strain, masked)})["a"]
+        self.assertEqual(repr(fit.parameters), repr(good.parameters))
+        self.assertRefuses(lambda: plastica.fit((strain, stress + 1j)), "imaginary")
+
+    def test_a_lone_fit_is_had_from_all(self):
+        fits = plastica.fit(hardening_curve(1e6))
+        self.assertEqual(repr(fits.parameters), repr(fits[0].parameters))
+        self.assertEqual(list(fits[0].to_dataframe().index), list(fits.parameters))
+        two = plastica.fit({"a": hardening_curve(1e6), "b": hardening_curve(1e6, 2)})
+        self.assertRefuses(lambda: two.parameters, "2 fits")
+
+    def test_options_are_not_swallowed(self):
+        demo = DATA / "fits" / "demo.toml"
+        self.assertRefuses(lambda: plastica.fit(demo, bootstrap=-5), "bootstrap")
+        self.assertRefuses(lambda: plastica.fit(demo, confidence=0.0), "the fit file says")
+        curve = hardening_curve()
+        self.assertRefuses(lambda: plastica.fit(curve, options={"parameters": {}}), "argument")
+        for threads in (None, "a", 10**10, -1, True):
+            self.assertRefuses(lambda t=threads: plastica.fit(curve, threads=t), "threads")
 
 
 if __name__ == "__main__":

@@ -18,6 +18,14 @@ def tip_of_case(value):
     return model.run_batch(np.full((8, 1), value)).probes["tip"][:, -1].tobytes()
 
 
+def fits_of_files(path):
+    """All that uses OpenMP by itself: reading several files, fitting, writing, reading again."""
+    files = [DATA / "targets" / name for name in ("al6061-t6.csv", "s355.csv")]
+    plastica.fit(files).save(path)
+    plastica.problem(files[0])
+    return repr(plastica.load(path).to_dataframe().to_dict())
+
+
 class Runs(TestCase):
     def test_a_result_is_the_command_s(self):
         for name in ("three_point_bend", "falling_cantilever", "breaking_cantilever"):
@@ -158,9 +166,30 @@ class Runs(TestCase):
         self.assertRefuses(lambda: plastica.load(DATA / "targets" / "s355.csv"), "s355.csv")
 
     def test_a_model_is_pickled(self):
-        model = plastica.prepare(cantilever(), ["material.youngs_modulus"])
+        scene = cantilever()
+        model = plastica.prepare(scene, ["material.youngs_modulus"])
+        scene.beam.segments = 3  # of another model
         again = pickle.loads(pickle.dumps(model))
         self.assertSameBits(again.run([2e11]).probes["tip"], model.run([2e11]).probes["tip"])
+        self.assertEqual(again.run([2e11]).position.shape, (21, 21, 3))
+
+    def test_responses_are_pickled(self):
+        broken = plastica.prepare(
+            plastica.Scene.from_toml(DATA / "scenes" / "breaking_cantilever.toml")).run()
+        again = pickle.loads(pickle.dumps(broken))
+        self.assertSameBits(again.position, broken.position)
+        self.assertSameBits(again.energies["plastic"], broken.energies["plastic"])
+        self.assertEqual(again.status, broken.status)
+        self.assertEqual(again.events[0].joints[0].moment, broken.events[0].joints[0].moment)
+        self.assertEqual(again.events[0].fragments, broken.events[0].fragments)
+        with self.assertRaises(ValueError):
+            again.time[0] = 1.0
+
+    def test_a_run_that_was_not_begun_has_no_samples(self):
+        done = plastica.prepare(cantilever(), ["material.youngs_modulus"]).run([-1.0])
+        self.assertEqual((done.status, done.samples), ("invalid-parameter", 0))
+        self.assertEqual((len(done.time), done.position.shape[0]), (0, 0))
+        self.assertEqual(len(done.to_dataframe()), 0)
 
     def test_threads_share_a_model(self):
         model = plastica.prepare(cantilever(), ["material.youngs_modulus"])
@@ -177,6 +206,13 @@ class Runs(TestCase):
         for each in threads:
             each.join()
         self.assertEqual(wrong, [])
+
+    def test_processes_that_are_forked_fit_files_and_save(self):
+        here = fits_of_files(str(self.folder / "here.h5"))
+        with multiprocessing.get_context("fork").Pool(2) as pool:
+            paths = [str(self.folder / f"{k}.h5") for k in range(2)]
+            there = pool.map_async(fits_of_files, paths).get(timeout=120)
+        self.assertEqual([here, here], there)
 
     def test_processes_that_are_forked_run_batches(self):
         # OpenMP's threads of this process are gone in its children.

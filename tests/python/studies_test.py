@@ -1,6 +1,7 @@
 """Sweeps, advice, checks and beams for engines: the same as the command's."""
 
 import json
+import pickle
 import unittest
 import xml.etree.ElementTree as ElementTree
 
@@ -81,6 +82,19 @@ class Studies(TestCase):
             self.assertRefuses(call, *words)
         self.assertNotIn("tmp", str(self.assertRefuses(
             lambda: plastica.sweep(scene, {"beam.segmnts": [5]}, probe="tip"))))
+
+    def test_a_changed_scene_that_names_files_is_swept(self):
+        scene = plastica.Scene.from_toml(DATA / "scenes" / "recorded_force.toml")
+        probe = scene.probes[0].name
+        axes = {"beam.segments": [5, 10]}
+        of_file = plastica.sweep(scene, axes, probe=probe).to_dataframe()
+        changed = plastica.sweep(scene.changed({"name": "other"}), axes, probe=probe).to_dataframe()
+        self.assertEqual(list(of_file["value"]), list(changed["value"]))
+
+    def test_a_sweep_is_pickled(self):
+        made = plastica.sweep(cantilever(), {"beam.segments": [5, 10]}, probe="tip")
+        again = pickle.loads(pickle.dumps(made))
+        self.assertEqual(again.report(), made.report())
 
     def test_advice_is_within_what_was_asked_for(self):
         scene = cantilever()

@@ -13,9 +13,7 @@
 #include "plastica/run/run_warnings.hpp"
 
 namespace plastica::io {
-namespace {
 
-/// Cuts a response off behind its last valid sample.
 void keep_valid_samples(Response& response) {
   const std::size_t samples = response.samples;
   for (auto& values : response.probes) values.resize(samples);
@@ -35,8 +33,6 @@ void keep_valid_samples(Response& response) {
     values->resize(values->size() / all * frames);
   }
 }
-
-}  // namespace
 
 std::span<const std::string_view> scene_layout::choices_of(std::string_view field) {
   return find_field_or_null(field)->choices;

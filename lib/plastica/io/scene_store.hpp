@@ -30,6 +30,9 @@ struct SceneRecord {
   RunMeta meta;
 };
 
+/// Cuts what is behind the last valid sample off a response, all of one that was not begun.
+void keep_valid_samples(Response& response);
+
 /// Puts together what is known of a scene and its run; without meta. Places become fractions of
 /// the length, and the response ends behind its last valid sample.
 /// @param model  of the scene

@@ -1,0 +1,31 @@
+"""Numbers that users give, as arrays of the engine's."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+import numpy.typing as npt
+
+from .errors import InputError, refuse
+
+
+def numbers(values: Any, name: str) -> npt.NDArray[np.float64]:
+    """An array of real numbers; what is masked is NaN, as a measurement that is missing.
+
+    Raises
+    ------
+    InputError
+        For what is no array of real numbers.
+    """
+    try:
+        if np.iscomplexobj(values):
+            raise refuse(name, None, "has imaginary parts: must be real numbers")
+        if isinstance(values, np.ma.MaskedArray):
+            masked: Any = values.astype(np.float64)
+            values = masked.filled(np.nan)
+        return np.asarray(values, dtype=np.float64)
+    except InputError:
+        raise
+    except (TypeError, ValueError) as error:
+        raise refuse(name, None, f"is no array of numbers: {error}") from error
