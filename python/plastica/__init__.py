@@ -17,7 +17,8 @@ from .errors import InputError, SceneWarning
 from .fields import Beam, Hardening, Material, Rate, Rules, Section, Solver
 from .files import load
 from .fit import fit
-from .fits import Fit, Fits, Parameter
+from .fits import Fits
+from .fitted import Fit, Parameter
 from .items import (
     Cut,
     Drive,
