@@ -31,6 +31,17 @@ using calibrate::SceneFitFile;
 using calibrate::SceneFitRecord;
 using Contents = std::shared_ptr<SceneFitContents>;
 
+/// Gives the targets, in the order of the file, names that files could not have.
+void rename(SceneFitFile& file, const std::vector<std::string>& names) {
+  std::size_t k = 0;
+  for (calibrate::SceneFitCase& one : file.cases) {
+    for (calibrate::WeightedTarget& weighted : one.targets) {
+      if (one.name == weighted.target.name) one.name = names.at(k);
+      weighted.target.name = names.at(k++);
+    }
+  }
+}
+
 Contents run_scene_fits(SceneFitFile& file, const std::string& journal, int threads,
                         const py::object& progress) {
   calibrate::check_fits(file);
@@ -167,6 +178,7 @@ void bind_scene_fits(py::module_& core) {
            [](SceneFitFile& file, bool profile, int bootstrap, int block, int specimens) {
              set_intervals(profile, bootstrap, block, specimens, file.options.intervals);
            })
+      .def("rename", &rename, py::arg("names"))
       .def_readonly("notes", &SceneFitFile::notes)
       .def("run", &run_scene_fits, py::arg("journal"), py::arg("threads"), py::arg("progress"));
   auto type = py::class_<SceneFitContents, Contents>(core, "SceneFitContents");

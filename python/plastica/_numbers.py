@@ -10,6 +10,23 @@ import numpy.typing as npt
 from .errors import InputError, refuse
 
 
+def is_pandas(values: Any) -> bool:
+    """Whether it is a table or column of pandas, which have names."""
+    return type(values).__module__.partition(".")[0] == "pandas"
+
+
+def check_aligned(one: Any, other: Any, name: str) -> None:
+    """Two columns of pandas go by their indices, which must be the same.
+
+    Raises
+    ------
+    InputError
+        If they are not: they would be taken by position.
+    """
+    if is_pandas(one) and is_pandas(other) and not one.index.equals(other.index):
+        raise refuse(name, None, "has columns of two indices: align them, or give arrays")
+
+
 def numbers(values: Any, name: str) -> npt.NDArray[np.float64]:
     """An array of real numbers; what is masked is NaN, as a measurement that is missing.
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import copy
 import dataclasses
 import difflib
 from typing import Any, ClassVar, Mapping, TypeVar
@@ -113,7 +114,7 @@ class Table:
             now = key if key in keys else _core.renamed_keys().get(key, key)
             if now not in keys:
                 raise cls._refuse(key, value, list(keys))
-            given[keys[now]] = value
+            given[keys[now]] = copy.deepcopy(value)  # what is given stays its owner's
         return cls(**given)
 
 

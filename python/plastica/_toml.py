@@ -53,9 +53,18 @@ def _item_units() -> dict[str, dict[str, tuple[str, str]]]:
     return _core.item_units()
 
 
+def _are_fractions(window: Any) -> bool:
+    return isinstance(window, list) and all(
+        isinstance(each, (int, float)) and each <= 1.0 for each in window)
+
+
 def _unit_of(path: str, table: Mapping[str, Any]) -> str:
     """Unit of the numbers of a key in its table."""
     item, _, key = path.rpartition(".")
+    if "table" in table:  # its keys name columns
+        return ""
+    if path.endswith("characteristics.window") and _are_fractions(table[key]):
+        return ""  # of the proof stress
     if item in _item_units() and key in _item_units()[item]:
         return _item_units()[item][key]["to" in table]
     if path.endswith("history.factor") or ".history." not in f".{path}":

@@ -13,7 +13,7 @@ from typing import Any, Iterator, Mapping, Sequence, Union
 import numpy as np
 
 from . import _core, _toml
-from ._numbers import numbers
+from ._numbers import check_aligned, numbers
 from ._progress import Progress, reporter
 from ._table import Table
 from .errors import InputError, SceneWarning, refuse
@@ -326,17 +326,17 @@ _HEADER = re.compile(r"(.*?)\s*(?:\[(.*)\]|\((.*)\))?\s*\Z")
 
 def _column(name: str, frame: Any, wanted: str) -> Any:
     """A column of a table by its name, in SI by the unit in its header."""
-    for column in frame.columns:
-        words = _HEADER.match(str(column).strip())
-        if words is None or words[1].lower() != wanted:
-            continue
-        unit = words[2] or words[3]
-        if unit is None:
-            return frame[column]
-        scale, offset = _core.unit_conversion(unit, wanted, str(column))
-        return scale * numbers(frame[column], name) + offset
-    raise refuse(name, None, f"has no column {wanted}, but "
-                 + ", ".join(str(column) for column in frame.columns))
+    headers = [(column, _HEADER.match(str(column).strip())) for column in frame.columns]
+    found = [(column, words[2] or words[3]) for column, words in headers
+             if words is not None and words[1].lower() == wanted]
+    if len(found) != 1:
+        there = ", ".join(str(column) for column in frame.columns)
+        raise refuse(name, None, f"has {len(found) or 'no'} column{'s' if found else ''} {wanted}: {there}")
+    column, unit = found[0]
+    if unit is None:
+        return frame[column]
+    scale, offset = _core.unit_conversion(unit, wanted, str(column))
+    return scale * numbers(frame[column], name) + offset
 
 
 def _pair(name: str, curve: Any) -> tuple[Any, Any]:
@@ -346,4 +346,5 @@ def _pair(name: str, curve: Any) -> tuple[Any, Any]:
         raise refuse(name, curve, "is a path: give paths without names, in a list")
     if not isinstance(curve, (tuple, list)) or len(curve) != 2:
         raise refuse(name, None, "must be a pair (strain, stress) of arrays, or a DataFrame")
+    check_aligned(curve[0], curve[1], name)
     return numbers(curve[0], name), numbers(curve[1], name)

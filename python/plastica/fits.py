@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any, Iterator, Union, overload
 import numpy as np
 
 from . import _core
+from ._write import write
 from .errors import refuse
 from .fitted import Fit, Parameter
 
@@ -108,14 +109,15 @@ class Fits:
         for one in self._fits:
             row: dict[str, Any] = {"name": one.name, "law": one.law, "status": one.status,
                                    "usable": one.usable}
-            if isinstance(one._record, _core.CurveFit):
-                row.update(one.group)
             for parameter in one.parameters.values():
                 row[parameter.name] = parameter.value
                 row[f"{parameter.name}_error"] = parameter.error
                 row[f"{parameter.name}_low"], row[f"{parameter.name}_high"] = parameter.interval
                 row[f"{parameter.name}_verdict"] = parameter.verdict or parameter.role
             row["misfit_fraction"] = one.misfit_fraction
+            if isinstance(one._record, _core.CurveFit):
+                row.update({key if key not in row else f"group {key}": value
+                            for key, value in one.group.items()})
             rows.append(row)
         return pandas.DataFrame(rows)
 
@@ -127,7 +129,7 @@ class Fits:
         InputError
             If the file is there and is not to be overwritten, or its folder is not.
         """
-        self._contents.write(fspath(path), overwrite)
+        write(self._contents, path, overwrite)
 
     def __reduce__(self) -> tuple[Any, ...]:
         with tempfile.TemporaryDirectory() as folder:

@@ -11,7 +11,7 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _core
-from ._numbers import numbers
+from ._numbers import is_pandas, numbers
 from ._progress import Progress, reporter
 from .errors import SceneWarning, refuse
 from .response import Floats, Integers, Response, Simulation
@@ -187,6 +187,9 @@ class Model:
         return self._prepared.bytes
 
     def _row(self, values: Values) -> npt.NDArray[np.float64]:
+        if is_pandas(values):
+            column: Any = values
+            values = dict(column)
         if not isinstance(values, Mapping):
             return numbers(values, "values")
         names = self.parameters
@@ -197,6 +200,16 @@ class Model:
         if missing:
             raise refuse(missing[0], None, "has no value")
         return numbers([values[name] for name in names], "values")
+
+    def _by_name(self, table: Any) -> Any:
+        """The columns of a table of pandas in the order of the parameters."""
+        names = self.parameters
+        for column in getattr(table, "columns", []):
+            if column not in names:
+                raise refuse("values", str(column), f"is no parameter: {', '.join(names)}")
+        if [name for name in names if name not in getattr(table, "columns", [])]:
+            raise refuse("values", None, f"must have a column for each of {', '.join(names)}")
+        return table[names]
 
     def run(self, values: Values = (), *, progress: Progress = None) -> Response:
         """Runs the model.
@@ -221,7 +234,7 @@ class Model:
         Parameters
         ----------
         values : array_like
-            [SI] (n_cases, n_parameters)
+            [SI] (n_cases, n_parameters); a DataFrame goes by the names of its columns.
         threads : int
             0: as many as the machine has. Results have the same bits for any number.
         progress : bool or callable
@@ -233,6 +246,8 @@ class Model:
         KeyboardInterrupt
             On Ctrl-C, within a step of each run under way.
         """
+        if is_pandas(values):
+            values = self._by_name(values)
         array = numbers(values, "values")
         cases = array.shape[0] if array.ndim else 0
         columns = self._prepared.run_batch(

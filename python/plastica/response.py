@@ -12,6 +12,7 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _core
+from ._write import write
 
 if TYPE_CHECKING:
     import pandas
@@ -247,7 +248,7 @@ class Simulation(Response):
         OSError
             If it cannot be written.
         """
-        self._record.write(fspath(path), overwrite)
+        write(self._record, path, overwrite)
 
     def __reduce__(self) -> tuple[Any, ...]:
         with tempfile.TemporaryDirectory() as folder:
@@ -258,9 +259,12 @@ class Simulation(Response):
 
 def _from_values(values: dict[str, Any]) -> Response:
     """A response that stands for one of the engine's, with the same arrays."""
-    for each in values.values():
-        if isinstance(each, np.ndarray):
-            each.flags.writeable = False
+    def hold(value: Any) -> None:
+        if isinstance(value, np.ndarray):
+            value.flags.writeable = False
+        for each in value.values() if isinstance(value, dict) else ():
+            hold(each)
+    hold(values)
     return Response(cast(_core.ResponseView, SimpleNamespace(**values)))
 
 

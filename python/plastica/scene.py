@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import copy
 import tomllib
 import warnings
 from dataclasses import dataclass, field
@@ -102,7 +103,7 @@ class Scene(Table):
         for note in notes:
             warnings.warn(note, SceneWarning, stacklevel=2)
         scene = cls.from_dict(tomllib.loads(text))
-        scene.source = Source(name, text, scene.to_dict())
+        scene.source = Source(name, str(Path(name).resolve()), text, scene.to_dict())
         return scene
 
     def changed(self, values: Mapping[str, Any]) -> Scene:
@@ -123,7 +124,7 @@ class Scene(Table):
                 if not isinstance(inner, dict):
                     raise refuse(path, value, f"is no path of a field: {name} is no table")
                 table = inner
-            table[key] = value
+            table[key] = copy.deepcopy(value)
         scene = Scene.from_dict(tree)
         scene.source = self.source
         return scene
@@ -141,13 +142,22 @@ class Scene(Table):
         InputError
             As the engine does; without file and line where it is no file that was read.
         """
-        if self.source is not None and self.is_its_file():
-            return reader(self.source.text, self.source.path)
+        if self.source is None:
+            return self._read_anew(reader, "")
+        if not self.is_its_file():
+            return self._read_anew(reader, self.source.place)
         try:
-            return reader(self.to_toml(), "" if self.source is None else self.source.path)
+            return reader(self.source.text, self.source.place)
         except InputError as error:
-            mine = ("", None if self.source is None else self.source.path)
-            if error.file is not None and error.file not in mine:
+            file = self.source.path if error.file == self.source.place else error.file
+            raise InputError(file, error.line, error.field, error.value, error.rule) from None
+
+    def _read_anew(self, reader: Callable[[str, str], T], place: str) -> T:
+        """By a text that stands in no file."""
+        try:
+            return reader(self.to_toml(), place)
+        except InputError as error:
+            if error.file not in (None, "", place):
                 raise  # of a table that the scene names
             raise InputError(None, None, error.field, error.value, error.rule) from None
 
@@ -157,5 +167,8 @@ class Source:
     """A scene file, as it was read."""
 
     path: str
+    """As it was given."""
+    place: str
+    """From the root on: the process may go to another folder."""
     text: str
     tree: dict[str, Any]

@@ -12,7 +12,7 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _core, _toml
-from ._numbers import numbers
+from ._numbers import check_aligned, numbers
 from ._progress import Progress, reporter
 from .errors import InputError, SceneWarning, refuse
 from .fit import Parameters, _Intervals, _laws, _parameters
@@ -97,7 +97,8 @@ def fit_scenes(
     laws : sequence of str
         Hardening laws that are fitted and compared.
     shared : bool
-        Whether all tests share the parameters in one fit, or each is a fit of its own.
+        Whether all tests share the parameters in one fit, called ``"fit"``, or each is a fit of its own,
+        with its name.
     segments : int or "auto"
         Of all beams, in place of the scenes'; ``"auto"`` takes the fewest that move no value by more
         than `within`.
@@ -122,6 +123,9 @@ def fit_scenes(
     >>> plastica.fit_scenes(test, {"yield_stress": (1e8, 2e9)})[0].parameters["yield_stress"]
     """
     named = _named(tests)
+    for key in options or {}:
+        if key == "parameters":
+            raise refuse(f"options.{key}", None, "is an argument of its own")
     intervals = _Intervals(profile, bootstrap, bootstrap_block, bootstrap_specimens).keys()
     table: dict[str, Any] = {**(options or {}), **intervals,
                              "parameters": _parameters(parameters, fixed)}
@@ -131,12 +135,15 @@ def fit_scenes(
     count, report = _thread_count(threads), reporter(progress, "fit", 1.0)
     with tempfile.TemporaryDirectory() as place:
         folder = Path(place)
+        # Names of files are patterns: those of tests are given afterwards.
         tree = {"fit": _toml.plain(table),
-                "target": [_target(name, test, folder) for name, test in named.items()]}
+                "target": [_target(name, test, folder, f"test_{k}")
+                           for k, (name, test) in enumerate(named.items())]}
         path = folder / "fit.toml"
         path.write_text(_toml.write(tree), encoding="utf-8")
         try:
             asked = _core.SceneFits(str(path))
+            asked.rename(list(named))
             for note in asked.notes:
                 _warnings.warn(note, SceneWarning, stacklevel=2)
             return Fits(asked.run(str(folder / "journal"), count, report))
@@ -145,7 +152,9 @@ def fit_scenes(
                 raise
             # Files that nobody has written would only confuse.
             stem = Path(error.file).stem if error.file else ""
-            field = f"{stem}: {error.field}" if stem in named else error.field
+            number = stem.removeprefix("test_")
+            known = stem != number and number.isdigit() and int(number) < len(named)
+            field = f"{list(named)[int(number)]}: {error.field}" if known else error.field
             raise InputError(None, None, field, error.value, error.rule) from None
 
 
@@ -157,8 +166,8 @@ def _named(tests: Tests) -> dict[str, BeamTest]:
     if not tests:
         raise refuse("tests", None, "has no test")
     for name, test in tests.items():
-        if not name or "/" in name or "\0" in name or name in (".", ".."):
-            raise refuse("tests", name, "must be a name without slashes")
+        if not name:
+            raise refuse("tests", name, "must be a name")
         if not isinstance(test, BeamTest):
             raise refuse(f"tests.{name}", None, f"is a {type(test).__name__}: must be a BeamTest")
     return dict(tests)
@@ -171,16 +180,17 @@ def _column(name: str, what: str, values: npt.ArrayLike) -> Floats:
     return column
 
 
-def _target(name: str, test: BeamTest, folder: Path) -> dict[str, Any]:
+def _target(name: str, test: BeamTest, folder: Path, stem: str) -> dict[str, Any]:
     """A [[target]], whose scene and curve are written into the folder."""
     scene = test.scene if isinstance(test.scene, Scene) else Scene.from_dict(test.scene)
-    own = folder / f"{name}.scene"
+    own = folder / f"{stem}.scene"
     own.mkdir()
     units = scene.read_by(lambda text, path: _core.PreparedScene(text, path, [])).probe_units
     if test.probe not in units:
         raise refuse(f"{name}.probe", test.probe, f"is no probe of the scene; it has {', '.join(units)}")
     abscissa, ordinate = (_column(name, what, getattr(test, what))
                           for what in ("abscissa", "ordinate"))
+    check_aligned(test.abscissa, test.ordinate, name)
     if len(abscissa) != len(ordinate):
         raise refuse(f"{name}.ordinate", None, f"has {len(ordinate)} numbers and the abscissa "
                      f"{len(abscissa)}: must be as many of both")
@@ -188,10 +198,9 @@ def _target(name: str, test: BeamTest, folder: Path) -> dict[str, Any]:
     header = f"abscissa [{unit}],ordinate [{units[test.probe]}]"
     rows = (",".join("" if np.isnan(each) else repr(float(each)) for each in row)
             for row in zip(abscissa, ordinate))
-    path = folder / f"{name}.csv"
-    path.write_text("\n".join([header, *rows]) + "\n", encoding="utf-8")
+    (folder / f"{stem}.csv").write_text("\n".join([header, *rows]) + "\n", encoding="utf-8")
     target: dict[str, Any] = {
-        "files": str(path), "scene": _file_of(scene, own),
+        "files": f"{stem}.csv", "scene": _file_of(scene, own),
         "abscissa": {**source, "column": "abscissa", "factor": float(test.abscissa_factor)},
         "ordinate": {"probe": test.probe, "column": "ordinate",
                      "factor": float(test.ordinate_factor)},
@@ -205,6 +214,11 @@ def _target(name: str, test: BeamTest, folder: Path) -> dict[str, Any]:
     return target
 
 
+def _acts(vector: Any) -> bool:
+    """Whether a vector of numbers, or of texts that begin with one, is there and not 0."""
+    return vector is not None and any(float(str(each).split()[0]) != 0.0 for each in vector)
+
+
 def _abscissa(name: str, test: BeamTest, scene: Scene,
               units: Mapping[str, str]) -> tuple[str, dict[str, Any]]:
     """Unit of the abscissa, and what says what it is."""
@@ -215,9 +229,9 @@ def _abscissa(name: str, test: BeamTest, scene: Scene,
         return "s", {"time": True}
     if against == "strain":
         return "1", {"drive": against}
-    driven = {f"support[{k + 1}]": "support.translation" if item.translation is not None
+    driven = {f"support[{k + 1}]": "support.translation" if _acts(item.translation)
               else "support.rotation" for k, item in enumerate(scene.supports)}
-    driven.update({f"load[{k + 1}]": "load.force" if item.force is not None else "load.moment"
+    driven.update({f"load[{k + 1}]": "load.force" if _acts(item.force) else "load.moment"
                    for k, item in enumerate(scene.loads)})
     if against in driven:
         kind, _, key = driven[against].partition(".")

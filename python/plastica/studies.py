@@ -11,6 +11,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, Mapping, Sequence
 
 from . import _core, _toml
+from ._write import write
 from ._progress import Progress, reporter
 from .errors import InputError, SceneWarning, refuse
 from .model import _thread_count
@@ -69,7 +70,7 @@ class Sweep:
 
     def save(self, path: str | PathLike[str], *, overwrite: bool = False) -> None:
         """Writes the result file, which `plastica.load` and the command read."""
-        self._record.write(fspath(path), overwrite)
+        write(self._record, path, overwrite)
 
     def __reduce__(self) -> tuple[Any, ...]:
         with tempfile.TemporaryDirectory() as folder:
@@ -99,7 +100,7 @@ def sweep(
     axes: Mapping[str, Sequence[Any]] | None = None,
     *,
     probe: str | None = None,
-    take: str = "end",
+    take: str | None = None,
     against: str | None = None,
     error: Mapping[str, Any] | None = None,
     set: Mapping[str, Any] | None = None,
@@ -114,11 +115,12 @@ def sweep(
     scene : Scene, mapping or path
         The path of a sweep file (``[[axis]]``), which then says all else, or of a scene file.
     axes : mapping
-        For each path of a field, ``"beam.segments"``, its values [SI]; all are crossed.
+        For each path of a field, ``"beam.segments"``, its values [SI]; all are crossed. None is an
+        optional field that is not set.
     probe : str
         Name of the scene's probe that is compared.
     take : {"end", "min", "max", "size", "mean", "curve", "frequency"}
-        What of it.
+        What of it. Default: ``"end"``.
     against : str
         ``"finest"``, ``"richardson"``, ``"theory:elastica"``, ``"value:0.735 m"``,
         ``"reference:FILE"``. Default: nothing.
@@ -150,16 +152,23 @@ def sweep(
         return _run(asked, threads, progress)
     if not isinstance(scene, Scene):
         scene = Scene.from_toml(scene) if isinstance(scene, (str, PathLike)) else Scene.from_dict(scene)
-    compared: dict[str, Any] = {**({"probe": probe, "take": take} if probe else {}), **(error or {})}
-    if against is not None:
-        kind, _, path = against.partition(":")
-        compared["against"] = f"{kind}:{Path(path).resolve()}" if kind == "reference" else against
+    compared: dict[str, Any] = dict(error or {})
+    for key, given in (("probe", probe), ("take", take), ("against", against)):
+        if given is not None and key in compared:
+            raise refuse(f"error.{key}", compared[key], "is an argument, too")
+        if given is not None:
+            compared[key] = given
+    kind, _, path = str(compared.get("against", "")).partition(":")
+    if kind == "reference":
+        compared["against"] = f"{kind}:{Path(path).resolve()}"
     units = {field["path"]: field["unit"] for field in _core.fields()}
     with tempfile.TemporaryDirectory() as folder:
         tree: dict[str, Any] = {
             "scene": _file_of(scene, Path(folder)),
             "axis": [{"field": field,
-                      "values": _toml.give_unit(_toml.plain(list(values)), units.get(field, ""))}
+                      "values": [_UNSET if each is None else
+                                 _toml.give_unit(_toml.plain(each), units.get(field, ""))
+                                 for each in values]}
                      for field, values in axes.items()],
         }
         if set:
@@ -179,15 +188,17 @@ def sweep(
             raise InputError(None, None, error.field, error.value, error.rule) from None
 
 
+_UNSET = "unset"  # as sweep files have it
+
+
 def _file_of(scene: Scene, folder: Path) -> str:
     """A file that says what the scene says: its own, whose folder has what it names, or one that is
     written into a folder."""
     if scene.source is not None and scene.is_its_file():
-        path = Path(scene.source.path).resolve()
+        path = Path(scene.source.place)
         if path.is_file() and path.read_text(encoding="utf-8") == scene.source.text:
             return str(path)
-    place = Path("." if scene.source is None else scene.source.path).resolve()
-    place = place if scene.source is None else place.parent
+    place = Path.cwd() if scene.source is None else Path(scene.source.place).parent
     tree = _absolute(scene.to_dict(), place)
     path = folder / "scene.toml"
     path.write_text(_toml.write(_toml.with_units(tree)), encoding="utf-8")

@@ -12,7 +12,7 @@ import pandas
 from scipy.optimize import least_squares
 
 import plastica
-from support import DATA, ROOT, TestCase, command
+from support import DATA, ROOT, TestCase, cantilever, command
 
 CURVE = DATA / "targets" / "al6061-t651-20c.csv"
 
@@ -95,7 +95,56 @@ class Fits(TestCase):
                            "yield_stress")
         self.assertRefuses(lambda: plastica.fit_scenes(test, ["yield_stress"]), "bound")
         self.assertRefuses(lambda: plastica.fit_scenes({}, parameters), "no test")
-        self.assertRefuses(lambda: plastica.fit_scenes({"a/b": test}, parameters), "slashes")
+        self.assertRefuses(lambda: plastica.fit_scenes({"": test}, parameters), "name")
+        self.assertRefuses(lambda: plastica.fit_scenes(test, parameters,
+                                                       options={"parameters": {}}), "argument")
+
+    def test_names_of_beam_tests_are_no_patterns(self):
+        scene = cantilever(
+            supports=[plastica.Support(kind="clamp", at="start"), plastica.Support(
+                kind="roller", at="end", hold=["y"], translation=[0.0, -0.01, 0.0],
+                rotation=[0.0, 0.0, 0.0])],
+            loads=[], beam=plastica.Beam(length=1.0, segments=6),
+            probes=[plastica.Probe(name="force", kind="reaction", component="y")])
+        done = plastica.simulate(scene)
+        way, force = 0.01 * done.factor, -done.probes["force"]
+
+        def made(factor):
+            return plastica.BeamTest(scene=scene, abscissa=way, ordinate=factor * force,
+                                     probe="force", against="support[2]", ordinate_factor=-1)
+        tests = {"{A,B}": made(1.3), "A": made(1.0), "B*": made(1.0), "a/b[1]": made(1.0)}
+        how = {"options": {"starts": 1, "screen": 0, "segments_error": False}}
+        shared = plastica.fit_scenes(tests, {"youngs_modulus": (1e11, 4e11)}, **how)
+        self.assertEqual(list(shared[0].targets), list(tests))
+        self.assertTrue(np.array_equal(shared[0].targets["{A,B}"]["ordinate"], 1.3 * force))
+        alone = plastica.fit_scenes(tests, {"youngs_modulus": (1e11, 4e11)}, shared=False, **how)
+        self.assertEqual(sorted(alone.names), sorted(tests))
+        for name, factor in (("{A,B}", 1.3), ("A", 1.0), ("B*", 1.0)):
+            self.assertAlmostEqual(
+                alone[name].parameters["youngs_modulus"].value / 210e9, factor, delta=1e-6)
+
+    def test_a_beam_test_follows_a_load_or_a_turn(self):
+        scene = cantilever(
+            supports=[plastica.Support(kind="clamp", at="start"), plastica.Support(
+                kind="roller", at="end", hold=["rx"], translation=[0.0, 0.0, 0.0],
+                rotation=[0.01, 0.0, 0.0])], loads=[], beam=plastica.Beam(length=1.0, segments=6),
+            probes=[plastica.Probe(name="moment", kind="reaction_moment", component="x")])
+        turned = plastica.simulate(scene)
+        pushed = cantilever(loads=[plastica.Load(at="end", force=[0, 0, 0],
+                                                 moment=[20.0, 0.0, 0.0])])
+        moved = plastica.simulate(pushed)
+        tests = {
+            "turn": plastica.BeamTest(scene=scene, abscissa=0.01 * turned.factor,
+                                      ordinate=turned.probes["moment"], probe="moment",
+                                      against="support[2]"),
+            "push": plastica.BeamTest(scene=pushed, abscissa=20.0 * moved.factor,
+                                      ordinate=moved.probes["tip"], probe="tip",
+                                      against="load[1]")}
+        for name, test in tests.items():
+            fit = plastica.fit_scenes({name: test}, {"youngs_modulus": {
+                "bounds": (1e11, 4e11), "start": 1.5e11}}, options={
+                    "starts": 1, "segments_error": False})[0]
+            self.assertAlmostEqual(fit.parameters["youngs_modulus"].value / 210e9, 1.0, delta=1e-6)
 
     def test_curves_in_arrays_are_those_of_the_file(self):
         of_file = plastica.fit(str(CURVE))[0]
@@ -237,6 +286,18 @@ class Fits(TestCase):
         self.assertRefuses(lambda: plastica.fit(frame.rename(columns={
             frame.columns[1]: "Stress [V]"})), "Stress [V]", "not a unit of stress")
 
+    def test_what_may_be_meant_otherwise_is_refused(self):
+        strain, stress = hardening_curve(1e6)
+        twice = pandas.DataFrame({"strain": strain, "Stress [MPa]": 2e-6 * stress, "stress": stress})
+        self.assertRefuses(lambda: plastica.fit(twice), "2 columns stress")
+        turned = pandas.Series(stress, index=range(301)[::-1])
+        self.assertRefuses(lambda: plastica.fit((pandas.Series(strain), turned)), "two indices")
+        fractions, texts = (plastica.fit((strain, stress), characteristics={"window": window})
+                            for window in ([0.2, 0.6], ["20 %", "60 %"]))
+        self.assertEqual(fractions[0].characteristics, texts[0].characteristics)
+        stresses = plastica.fit((strain, stress), characteristics={"window": [50e6, 200e6]})[0]
+        self.assertEqual(stresses.status, "fitted")
+
     def test_paths_may_come_one_after_the_other(self):
         fits = plastica.fit((DATA / "targets").glob("al6061-t651-2*.csv"))
         self.assertEqual(len(fits), 2)
@@ -263,6 +324,10 @@ class Fits(TestCase):
             groups={"a1": {"lot": "A"}, "a2": {"lot": "A"}, "b1": {"lot": "B"}})
         self.assertIn("Group lot A: 2 specimens", fits.report())
         self.assertEqual(list(fits.to_dataframe()["lot"]), ["A", "A", "B"])
+        turned = plastica.fit({"a": (strain[::-1], stress[::-1])}, groups={"a": {
+            "status": "fitted", "name": "b"}}).to_dataframe()
+        self.assertEqual((turned["status"][0], turned["name"][0]), ("rejected", "a"))
+        self.assertEqual(turned["group status"][0], "fitted")
 
     def test_what_is_saved_is_loaded_and_pickled(self):
         fits = plastica.fit(str(CURVE))

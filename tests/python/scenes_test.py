@@ -1,5 +1,6 @@
 """Scenes as objects: the same as files, and mistakes are told."""
 
+import os
 import pickle
 import shutil
 import unittest
@@ -194,6 +195,36 @@ class Scenes(TestCase):
         error = self.assertRefuses(lambda: plastica.Scene.from_toml(path), "segmants", "segments")
         self.assertEqual((error.file, path.read_text().splitlines()[error.line - 1]),
                          (str(path), "segmants = 20"))
+
+    def test_what_is_given_is_not_changed_or_shared(self):
+        tree = {"load": [{"at": "end", "force": [0.0, -1.0, 0.0]}]}
+        one, other = plastica.Scene.from_dict(tree), plastica.Scene.from_dict(tree)
+        one.loads[0].force[1] = -5.0
+        self.assertEqual((other.loads[0].force[1], tree["load"][0]["force"][1]), (-1.0, -1.0))
+        material, gravity = {"youngs_modulus": 1e11}, [0.0, -9.81, 0.0]
+        made = cantilever().changed({"material": material, "material.density": 100.0,
+                                     "gravity": gravity})
+        gravity[1] = 5.0
+        self.assertEqual((material, made.gravity), ({"youngs_modulus": 1e11}, [0.0, -9.81, 0.0]))
+
+    def test_a_scene_stays_that_of_its_folder(self):
+        for k in (1, 2):
+            folder = self.folder / str(k)
+            folder.mkdir()
+            (folder / "h.csv").write_text(f"t [s],f [1]\n0,0\n1,{k}\n")
+            scene = cantilever()
+            scene.loads[0].history = {"table": "h.csv", "time": 1, "factor": 2}
+            (folder / "s.toml").write_text(scene.to_toml())
+        before = os.getcwd()
+        self.addCleanup(os.chdir, before)
+        os.chdir(self.folder / "1")
+        scene = plastica.Scene.from_toml("s.toml")
+        tips = []
+        for folder in (self.folder / "1", self.folder / "2"):
+            os.chdir(folder)
+            for each in (scene, scene.changed({"name": "other"})):
+                tips.append(plastica.simulate(each).probes["tip"][-1])
+        self.assertEqual(tips, [tips[0]] * 4)
 
     def test_paths_that_are_none_are_refused(self):
         scene = cantilever(name="a")

@@ -83,6 +83,23 @@ class Studies(TestCase):
         self.assertNotIn("tmp", str(self.assertRefuses(
             lambda: plastica.sweep(scene, {"beam.segmnts": [5]}, probe="tip"))))
 
+    def test_a_probe_is_taken_as_it_is_said(self):
+        scene = cantilever()
+        scene.loads[0].history = plastica.turning_points([1.0, -0.5])
+        axes = {"beam.segments": [8]}
+        ends = [plastica.sweep(scene, axes, **how).to_dataframe()["value"][0] for how in (
+            {"probe": "tip", "take": "min"}, {"error": {"probe": "tip"}, "take": "min"},
+            {"error": {"probe": "tip", "take": "min"}})]
+        least = plastica.simulate(scene.changed({"beam.segments": 8})).probes["tip"].min()
+        self.assertEqual(ends, [least] * 3)
+        self.assertRefuses(lambda: plastica.sweep(scene, axes, probe="tip", take="end",
+                                                  error={"take": "min"}), "error.take", "argument")
+
+    def test_optional_fields_may_be_unset(self):
+        table = plastica.sweep(cantilever(), {"rules.hinge_length": [None, 0.03]},
+                               probe="tip").to_dataframe()
+        self.assertTrue(np.isnan(table["rules.hinge_length"][0]))
+
     def test_a_changed_scene_that_names_files_is_swept(self):
         scene = plastica.Scene.from_toml(DATA / "scenes" / "recorded_force.toml")
         probe = scene.probes[0].name
