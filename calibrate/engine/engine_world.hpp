@@ -22,7 +22,8 @@ struct EngineWorld {
 std::span<const std::string_view> up_axes();
 
 /// Puts a beam into a world. Turns are by quarters, so no number is rounded.
-/// @throws InputError if a number is negative or not finite, `up` is no word, or if the beam is to be turned but the
+/// @throws InputError if a number is negative or not finite, `up` is no word, or if the beam is to
+/// be turned but the
 ///         scene's gravity is not along an axis
 void put_into(const EngineWorld& world, EngineBeam& beam);
 

@@ -1,46 +1,25 @@
 """Fits: the same as the command's, of files and of arrays; SciPy finds the same optimum."""
 
-import dataclasses
 import pickle
-import subprocess
-import sys
 import unittest
 import warnings
 
 import numpy as np
 import pandas
-from scipy.optimize import least_squares
 
 import plastica
-from support import DATA, ROOT, TestCase, cantilever, command
+from support import DATA, TestCase, command, hardening_curve
 
 CURVE = DATA / "targets" / "al6061-t651-20c.csv"
 
 
-def hardening_curve(noise=0.0, seed=1):
-    """A coupon of linear hardening. @return strain, stress"""
-    scene = plastica.Scene(
-        material=plastica.Material(youngs_modulus=200e9, yield_stress=300e6, hardening={
-            "law": "linear", "tangent_modulus": 2e9}),
-        drive=plastica.Drive(strain=np.linspace(0.0, 0.04, 301)))
-    stress = plastica.simulate(scene).probes["stress"].copy()
-    stress[1:] += noise * np.random.default_rng(seed).standard_normal(300)
-    return np.linspace(0.0, 0.04, 301), stress
-
-
 class Fits(TestCase):
-    def compare(self, reference, other, *options):
-        done = subprocess.run(
-            [sys.executable, "-B", ROOT / "tests" / "cli" / "compare_results.py", *options,
-             reference, other], capture_output=True, text=True)
-        self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
-
     def test_a_fit_file_s_result_is_the_command_s_bit_by_bit(self):
         command("calibrate", DATA / "fits" / "demo.toml", "-o", self.folder / "a.h5", "--quiet",
                 "--json", self.folder / "a.json")
         fits = plastica.fit(DATA / "fits" / "demo.toml", threads=1)
         fits.save(self.folder / "b.h5")
-        self.compare(self.folder / "a.h5", self.folder / "b.h5")
+        self.assertSameFiles(self.folder / "a.h5", self.folder / "b.h5")
         self.assertEqual(fits.to_json(), (self.folder / "a.json").read_text())
         self.assertEqual(fits.report(), command("show", self.folder / "a.h5"))
 
@@ -50,101 +29,13 @@ class Fits(TestCase):
         fits = plastica.fit(str(CURVE), laws=["ideal", "linear"], profile=True, bootstrap=20)
         fits.save(self.folder / "b.h5")
         # Python says in its text what the command has from its options.
-        self.compare(self.folder / "a.h5", self.folder / "b.h5", "--but", "/inputs")
+        self.assertSameFiles(self.folder / "a.h5", self.folder / "b.h5", "--but", "/inputs")
         with self.assertRaises(KeyError):
             fits["al6061-t651-20c"]
         fit = fits["al6061-t651-20c", "linear"]
         profile = fit.profiles["yield_stress"]
         self.assertLess(profile["interval"][0], fit.parameters["yield_stress"].value)
         self.assertEqual(fit.bootstrap["values"].shape[1], len(fit.bootstrap["interval"]))
-
-    def test_a_fit_through_a_scene_is_the_command_s(self):
-        command("calibrate", DATA / "fits" / "bend_test.toml", "-o", self.folder / "a.h5", "--quiet")
-        fits = plastica.fit(DATA / "fits" / "bend_test.toml")
-        fits.save(self.folder / "b.h5")
-        self.compare(self.folder / "a.h5", self.folder / "b.h5")
-        fit = fits[0]
-        target = next(iter(fit.targets.values()))
-        self.assertEqual(target["fitted"].shape, target["ordinate"].shape)
-        self.assertIn("yield_stress", fit.segments)
-        self.assertRefuses(lambda: fit.measured, "through scenes")
-
-    def test_a_beam_test_in_arrays_is_that_of_the_fit_file(self):
-        table = pandas.read_csv(DATA / "targets" / "bend_test.csv")
-        scene = plastica.Scene.from_toml(DATA / "scenes" / "bend_test.toml")
-        test = plastica.BeamTest(
-            scene=scene.changed({"beam.segments": 32}), abscissa=1e-3 * table.iloc[:, 0],
-            ordinate=table.iloc[:, 1], probe="force", against="support[2]", ordinate_factor=-1)
-        parameters = {"youngs_modulus": (50e9, 500e9), "yield_stress": (100e6, 2e9),
-                      "break_strain": (1e-4, "100 %")}
-        ours = plastica.fit_scenes({"bend_test": test}, parameters)[0]
-        theirs = plastica.fit(DATA / "fits" / "bend_test.toml")[0]
-        for name, one in theirs.parameters.items():
-            # 1e-3 x and x mm differ in the last bit.
-            self.assertAlmostEqual(ours.parameters[name].value / one.value, 1.0, delta=1e-6)
-        for change, words in (
-            ({"ordinate": [1.0]}, ("as many",)),
-            ({"probe": "forze"}, ("test.probe", "force")),
-            ({"against": "support[9]"}, ("test.against", "support[9]")),
-            ({"abscissa": [[1.0]]}, ("one row",)),
-        ):
-            wrong = dataclasses.replace(test, **change)
-            error = self.assertRefuses(lambda w=wrong: plastica.fit_scenes(w, parameters), *words)
-            self.assertIsNone(error.file)
-        self.assertRefuses(lambda: plastica.fit_scenes(test, {"yeild_stress": (1e8, 2e9)}),
-                           "yield_stress")
-        self.assertRefuses(lambda: plastica.fit_scenes(test, ["yield_stress"]), "bound")
-        self.assertRefuses(lambda: plastica.fit_scenes({}, parameters), "no test")
-        self.assertRefuses(lambda: plastica.fit_scenes({"": test}, parameters), "name")
-        self.assertRefuses(lambda: plastica.fit_scenes(test, parameters,
-                                                       options={"parameters": {}}), "argument")
-
-    def test_names_of_beam_tests_are_no_patterns(self):
-        scene = cantilever(
-            supports=[plastica.Support(kind="clamp", at="start"), plastica.Support(
-                kind="roller", at="end", hold=["y"], translation=[0.0, -0.01, 0.0],
-                rotation=[0.0, 0.0, 0.0])],
-            loads=[], beam=plastica.Beam(length=1.0, segments=6),
-            probes=[plastica.Probe(name="force", kind="reaction", component="y")])
-        done = plastica.simulate(scene)
-        way, force = 0.01 * done.factor, -done.probes["force"]
-
-        def made(factor):
-            return plastica.BeamTest(scene=scene, abscissa=way, ordinate=factor * force,
-                                     probe="force", against="support[2]", ordinate_factor=-1)
-        tests = {"{A,B}": made(1.3), "A": made(1.0), "B*": made(1.0), "a/b[1]": made(1.0)}
-        how = {"options": {"starts": 1, "screen": 0, "segments_error": False}}
-        shared = plastica.fit_scenes(tests, {"youngs_modulus": (1e11, 4e11)}, **how)
-        self.assertEqual(list(shared[0].targets), list(tests))
-        self.assertTrue(np.array_equal(shared[0].targets["{A,B}"]["ordinate"], 1.3 * force))
-        alone = plastica.fit_scenes(tests, {"youngs_modulus": (1e11, 4e11)}, shared=False, **how)
-        self.assertEqual(sorted(alone.names), sorted(tests))
-        for name, factor in (("{A,B}", 1.3), ("A", 1.0), ("B*", 1.0)):
-            self.assertAlmostEqual(
-                alone[name].parameters["youngs_modulus"].value / 210e9, factor, delta=1e-6)
-
-    def test_a_beam_test_follows_a_load_or_a_turn(self):
-        scene = cantilever(
-            supports=[plastica.Support(kind="clamp", at="start"), plastica.Support(
-                kind="roller", at="end", hold=["rx"], translation=[0.0, 0.0, 0.0],
-                rotation=[0.01, 0.0, 0.0])], loads=[], beam=plastica.Beam(length=1.0, segments=6),
-            probes=[plastica.Probe(name="moment", kind="reaction_moment", component="x")])
-        turned = plastica.simulate(scene)
-        pushed = cantilever(loads=[plastica.Load(at="end", force=[0, 0, 0],
-                                                 moment=[20.0, 0.0, 0.0])])
-        moved = plastica.simulate(pushed)
-        tests = {
-            "turn": plastica.BeamTest(scene=scene, abscissa=0.01 * turned.factor,
-                                      ordinate=turned.probes["moment"], probe="moment",
-                                      against="support[2]"),
-            "push": plastica.BeamTest(scene=pushed, abscissa=20.0 * moved.factor,
-                                      ordinate=moved.probes["tip"], probe="tip",
-                                      against="load[1]")}
-        for name, test in tests.items():
-            fit = plastica.fit_scenes({name: test}, {"youngs_modulus": {
-                "bounds": (1e11, 4e11), "start": 1.5e11}}, options={
-                    "starts": 1, "segments_error": False})[0]
-            self.assertAlmostEqual(fit.parameters["youngs_modulus"].value / 210e9, 1.0, delta=1e-6)
 
     def test_curves_in_arrays_are_those_of_the_file(self):
         of_file = plastica.fit(str(CURVE))[0]
@@ -170,55 +61,6 @@ class Fits(TestCase):
             one = fit.parameters[name]
             self.assertLess(abs(one.value - truth), 4.0 * one.error, name)
             self.assertLess(one.interval[0], one.value)
-
-    def test_scipy_finds_the_same_optimum(self):
-        strain, stress = hardening_curve(1e6)
-        how = {"parameters": ["youngs_modulus", "yield_stress", "tangent_modulus"],
-               "material": {"hardening": {"law": "linear"}}, "options": {"modulus_prior": False}}
-        asked = plastica.problem((strain, stress), **how)
-        self.assertEqual([path.rpartition(".")[2] for path in asked.parameters], how["parameters"])
-        found = least_squares(asked.residuals, asked.start, asked.jacobian, asked.bounds,
-                              x_scale=asked.start, xtol=1e-14, ftol=1e-15, gtol=1e-15)
-        fit = plastica.fit((strain, stress), **how)[0]
-        values = np.array([fit.parameters[name].value for name in how["parameters"]])
-        # The cost is flat at its least: half of its 16 digits are those of the values.
-        np.testing.assert_allclose(found.x, values, rtol=1e-7)
-        self.assertAlmostEqual(asked.cost(values), 2.0 * found.cost, delta=1e-9 * found.cost)
-
-    def test_the_jacobian_is_that_of_differences(self):
-        strain, stress = plastica.fit(str(CURVE))[0].measured
-        asked = plastica.problem((strain, stress), options={"modulus_prior": False})
-        for x in (asked.start, 0.7 * asked.start, np.array([1.0, 20.0]) * asked.start):
-            exact = asked.jacobian(x)
-            self.assertEqual(exact.shape, (len(asked.strain) + 1, 2))
-            for k in range(2):
-                step = np.zeros(2)
-                step[k] = 1e-6 * x[k]
-                slope = (asked.residuals(x + step) - asked.residuals(x - step)) / (2.0 * step[k])
-                scale = np.abs(exact[:, k]).max()
-                np.testing.assert_allclose(exact[:, k], slope, atol=1e-7 * scale + 1e-30)
-        residuals = asked.residuals(asked.start)
-        self.assertAlmostEqual(asked.cost(asked.start), np.sum(residuals**2),
-                               delta=1e-12 * np.sum(residuals**2))
-        off = asked.model(asked.start) - asked.stress
-        weights = np.divide(residuals[:-1], off, where=off != 0.0, out=np.zeros(len(off))) ** 2
-        self.assertAlmostEqual(weights.sum(), 1.0, delta=0.02)  # samples that are met have none
-        # Of the path: half of what lies on both sides.
-        steps = np.abs(np.diff(asked.strain))
-        path = 0.5 * (np.r_[steps, 0.0] + np.r_[0.0, steps]) / steps.sum()
-        np.testing.assert_allclose(weights[off != 0.0], path[off != 0.0], rtol=1e-9)
-
-    def test_a_problem_s_mistakes_are_told(self):
-        curve = hardening_curve()
-        self.assertRefuses(lambda: plastica.problem({"a": curve, "b": curve}), "one specimen")
-        asked = plastica.problem(curve)
-        self.assertRefuses(lambda: asked.residuals([1.0]), "x", "2 numbers")
-        self.assertRefuses(lambda: asked.residuals([-1.0, 1.0]), "cannot be run")
-        self.assertEqual(asked.cost([-1.0, 1.0]), float("inf"))
-        self.assertRefuses(lambda: plastica.problem(curve, parameters={
-            "youngs_modulus": None,
-            "yield_stress": {"prior": {"mean": 3e8, "standard_deviation": 1e6}}}), "prior")
-        self.assertRefuses(lambda: plastica.problem(DATA / "fits" / "bend_test.toml"), "scenes")
 
     def test_parameters_are_given_as_files_have_them(self):
         curve = hardening_curve(1e6)

@@ -25,7 +25,7 @@ scene.solver.time_step = 1e-7
 plastica.simulate(scene)
 """,
     "fit": """
-from fits_test import hardening_curve
+from support import hardening_curve
 plastica.fit({str(k): hardening_curve(1e6, k) for k in range(300)}, bootstrap=4000)
 """,
     "sweep": """

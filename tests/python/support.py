@@ -2,6 +2,7 @@
 
 import os
 import subprocess
+import sys
 import tempfile
 import unittest
 import warnings
@@ -38,6 +39,17 @@ def cantilever(**changed):
     return plastica.Scene(**{**parts, **changed})
 
 
+def hardening_curve(noise=0.0, seed=1):
+    """A coupon of linear hardening. @return strain, stress"""
+    scene = plastica.Scene(
+        material=plastica.Material(youngs_modulus=200e9, yield_stress=300e6, hardening={
+            "law": "linear", "tangent_modulus": 2e9}),
+        drive=plastica.Drive(strain=np.linspace(0.0, 0.04, 301)))
+    stress = plastica.simulate(scene).probes["stress"].copy()
+    stress[1:] += noise * np.random.default_rng(seed).standard_normal(300)
+    return np.linspace(0.0, 0.04, 301), stress
+
+
 class TestCase(unittest.TestCase):
     def setUp(self):
         place = tempfile.TemporaryDirectory()
@@ -61,3 +73,9 @@ class TestCase(unittest.TestCase):
         for word in words:
             self.assertIn(word, str(raised.exception))
         return raised.exception
+
+    def assertSameFiles(self, reference, other, *options):
+        done = subprocess.run(
+            [sys.executable, "-B", ROOT / "tests" / "cli" / "compare_results.py", *options,
+             reference, other], capture_output=True, text=True)
+        self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
