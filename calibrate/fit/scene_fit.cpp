@@ -83,7 +83,7 @@ class SceneFit {
     for (std::size_t t = 0; t < targets_.size(); ++t) {
       if (targets_[t].target.broke) result_.targets[t].break_strain = curves[t][0].strain.at;
     }
-    SceneErrors errors(problem_, search_.best().x, search_.best().residual);
+    SceneErrors errors(problem_, search_.best().x, search_.best().residual, options_.confidence);
     add_parameters(errors);
     for (std::size_t t = 0; t < targets_.size(); ++t) {
       result_.targets[t].fitted_error = errors.fitted_errors(t);

@@ -7,6 +7,7 @@
 #include "calibrate/inference/not_a_number.hpp"
 #include "calibrate/inference/score_covariance.hpp"
 #include "calibrate/inference/small_matrices.hpp"
+#include "calibrate/inference/unbounded_yield.hpp"
 
 namespace plastica::calibrate {
 namespace {
@@ -63,14 +64,14 @@ double joint_moment(const MatrixXd& c, const VectorXd& a, const VectorXd& b) {
 double BreakLimit::half() const { return std::accumulate(halves.begin(), halves.end(), 0.0); }
 
 SceneErrors::SceneErrors(SceneProblem& problem, std::span<const double> x,
-                         std::span<const double> residual)
+                         std::span<const double> residual, std::optional<double> confidence)
     : problem_(problem), x_(x.begin(), x.end()) {
   const LeastSquaresProblem& squares = problem.squares();
   for (std::size_t i = 0; i < x_.size(); ++i) {
     const double reach = 1e-9 * (squares.upper[i] - squares.lower[i]);
     at_bound_.push_back(x_[i] <= squares.lower[i] + reach || x_[i] >= squares.upper[i] - reach);
   }
-  set_covariance(residual);
+  set_covariance(residual, confidence);
 }
 
 VectorXd SceneErrors::weights() const {
@@ -83,11 +84,15 @@ VectorXd SceneErrors::weights() const {
   return w;
 }
 
-void SceneErrors::set_covariance(std::span<const double> residual) {
+void SceneErrors::set_covariance(std::span<const double> residual,
+                                 std::optional<double> confidence) {
   const auto n = static_cast<Index>(x_.size());
   covariance_ = inverse_ = correlated_covariance_ = MatrixXd::Constant(n, n, kNan);
   if (n == 0) return;
   slopes_ = residual_slopes(problem_.squares(), x_, residual, kErrorStep);
+  if (confidence) {
+    drop_unbounded_yield(problem_, x_, residual, at_bound_, *confidence, slopes_);
+  }
   identifiable_ = IdentifiableSlopes(slopes_, at_bound_);
   // Rows over the noise, times the root of their weight.
   const MatrixXd j = SlopeRows(slopes_.data(), static_cast<Index>(problem_.squares().residuals), n);

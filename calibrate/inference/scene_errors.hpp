@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -39,7 +40,10 @@ class SceneErrors {
  public:
   /// @param x  coordinates of the solution (n)
   /// @param residual  there, over the scales
-  SceneErrors(SceneProblem& problem, std::span<const double> x, std::span<const double> residual);
+  /// @param confidence  with which a yield stress must be bounded from above (unbounded_yield.hpp);
+  ///                    empty: as where the scales are not the noise, it is not asked
+  SceneErrors(SceneProblem& problem, std::span<const double> x, std::span<const double> residual,
+              std::optional<double> confidence = {});
 
   const IdentifiableSlopes& identifiable() const { return identifiable_; }
   /// d residual / d coordinate, over the scales, row by row (n_residuals x n).
@@ -64,7 +68,7 @@ class SceneErrors {
   BreakLimit break_limit(const Parameter& p);
 
  private:
-  void set_covariance(std::span<const double> residual);
+  void set_covariance(std::span<const double> residual, std::optional<double> confidence);
   Eigen::MatrixXd correlated_scores(std::span<const double> slopes,
                                     std::span<const double> residual) const;
   Eigen::VectorXd weights() const;
