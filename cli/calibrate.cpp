@@ -79,9 +79,6 @@ bool has_scenes(const CalibrateArguments& arguments) {
          arguments.bare_option.empty() && calibrate::names_scenes(arguments.inputs.front());
 }
 
-/// Most fits of a run whose evaluations are stored one by one.
-constexpr std::size_t kTracedFits = 100;
-
 int calibrate_files(const CalibrateArguments& arguments) {
   const auto begin = std::chrono::steady_clock::now();
   const std::string output = output_of(arguments);
@@ -100,7 +97,8 @@ int calibrate_files(const CalibrateArguments& arguments) {
   const std::string folder = calibrate::spool_folder(arguments.dry_run ? P_tmpdir "/" : output);
   const auto spool = std::make_shared<calibrate::CurveSpool>(folder);
   std::vector<calibrate::Target> targets = calibrate::import_all(file, arguments.threads, spool);
-  file.options.keep_trace = calibrate::cases_of(targets.size(), file.options).size() <= kTracedFits;
+  file.options.keep_trace =
+      calibrate::cases_of(targets.size(), file.options).size() <= calibrate::kTracedFits;
   if (file.options.intervals.specimens > 0 && targets.size() < 2) {
     throw InputError({}, "bootstrap_specimens", std::to_string(file.options.intervals.specimens),
                      "needs several specimens, for the mean of their parameters");

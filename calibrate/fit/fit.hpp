@@ -44,6 +44,9 @@ struct FitCase {
 /// All fits of targets with these options: every law of the first target, then of the next.
 std::vector<FitCase> cases_of(std::size_t targets, const FitOptions& options);
 
+/// Most fits of a run whose evaluations are stored one by one.
+inline constexpr std::size_t kTracedFits = 100;
+
 /// Fits cases in parallel, as `fit`. Result i belongs to case i.
 std::vector<FitResult> fit_cases(std::span<const Target> targets, std::span<const FitCase> cases,
                                  const FitOptions& options, const BatchFitOptions& batch = {});

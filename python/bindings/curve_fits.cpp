@@ -43,8 +43,6 @@ using Values = py::array_t<double, py::array::c_style | py::array::forcecast>;
 struct CurveFits {
   FitFile file;
   std::vector<Target> targets;  ///< empty until `import`, of files
-
-  const calibrate::FitOptions& options() const { return file.options; }
 };
 
 std::vector<double> values_of(const Values& values, const std::string& name, const char* what) {
@@ -113,9 +111,6 @@ CurveFits of_bare_files(const std::vector<std::string>& files,
   return fits;
 }
 
-/// Most fits of a run whose evaluations are stored one by one.
-constexpr std::size_t kTracedFits = 100;
-
 Contents run_fits(CurveFits& fits, int threads, const py::object& progress) {
   const auto begin = std::chrono::steady_clock::now();
   auto contents = std::make_shared<FitStoreContents>();
@@ -129,7 +124,7 @@ Contents run_fits(CurveFits& fits, int threads, const py::object& progress) {
         if (fits.file.path.empty()) contents->inputs.front().name = "python.toml";
         if (fits.targets.empty()) fits.targets = calibrate::import_all(fits.file, threads);
         const auto cases = calibrate::cases_of(fits.targets.size(), options);
-        options.keep_trace = cases.size() <= kTracedFits;
+        options.keep_trace = cases.size() <= calibrate::kTracedFits;
         contents->run = calibrate::run_id(fits.targets, options, threads);
         calibrate::BatchFitOptions batch;
         batch.threads = threads;

@@ -1,11 +1,16 @@
-"""Result files are written alike."""
+"""Results are written alike: to a file, and to the bytes of one for `pickle`."""
 
 from __future__ import annotations
 
+import tempfile
+from collections.abc import Callable
 from os import PathLike, fspath
-from typing import Protocol
+from pathlib import Path
+from typing import Protocol, TypeVar
 
 from .errors import InputError
+
+T = TypeVar("T")
 
 
 class Contents(Protocol):
@@ -28,3 +33,19 @@ def write(contents: Contents, path: str | PathLike[str], overwrite: bool) -> Non
         # The engine speaks of the command's option.
         rule = error.rule.replace("use --force", "say overwrite=True")
         raise InputError(error.file, error.line, error.field, error.value, rule) from None
+
+
+def to_bytes(contents: Contents) -> bytes:
+    """What a result file of these contents holds."""
+    with tempfile.TemporaryDirectory() as folder:
+        path = Path(folder) / "result.h5"
+        write(contents, path, overwrite=False)
+        return path.read_bytes()
+
+
+def from_bytes(content: bytes, read: Callable[[str], T]) -> T:
+    """What `read` makes of a result file that holds this."""
+    with tempfile.TemporaryDirectory() as folder:
+        path = Path(folder) / "result.h5"
+        path.write_bytes(content)
+        return read(str(path))

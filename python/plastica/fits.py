@@ -2,15 +2,13 @@
 
 from __future__ import annotations
 
-import tempfile
 from os import PathLike, fspath
-from pathlib import Path
 from typing import TYPE_CHECKING, Any, Iterator, Union, overload
 
 import numpy as np
 
 from . import _core
-from ._write import write
+from ._write import from_bytes, to_bytes, write
 from .errors import refuse
 from .fitted import Fit, Parameter
 
@@ -132,10 +130,7 @@ class Fits:
         write(self._contents, path, overwrite)
 
     def __reduce__(self) -> tuple[Any, ...]:
-        with tempfile.TemporaryDirectory() as folder:
-            path = Path(folder) / "fits.h5"
-            self.save(path)
-            return _from_bytes, (path.read_bytes(),)
+        return _from_bytes, (to_bytes(self._contents),)
 
     def _repr_html_(self) -> str:
         return str(self.to_dataframe().to_html(float_format="{:.6g}".format))
@@ -147,10 +142,7 @@ class Fits:
 
 
 def _from_bytes(content: bytes) -> Fits:
-    with tempfile.TemporaryDirectory() as folder:
-        path = Path(folder) / "fits.h5"
-        path.write_bytes(content)
-        return read(str(path))
+    return from_bytes(content, read)
 
 
 def read(path: str) -> Fits:

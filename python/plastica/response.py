@@ -2,9 +2,7 @@
 
 from __future__ import annotations
 
-import tempfile
 from os import PathLike, fspath
-from pathlib import Path
 from types import SimpleNamespace
 from typing import TYPE_CHECKING, Any, cast
 
@@ -12,7 +10,7 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _core
-from ._write import write
+from ._write import from_bytes, to_bytes, write
 
 if TYPE_CHECKING:
     import pandas
@@ -251,10 +249,7 @@ class Simulation(Response):
         write(self._record, path, overwrite)
 
     def __reduce__(self) -> tuple[Any, ...]:
-        with tempfile.TemporaryDirectory() as folder:
-            path = Path(folder) / "scene.h5"
-            self.save(path)
-            return _from_bytes, (path.read_bytes(),)
+        return _from_bytes, (to_bytes(self._record),)
 
 
 def _from_values(values: dict[str, Any]) -> Response:
@@ -269,7 +264,4 @@ def _from_values(values: dict[str, Any]) -> Response:
 
 
 def _from_bytes(content: bytes) -> Simulation:
-    with tempfile.TemporaryDirectory() as folder:
-        path = Path(folder) / "scene.h5"
-        path.write_bytes(content)
-        return Simulation(_core.read_scene(str(path)))
+    return Simulation(from_bytes(content, _core.read_scene))

@@ -11,7 +11,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, Mapping, Sequence
 
 from . import _core, _toml
-from ._write import write
+from ._write import from_bytes, to_bytes, write
 from ._progress import Progress, reporter
 from .errors import InputError, SceneWarning, refuse
 from .model import _thread_count
@@ -73,10 +73,7 @@ class Sweep:
         write(self._record, path, overwrite)
 
     def __reduce__(self) -> tuple[Any, ...]:
-        with tempfile.TemporaryDirectory() as folder:
-            path = Path(folder) / "sweep.h5"
-            self.save(path)
-            return _from_bytes, (path.read_bytes(),)
+        return _from_bytes, (to_bytes(self._record),)
 
     def __len__(self) -> int:
         return len(self._record.columns()["status"])
@@ -89,10 +86,7 @@ class Sweep:
 
 
 def _from_bytes(content: bytes) -> Sweep:
-    with tempfile.TemporaryDirectory() as folder:
-        path = Path(folder) / "sweep.h5"
-        path.write_bytes(content)
-        return Sweep(_core.read_sweep(str(path)))
+    return Sweep(from_bytes(content, _core.read_sweep))
 
 
 def sweep(
