@@ -161,6 +161,25 @@ double History::slope_at(double when) const {
   return slope_of(*this, segment);
 }
 
+History::SlopeChange History::slopes_about(double when, double tolerance) const {
+  const auto after = std::lower_bound(time.begin(), time.end(), when - tolerance);
+  if (after == time.end() || *after >= when + tolerance) {
+    const double own = slope_at(when);
+    return {own, own};
+  }
+  const auto point = static_cast<std::size_t>(after - time.begin());
+  const bool first = point == 0;
+  const bool last = point + 1 == time.size();
+  if (!slope.empty()) {
+    return {first ? 0.0 : slope[point], last ? 0.0 : slope[point], first || last};
+  }
+  const bool alone = first && last;
+  const double beyond_first = continues && !alone ? slope_of(*this, 0) : 0.0;
+  const double beyond_last = continues && !alone ? slope_of(*this, point - 1) : 0.0;
+  return {first ? beyond_first : slope_of(*this, point - 1),
+          last ? beyond_last : slope_of(*this, point)};
+}
+
 double History::curvature_at(double when) const {
   if (slope.empty() || when < time.front() || when >= time.back()) return 0.0;
   return Cubic(*this, segment_of(*this, when), when).curvature();

@@ -8,6 +8,13 @@ namespace plastica {
 /// into each other. What it multiplies (a load, a prescribed motion) says the unit. In statics time
 /// is the path parameter.
 struct History {
+  /// Slopes before and after a time [1/s].
+  struct SlopeChange {
+    double before = 0.0;
+    double after = 0.0;
+    bool ends = false;  ///< there a smooth history begins or ends, and has no slope beyond
+  };
+
   std::vector<double> time{0.0, 1.0};    ///< [s], rising (n)
   std::vector<double> factor{0.0, 1.0};  ///< [1] (n)
   /// Whether it goes on along its last line after the end, and along its first one before the
@@ -40,6 +47,9 @@ struct History {
 
   double at(double time) const;        ///< the factor
   double slope_at(double time) const;  ///< d factor / d time, of the segment that begins at `time`
+  /// Its slopes on both sides of its point that is nearer to a time than `tolerance`; where none
+  /// is, twice that at the time.
+  SlopeChange slopes_about(double time, double tolerance) const;
   /// d^2 factor / d time^2 of the segment that begins at `time`; 0 of straight ones.
   double curvature_at(double time) const;
   double end() const { return time.back(); }

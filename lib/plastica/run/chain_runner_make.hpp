@@ -282,7 +282,8 @@ bool ChainRunner<L, kElastic>::record(const Work& w) {
   response_->chain.iterations[response_->samples] = continuation_->counters().iterations;
   ++response_->samples;
   if (!response_->unheld_thrust) response_->unheld_thrust = is_pushed(w) && !has_space_beside();
-  if (solve::is_corner(body_.build.chain, w.time, 1e-9 * options_.stops.back())) {
+  const double same = solve::kSameTime * options_.stops.back();
+  if (solve::speed_change(body_.build.chain, w.time, same).is_corner()) {
     const Sections now = sections();
     check_plane(w.q, w.time, &now);
   }

@@ -126,6 +126,7 @@ class PathContinuation {
     at_ = at;
     // Where nothing has flowed the laws are as they were in the last iteration.
     factored_ = !observer_.yields();
+    speed_ = 1.0;
     rate_before_ = time_ > previous_time_ ? rotated_ / (time_ - previous_time_) : 0.0;
     ++counters_.steps;
     interrupted_ = !observer_.accept(w_);
@@ -219,7 +220,7 @@ class PathContinuation {
     at_time_ = true;
     condition_ = {};
     if (goes_on_) {
-      extrapolate((time - time_) / (time_ - previous_time_));
+      extrapolate(speed_ * (time - time_) / (time_ - previous_time_));
     } else {
       predict(time);
     }
@@ -298,7 +299,7 @@ class PathContinuation {
   bool seek();
   /// Load control after a trial at the time that was sought.
   bool go_on(Trial trial);
-  bool is_corner(double time) const;
+  void pass_stop(const SpeedChange& change);
 
   /// The plane n . (u - u0) + weight (t - t0) = length in which the next equilibrium is sought;
   /// (n, weight) is a unit vector in (u/path, t/span), times `path`.
@@ -361,6 +362,7 @@ class PathContinuation {
 
   double span_ = 1.0;          ///< scale of time
   double elastic_path_ = 1.0;  ///< displacement of the control point in `span_`, if elastic
+  double longest_path_ = 0.0;  ///< the largest of these so far
   Value rate_{};               ///< of the control point, elastically
   double arc_length_ = 0.0, largest_arc_ = 0.0, smallest_arc_ = 0.0;
   double latest_ = kForever;  ///< time at which arcs end
@@ -378,6 +380,7 @@ class PathContinuation {
   bool at_time_ = false;        ///< whether the trial was sought at a given time
   bool holds_tangent_ = false;  ///< whether `w_` holds the tangent of the trial
   double rotated_ = 0.0;        ///< by the trial, of all segments: see `size_of_rotations`
+  double speed_ = 1.0;          ///< of what moves, over that in the last step
   double rate_before_ = 0.0;    ///< likewise, in a unit of time before it, or where it begins
   Value at_{};                  ///< the control point at the last step
   bool has_scale_ = false;      ///< whether arcs have one: something moves

@@ -8,7 +8,10 @@ namespace plastica::solve {
 template <class L, bool kElastic>
 bool PathContinuation<L, kElastic>::begin_arcs() {
   restore();
+  // Rounding may set a corner behind its stop.
+  if (time_ > 0.0) w_.time += kSameTime * options_.stops.back();
   solve_rates(PathCondition<L>::unit_time());
+  w_.time = time_;
   if (options_.finds_control) find_control();
   at_ = control_.value(w_.placement);
   if (counters_.steps <= 1) traversed_ = 0.0;  // of another control point

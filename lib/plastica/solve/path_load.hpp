@@ -129,20 +129,42 @@ bool PathContinuation<L, kElastic>::go_on(Trial trial) {
   if (trial == Trial::Failed) return end(limit_ ? Status::LimitLoad : Status::NotConverged);
   while (!(time_ < options_.stops[stop_])) {
     if (options_.recorded[stop_]) observer_.record(w_);
-    if (is_corner(options_.stops[stop_])) {
-      goes_on_ = false;
-      // What begins to move the beam here gives arcs their scale.
-      if (!has_scale_) watches_slope_ = has_scale_ = begin_arcs();
-    }
+    pass_stop(speed_change(chain_, options_.stops[stop_], kSameTime * options_.stops.back()));
     if (++stop_ == options_.stops.size()) return end(Status::Completed);
   }
   return seek();
 }
 
-/// What comes after a corner of a load or motion is no continuation.
+/// What comes after a corner of a load or motion is no continuation. Slopes of the path and arcs
+/// are measured by how far the control point goes elastically in a unit of time: at another speed
+/// so many times as far, and of other loads anew. What hardly moves it, or by rounding alone, is
+/// measured as what came before.
 template <class L, bool kElastic>
-bool PathContinuation<L, kElastic>::is_corner(double time) const {
-  return solve::is_corner(chain_, time, 1e-9 * options_.stops.back());
+void PathContinuation<L, kElastic>::pass_stop(const SpeedChange& change) {
+  if (change.is_corner()) goes_on_ = false;
+  const double faster = std::fabs(change.factor.value_or(1.0));
+  speed_ *= faster;
+  rate_before_ *= faster;
+  if (!has_scale_) {
+    if (change.is_corner()) watches_slope_ = has_scale_ = begin_arcs();
+    return;
+  }
+  const ControlPoint<L> control = control_;
+  const Value rate = rate_;
+  const double path = elastic_path_;
+  longest_path_ = std::max(longest_path_, path);
+  bool moves = true;
+  if (change.factor) {
+    rate_ = constant<S>(faster) * rate;
+    elastic_path_ = faster * path;
+  } else {
+    moves = begin_arcs();
+  }
+  if (moves && elastic_path_ >= kLeastPath * longest_path_) return;
+  control_ = control;
+  rate_ = rate;
+  elastic_path_ = path;
+  at_ = control_.value(w_.placement);
 }
 
 }  // namespace plastica::solve

@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 #include "plastica/model/rules.hpp"
@@ -20,6 +21,10 @@ inline constexpr double kBend = 0.1;
 
 /// A path that comes to its limit from a slope below this nears it by and by, as fibres yield.
 inline constexpr double kGradual = 20.0 * kLimitSlope;
+
+/// Loads that move the control point elastically by less than this part of what others have done
+/// tell nothing of a slope: it may be rounding that moves it.
+inline constexpr double kLeastPath = 1e-4;
 
 /// A limit load is bracketed within this fraction of it.
 inline constexpr double kLimitWidth = 1e-4;
@@ -46,6 +51,9 @@ inline constexpr double kJump = 3.0;
 /// Turns below this tell nothing of the path [rad].
 inline constexpr double kNoRotation = 1e-6;
 
+/// Times nearer to each other than this fraction of the path's are the same.
+inline constexpr double kSameTime = 1e-9;
+
 /// How a path is to be followed.
 struct PathOptions {
   NewtonOptions newton{};
@@ -61,18 +69,28 @@ struct PathOptions {
   std::array<double, 3> control_motion{};
 };
 
-/// Whether a load or motion changes its rate at a time.
+/// How loads and motions go on at a time. A path at rest depends on where they go, and not on how
+/// fast: where all that moves is faster or slower by one factor, it has no corner.
+struct SpeedChange {
+  std::optional<double> factor;  ///< of all speeds; below 0: they turn back; none: of no one
+  bool is_corner() const { return !factor || *factor < 0.0; }
+};
+
 template <class L>
-bool is_corner(const chain::Chain<L>& chain, double time, double tolerance) {
+SpeedChange speed_change(const chain::Chain<L>& chain, double time, double tolerance) {
+  constexpr double kSame = 1e-6;  // of factors of points that are read in digits
+  std::optional<double> common;
   for (const History& history : chain.histories) {
-    // Smooth ones have corners at their ends alone; what goes on has none at its end.
-    const std::size_t corners = history.time.size() - (history.continues ? 1 : 0);
-    const std::size_t step = history.slope.empty() ? 1 : corners - 1;
-    for (std::size_t i = 0; i < corners; i += step) {
-      if (std::fabs(history.time[i] - time) < tolerance) return true;
-    }
+    const History::SlopeChange slope = history.slopes_about(time, tolerance);
+    if (slope.ends) return {};
+    const double product = slope.before * slope.after;
+    if (slope.before == 0.0 && slope.after == 0.0) continue;
+    if (!(product < 0.0 || product > 0.0)) return {};
+    const double factor = slope.after / slope.before;
+    if (common && !(std::fabs(factor - *common) <= kSame * std::fabs(factor))) return {};
+    common = factor;
   }
-  return false;
+  return {common.value_or(1.0)};
 }
 
 /// What an observer says of a converged step.

@@ -156,5 +156,32 @@ TEST(History, OfASmoothStepHasNoCornerInside) {
   EXPECT_TRUE(step.reversals().empty());
 }
 
+TEST(History, KnowsItsSlopesOnBothSidesOfATime) {
+  const auto expect = [](const History& history, double time, double before, double after,
+                         bool ends = false) {
+    const History::SlopeChange slope = history.slopes_about(time, 1e-9);
+    EXPECT_NEAR(slope.before, before, 1e-12) << time;
+    EXPECT_NEAR(slope.after, after, 1e-12) << time;
+    EXPECT_EQ(slope.ends, ends) << time;
+  };
+  const History table{{1.0, 2.0, 4.0}, {0.0, 3.0, 2.0}};
+  expect(table, 0.5, 0.0, 0.0);
+  expect(table, 1.0, 0.0, 3.0);
+  expect(table, 1.0 - 5e-10, 0.0, 3.0);
+  expect(table, 1.5, 3.0, 3.0);
+  expect(table, 2.0 + 5e-10, 3.0, -0.5);
+  expect(table, 4.0, -0.5, 0.0);
+  expect(table, 5.0, 0.0, 0.0);
+  expect(History::ramp(), 0.0, 1.0, 1.0);
+  expect(History::ramp(), 1.0, 1.0, 1.0);
+  expect(History::constant(), 0.0, 0.0, 0.0);
+  const History smooth = History::smooth_step(1.0, 2.0);
+  expect(smooth, 1.0, 0.0, 0.0, true);
+  expect(smooth, 1.5, 1.5, 1.5);
+  const History sine = History::sine(1.0, 2.0);
+  expect(sine, 1.0, 2.0 * std::numbers::pi, 2.0 * std::numbers::pi);
+  expect(sine, 2.0, 2.0 * std::numbers::pi, 0.0, true);
+}
+
 }  // namespace
 }  // namespace plastica

@@ -1,0 +1,114 @@
+#include <gtest/gtest.h>
+
+#include <vector>
+
+#include "tests/support/chain_scene.hpp"
+
+// A path at rest depends on where loads and motions go, and not on how fast: what a history with
+// any points gives is what the straight one gives, up to a limit load and beyond first yield.
+
+namespace plastica {
+namespace {
+
+using testing::add_probe;
+using testing::cantilever_scene;
+using testing::completed;
+using testing::last_of;
+using testing::yield_moment_of;
+
+/// From 0 to 1 in two seconds, and what of it is reached after the first one.
+std::vector<History> histories() {
+  std::vector<History> all;
+  for (const double half : {0.5, 1e-2, 1e-4, 1e-6, 0.3, 0.999}) {
+    all.push_back({{0.0, 1.0, 2.0}, {0.0, half, 1.0}});
+  }
+  // As measured curves are followed: a point for each sample, at uneven distances.
+  History uneven{{0.0}, {0.0}};
+  for (int i = 1; i <= 40; ++i) {
+    const double x = i / 40.0;
+    uneven.time.push_back(0.05 * i);
+    uneven.factor.push_back(x * x * (1.0 + 0.02 * (i % 3)) / 1.02);
+  }
+  uneven.factor.back() = 1.0;
+  all.push_back(uneven);
+  return all;
+}
+
+/// A cantilever whose tip is moved, or pushed, to well beyond first yield.
+Scene bent(YieldModel yields, bool pushed) {
+  Scene scene = cantilever_scene(12);
+  scene.yield_model = yields;
+  scene.material.hardening.law = HardeningLaw::Linear;
+  scene.material.hardening.tangent_modulus = 0.02 * scene.material.youngs_modulus;
+  const double stiffness = 3.0 * testing::bending_stiffness_of(scene);
+  const double first_yield = yield_moment_of(scene);
+  if (pushed) {
+    scene.loads.push_back({.force = {0.0, -1.6 * first_yield, 0.0}});
+    add_probe(scene, ProbeQuantity::Displacement, Place::end(), Component::Y);
+  } else {
+    Support tip{.at = Place::end(), .kind = SupportKind::Roller};
+    tip.translation = {0.0, -2.0 * first_yield / stiffness, 0.0};
+    scene.supports.push_back(tip);
+    add_probe(scene, ProbeQuantity::Reaction, Place::start(), Component::Y);
+  }
+  return scene;
+}
+
+History& history_of(Scene& scene) {
+  return scene.loads.empty() ? scene.supports.back().history : scene.loads.back().history;
+}
+
+TEST(PathSpeed, DoesNotChangeWhatABeamBearsBeyondYield) {
+  for (const YieldModel yields : {YieldModel::Fibre, YieldModel::PerAxis}) {
+    for (const bool pushed : {false, true}) {
+      for (const Level level : {Level::Planar, Level::Spatial}) {
+        Scene scene = bent(yields, pushed);
+        history_of(scene) = {{0.0, 2.0}, {0.0, 1.0}};
+        const SolverOptions options{.level = level, .steps = 20};
+        const Response straight = completed(scene, options);
+        for (const History& history : histories()) {
+          history_of(scene) = history;
+          const Response response = completed(scene, options);
+          EXPECT_NEAR(last_of(response, 0) / last_of(straight, 0), 1.0, 1e-6)
+              << history.factor[1] << ' ' << pushed;
+        }
+      }
+    }
+  }
+}
+
+TEST(PathSpeed, LeavesALimitLoadWhereItIs) {
+  // A hinge of the fully plastic moment at the clamp; stiffened, so that the shape stays.
+  Scene scene = cantilever_scene(8);
+  scene.yield_model = YieldModel::PerAxis;
+  scene.yield_cap = YieldCap::FullyPlastic;
+  scene.material.youngs_modulus *= 1e3;
+  const double limit = 1.5 * yield_moment_of(scene);
+  scene.loads.push_back({.force = {0.0, -2.0 * limit, 0.0}});
+  for (const History& history : histories()) {
+    scene.loads[0].history = history;
+    const Response response = simulate(scene, {.steps = 20});
+    ASSERT_EQ(response.status, Status::LimitLoad) << history.factor[1];
+    EXPECT_LT(response.limit->below, 0.5 * (1.0 + 1e-3)) << history.factor[1];
+    EXPECT_GT(response.limit->above, 0.5 * (1.0 - 1e-3)) << history.factor[1];
+    EXPECT_LT(response.limit->above - response.limit->below, 1e-3) << history.factor[1];
+  }
+}
+
+TEST(PathSpeed, OfALoadThatHardlyActedBeforeIsNoLimit) {
+  // What the first load does sets no scale for what the second one does.
+  for (const bool pushed : {false, true}) {
+    Scene scene = bent(YieldModel::Fibre, pushed);
+    history_of(scene) = {{1.0, 2.0}, {0.0, 1.0}};
+    const double alone = last_of(completed(scene, {.steps = 20}), 0);
+    Load slight{.at = {0.5, {}}};
+    slight.force = {0.0, -1e-4, 0.0};
+    slight.history = {{0.0, 1.0}, {0.0, 1.0}};
+    scene.loads.insert(scene.loads.begin(), slight);
+    const Response response = completed(scene, {.steps = 20});
+    EXPECT_NEAR(last_of(response, 0) / alone, 1.0, 1e-5) << pushed;
+  }
+}
+
+}  // namespace
+}  // namespace plastica
