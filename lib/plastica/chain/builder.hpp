@@ -61,6 +61,8 @@ class Builder {
 
   void add_segments() {
     const std::size_t n = layout_.size();
+    build_.chain.segments.reserve(n);
+    build_.joints.reserve(n);
     for (std::size_t i = 0; i < n; ++i) {
       const auto& frame = layout_.segment_frame[i];
       const auto back = transpose(frame);

@@ -48,7 +48,7 @@ void Builder<L>::add_single_load(Load load, std::size_t history, double fraction
     return;
   }
   const std::array<double, 3> springs = springs_of_node(fraction, beyond);
-  const NodeShares shares = node_shares(layout_, beyond, springs);
+  const NodeShares shares = node_shares(layout_, joint_plan(layout_, beyond), springs);
   if (has_moment && springs != std::array<double, 3>{}) {
     hold_by_springs(load, history, fraction, beyond, springs, shares);
   }

@@ -112,21 +112,56 @@ struct JointSet {
 };
 
 /// @param material  numbers of the scene's own; regions have theirs
+template <class S>
+std::vector<MaterialValues<S>> region_materials(const Layout& layout,
+                                                const MaterialValues<double>& material) {
+  std::vector<MaterialValues<S>> materials;
+  for (const BeamRegion& region : layout.regions) {
+    const auto values = materials.empty() ? material : material_values(region.material);
+    auto& own = materials.emplace_back();
+    for (std::size_t i = 0; i < kMaterialFields; ++i) own[i] = constant<S>(values[i]);
+  }
+  return materials;
+}
+
+/// `node_shares` without springs of one node after another; most have those of the last one.
+class SharesOfNodes {
+ public:
+  explicit SharesOfNodes(const Layout& layout) : layout_(layout) {}
+
+  const NodeShares& at(std::size_t node) {
+    const JointPlan plan = joint_plan(layout_, node);
+    const bool alike = known_ && !layout_.has_corners && plan.region_a == of_.region_a &&
+                       plan.region_b == of_.region_b && plan.length == of_.length &&
+                       plan.before == of_.before;
+    if (!alike) shares_ = node_shares(layout_, plan, {});
+    known_ = true;
+    of_ = plan;
+    return shares_;
+  }
+
+ private:
+  const Layout& layout_;
+  bool known_ = false;
+  JointPlan of_;
+  NodeShares shares_;
+};
+
+/// @param material  numbers of the scene's own; regions have theirs
 template <class L>
 JointSet<L> joint_set(const Scene& scene, const Layout& layout, const Build<L>& build,
                       const MaterialValues<double>& material, const View<L>& view) {
   const std::size_t n = layout.size();
   JointSet<L> set;
+  set.materials = region_materials<typename L::Scalar>(layout, material);
   std::vector<JointModel> of_region;
   for (const BeamRegion& region : layout.regions) {
     const auto values = of_region.empty() ? material : material_values(region.material);
     of_region.push_back(joint_of_region(scene, region, values));
-    auto& own = set.materials.emplace_back();
-    for (std::size_t i = 0; i < kMaterialFields; ++i) {
-      own[i] = constant<typename L::Scalar>(values[i]);
-    }
   }
   set.numbers = joint_numbers(build.joints, layout.regions, set.materials, view);
+  set.at_nodes.reserve(n + 1);
+  SharesOfNodes shares_of(layout);
   std::size_t at_end = JointModel::kNone;
   for (const GroundJoint<L>& ground : build.chain.ground_joints) {
     if (ground.node == n) at_end = ground.joint;
@@ -156,9 +191,9 @@ JointSet<L> joint_set(const Scene& scene, const Layout& layout, const Build<L>& 
       if (plan.node_spring[k] > 0.0) joint.length[axis] = plan.length[axis];
     }
     const bool within = node > 0 && node < n;
-    const NodeShares shares = within ? node_shares(layout, node, {}) : NodeShares{};
+    const NodeShares* shares = within ? &shares_of.at(node) : nullptr;
     for (std::size_t k = 0; within && k < 3; ++k) {
-      joint.fraction_of_moment[k] = shares.rotational(k, k);
+      joint.fraction_of_moment[k] = shares->rotational(k, k);
     }
     if (within && set.numbers[number].stretches) {
       for (std::size_t k = 0; k < L::kTranslations; ++k) {
@@ -167,7 +202,7 @@ JointSet<L> joint_set(const Scene& scene, const Layout& layout, const Build<L>& 
         const auto stiffness =
             static_cast<double>(axis == 2 ? own.stiffness[law::kAxial] : own.shear_stiffness[k]);
         if (stiffness > 0.0) joint.shift_compliance[axis] = joint.length[law::kAxial] / stiffness;
-        joint.fraction_of_force[axis] = shares.shifting(axis, axis);
+        joint.fraction_of_force[axis] = shares->shifting(axis, axis);
       }
     }
     // With what it takes over of an end; between unlike regions, of its owner alone.

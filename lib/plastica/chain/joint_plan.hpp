@@ -120,10 +120,10 @@ struct NodeShares {
 /// condensed out (`node_compliance`). A moment there is carried as by three springs side by side:
 /// 1/a to the segment before, 1/b to the one beyond, k to the ground. Of a force likewise, without
 /// a spring.
+/// @param plan    `joint_plan` of the node
 /// @param spring  about x, y, z of the joint there [N m/rad]
-inline NodeShares node_shares(const Layout& layout, std::size_t node,
+inline NodeShares node_shares(const Layout& layout, const JointPlan& plan,
                               const std::array<double, 3>& spring) {
-  const JointPlan plan = joint_plan(layout, node);
   using Numbers = std::array<double, 3>;
   const auto stiffness = [&](std::size_t number) -> std::array<Numbers, 2> {
     const BeamRegion& region = layout.regions[number];
@@ -150,6 +150,7 @@ inline NodeShares node_shares(const Layout& layout, std::size_t node,
     shares.spring[k] = held / all;
     const auto [shift, shift_beyond] = part_compliances(plan, k, k, kLengthsOfShifts, a[1], b[1]);
     for (std::size_t j = 0; j < 3; ++j) {
+      if (j != k && !plan.turns(k)) continue;
       // The part before carries it alone, with its coupling of axes.
       const double turned = part_compliances(plan, k, j, kLengthsOfRotations, a[0], b[0])[0];
       const double shifted = part_compliances(plan, k, j, kLengthsOfShifts, a[1], b[1])[0];

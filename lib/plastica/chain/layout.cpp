@@ -30,6 +30,7 @@ Frame rotated_along(const Frame& frame, const Point& direction) {
 
 /// Half way from one frame to another.
 Frame between(const Frame& a, const Frame& b) {
+  if (a.at == b.at) return a;
   return a * rotation_matrix(0.5 * rotation_vector(transpose(a) * b));
 }
 

@@ -208,9 +208,14 @@ double BreakWatch::nearest_limit(const Strains& strain, std::size_t joint) const
   return strain[nearest];
 }
 
-void BreakWatch::set_strains(const std::vector<JointAngles>& angles, std::vector<double>& strain) {
-  for_each_joint(angles,
-                 [&](std::size_t j, const Strains& all) { strain[j] = nearest_limit(all, j); });
+const std::vector<double>& BreakWatch::strains(NodeStrains& of) {
+  if (!of.is_known_) {
+    for_each_joint(measured(of), [&](std::size_t j, const Strains& all) {
+      of.strain_[j] = nearest_limit(all, j);
+    });
+    of.is_known_ = true;
+  }
+  return of.strain_;
 }
 
 std::array<double, 4> BreakWatch::strains_at(const std::vector<JointAngles>& angles,

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 #include "plastica/chain/joint_model.hpp"
@@ -13,6 +14,31 @@ namespace plastica {
 
 /// Permanent angles of a joint in its axes: bending about x, about y, torsion [rad].
 using JointAngles = std::array<double, 3>;
+
+/// Permanent deformation of the joint at each node (N + 1).
+class NodeStrains {
+ public:
+  std::vector<JointAngles> permanent;    ///< now
+  std::vector<JointAngles> accumulated;  ///< sums of |d permanent|
+
+  void reset(std::size_t nodes) {
+    permanent.assign(nodes, {});
+    accumulated.assign(nodes, {});
+    strain_.assign(nodes, 0.0);
+    is_known_ = true;
+  }
+  /// Takes the angles of another time.
+  void take(NodeStrains& of) {
+    std::swap(permanent, of.permanent);
+    std::swap(accumulated, of.accumulated);
+    is_known_ = false;
+  }
+
+ private:
+  friend class BreakWatch;
+  std::vector<double> strain_;  ///< as `BreakWatch::strains` found them
+  bool is_known_ = true;
+};
 
 /// The permanent strain at break is met within this fraction of the limit, if steps can be cut
 /// back; joints nearer to their limits than this break together. (On the plateau of ideal
@@ -63,9 +89,14 @@ class BreakWatch {
   /// Largest strain over its limit minus 1, of all joints; negative: nothing breaks.
   double excess(const std::vector<JointAngles>& angles);
 
-  /// Of each joint the strain that is nearest to its limit; the largest of all where there is none.
-  /// @param strain  [1] (joints)
-  void set_strains(const std::vector<JointAngles>& angles, std::vector<double>& strain);
+  /// The angles that count, in the break measure.
+  const std::vector<JointAngles>& measured(const NodeStrains& of) const {
+    return accumulated_ ? of.accumulated : of.permanent;
+  }
+  /// Of each joint the strain that is nearest to its limit, in the break measure; the largest of
+  /// all where there is none. Most steps of most runs are asked for none, so they are found here.
+  /// @return  [1] (joints)
+  const std::vector<double>& strains(NodeStrains& of);
 
   /// Strains of one joint: bending about x, about y, torsion, with the signs of the rotations that
   /// its hinge takes; and of bending about both, in Wendelius' formulas the larger of the two

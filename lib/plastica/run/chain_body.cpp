@@ -25,7 +25,6 @@ ChainBody<L, kElastic>::ChainBody(const ChainModel& of, const chain::View<L>& se
     : model(of), view(seen) {
   build = chain::build_chain<L>(model.scene, model.layout, view,
                                 {model.options.rotary_inertia, kElastic, sees_axial(model)});
-  work.resize(build.chain);
   record.prepare(model, view, build, joint_models, watch);
   const std::size_t nodes = model.layout.size() + 1;
   strains.reset(nodes);
@@ -37,7 +36,7 @@ void ChainBody<L, kElastic>::reset(const MaterialValues<double>& material) {
   set_material(material);
   work.resize(build.chain);
   record.reset();
-  strains.reset(strains.strain.size());
+  strains.reset(strains.permanent.size());
 }
 
 /// Lays out the joints' laws; the same numbers as in the run before only need the virgin state.
@@ -59,9 +58,17 @@ void ChainBody<L, kElastic>::set_material(const MaterialValues<double>& material
 }
 
 template <class L, bool kElastic>
+bool ChainBody<L, kElastic>::flows() const {
+  if (model.scene.yield_model == YieldModel::Elastic) return false;
+  const auto& works = joints->work_increment();
+  return std::any_of(works.begin(), works.end(),
+                     [](const S& flow) { return flow < constant<S>(0) || flow > constant<S>(0); });
+}
+
+template <class L, bool kElastic>
 void ChainBody<L, kElastic>::set_trial_strains() {
   if (model.scene.yield_model == YieldModel::Elastic) return;
-  for (std::size_t i = 0; i < trial.strain.size(); ++i) {
+  for (std::size_t i = 0; i < trial.permanent.size(); ++i) {
     const std::size_t joint = record.joint_of_node(i);
     if (joint == chain::JointModel::kNone) continue;
     trial.permanent[i] = record.permanent_angle(*joints, work, joint);
@@ -73,16 +80,15 @@ void ChainBody<L, kElastic>::set_trial_strains() {
 }
 
 template <class L, bool kElastic>
-const std::vector<JointAngles>& ChainBody<L, kElastic>::measured(const NodeStrains& s) const {
-  return model.scene.break_measure == BreakMeasure::Net ? s.permanent : s.accumulated;
+void ChainBody<L, kElastic>::accept_strains() {
+  if (model.scene.yield_model == YieldModel::Elastic) return;
+  strains.take(trial);
 }
 
 template <class L, bool kElastic>
-void ChainBody<L, kElastic>::accept_strains() {
-  if (model.scene.yield_model == YieldModel::Elastic) return;
-  std::swap(strains.permanent, trial.permanent);
-  std::swap(strains.accumulated, trial.accumulated);
-  watch.set_strains(measured(strains), strains.strain);
+double ChainBody<L, kElastic>::largest_strain() {
+  const std::vector<double>& all = watch.strains(strains);
+  return *std::max_element(all.begin(), all.end());
 }
 
 /// Lanes know neither the forces of a step nor the joints' axes.
@@ -171,7 +177,7 @@ void ChainBody<L, kElastic>::describe(BrokenJoint& broken) const {
 
 template <class L, bool kElastic>
 std::vector<BrokenJoint> ChainBody<L, kElastic>::broken() {
-  std::vector<BrokenJoint> all = watch.broken(measured(strains));
+  std::vector<BrokenJoint> all = watch.broken(watch.measured(strains));
   for (BrokenJoint& joint : all) describe(joint);
   return all;
 }

@@ -28,12 +28,15 @@ class ChainBody {
   /// Back to the virgin beam, with a material of the scene's own part.
   void reset(const MaterialValues<double>& material);
 
+  /// Whether any joint has flowed in the step that `work` holds; else its permanent strains are
+  /// those of the step before. (Work of flow may be negative, where a joint yields back early.)
+  bool flows() const;
   /// Permanent strains of the step that `work` holds, before it is accepted.
   void set_trial_strains();
   /// Takes them.
   void accept_strains();
-  /// Permanent angles as the break measure takes them (joints).
-  const std::vector<JointAngles>& measured(const NodeStrains& strains) const;
+  /// The largest permanent strain of all joints [1].
+  double largest_strain();
   /// Notes the axial force of joints that yield in the step just accepted, or would if they saw it,
   /// where the response has to speak of it (`Response::axial`).
   /// @param in_motion  whether `work` holds all forces of the step, inertia included; else they are

@@ -104,8 +104,7 @@ void ChainMotionRunner<L, kElastic>::run(const MaterialValues<double>& material,
   set_energy_balance(body_.model.scene.beam.length, response);
   response.momentum_error = step_->momentum_error();
   judge_balance(response);
-  const auto& strain = body_.strains.strain;
-  response.permanent_strain = *std::max_element(strain.begin(), strain.end());
+  response.permanent_strain = body_.largest_strain();
   const std::chrono::duration<double> took = std::chrono::steady_clock::now() - began;
   response.seconds = took.count();
 }
@@ -146,13 +145,14 @@ Status ChainMotionRunner<L, kElastic>::go_to(double stop, StepSize& size, Step& 
       step.restore();
       return Status::NotConverged;
     }
-    body_.set_trial_strains();
+    const bool flowed = body_.flows();
+    if (flowed) body_.set_trial_strains();
     const double begin = step.time();
     step.accept();
     note_step(step.time() - begin, response);
     size.accepted();
     ++response.counters.steps;
-    body_.accept_strains();
+    if (flowed) body_.accept_strains();
     body_.note_axial(true, response);
     break_joints(step, hooks.on_break, response);
     if (hooks.on_progress && !hooks.on_progress(step.time())) return Status::Interrupted;
@@ -164,7 +164,7 @@ template <class L, bool kElastic>
 void ChainMotionRunner<L, kElastic>::break_joints(Step& step, const BreakListener& listener,
                                                   Response& response) {
   if (!body_.watch.active()) return;
-  const auto& angles = body_.measured(body_.strains);
+  const auto& angles = body_.watch.measured(body_.strains);
   for (std::size_t i = 0; i < angles.size(); ++i) {
     watched_[i] = cut_[i] ? JointAngles{} : angles[i];
   }
@@ -205,7 +205,7 @@ void ChainMotionRunner<L, kElastic>::cut_joints(double time, Step& step, Respons
     joint.joint = static_cast<int>(node);
     joint.cause = BreakCause::Cut;
     joint.cut = true;
-    joint.strain = body_.strains.strain[node];
+    joint.strain = body_.watch.strains(body_.strains)[node];
     body_.describe(joint);
     event.joints.push_back(joint);
   }

@@ -21,19 +21,6 @@
 
 namespace plastica {
 
-/// Permanent deformation of the joint at each node (N + 1).
-struct NodeStrains {
-  std::vector<JointAngles> permanent;    ///< now
-  std::vector<JointAngles> accumulated;  ///< sums of |d permanent|
-  std::vector<double> strain;            ///< in the break measure [1]
-
-  void reset(std::size_t nodes) {
-    permanent.assign(nodes, {});
-    accumulated.assign(nodes, {});
-    strain.assign(nodes, 0.0);
-  }
-};
-
 /// Energies at a sample that kernels have summed [J].
 struct PrescribedEnergies {
   double elastic = 0.0;
@@ -75,7 +62,7 @@ class ChainRecord {
   Energies energies(const Work& w, const Joints& joints) const;
 
   /// Writes one sample, and its shape if it is to be kept.
-  void write(const Work& w, const Joints& joints, const NodeStrains& strains, std::size_t sample,
+  void write(const Work& w, const Joints& joints, NodeStrains& strains, std::size_t sample,
              Response& response);
 
   /// Before the first sample: which samples keep their shape.
@@ -99,7 +86,7 @@ class ChainRecord {
   }
   /// Dynamics: energies of the next sample that are known already.
   void prescribe_energies(const PrescribedEnergies& energies) { prescribed_ = energies; }
-  void shape_now(const Work& w, const Joints& joints, const NodeStrains& strains) {
+  void shape_now(const Work& w, const Joints& joints, NodeStrains& strains) {
     set_shape(w, joints, strains);
   }
 
@@ -137,7 +124,7 @@ class ChainRecord {
   double joint_value(const Probe& probe, const NodeStrains& strains) const;
   /// In the break measure. @param angles  net or accumulated (nodes)
   double hinge_strain(const Probe& probe, const std::vector<JointAngles>& angles) const;
-  void set_shape(const Work& w, const Joints& joints, const NodeStrains& strains);
+  void set_shape(const Work& w, const Joints& joints, NodeStrains& strains);
   void keep_shape(std::size_t frame, ChainHistory& history) const;
   Space point_value(const Probe& probe, const Work& w) const;
   /// Where the node of a joint is that has stretched and sheared, between both of its segments.
@@ -317,8 +304,9 @@ typename ChainRecord<L, kElastic>::Space ChainRecord<L, kElastic>::moment(const 
 
 template <class L, bool kElastic>
 void ChainRecord<L, kElastic>::set_shape(const Work& w, const Joints& joints,
-                                         const NodeStrains& strains) {
+                                         NodeStrains& strains) {
   const std::size_t n = build_->chain.size();
+  const std::vector<double>& strain = watch_->strains(strains);
   const auto put = [](std::vector<double>& to, std::size_t index, const Space& v) {
     for (std::size_t k = 0; k < 3; ++k) to[index + k] = v[k];
   };
@@ -340,7 +328,7 @@ void ChainRecord<L, kElastic>::set_shape(const Work& w, const Joints& joints,
     put(shape_.angle, 3 * i, joint_spin(w.angles[joint]));
     for (std::size_t k = 0; k < 3; ++k) shape_.plastic_angle[3 * i + k] = strains.permanent[i][k];
     put(shape_.force, 3 * i, force_at(w, i));
-    shape_.plastic_strain[i] = strains.strain[i];
+    shape_.plastic_strain[i] = strain[i];
     const chain::JointModel& numbers = (*joints_)[i];
     shape_.stress[i] = numbers.bending_together(numbers.stress(0, shape_.moment[3 * i]),
                                                 numbers.stress(1, shape_.moment[3 * i + 1]));
@@ -374,9 +362,8 @@ void ChainRecord<L, kElastic>::end_frames(Response& response) const {
 }
 
 template <class L, bool kElastic>
-void ChainRecord<L, kElastic>::write(const Work& w, const Joints& joints,
-                                     const NodeStrains& strains, std::size_t sample,
-                                     Response& response) {
+void ChainRecord<L, kElastic>::write(const Work& w, const Joints& joints, NodeStrains& strains,
+                                     std::size_t sample, Response& response) {
   ChainHistory& out = response.chain;
   out.time[sample] = w.time;
   out.factor[sample] = factor_at(w.time);

@@ -79,6 +79,7 @@ class ChainRunner final : public ChainProgram, private solve::PathObserver<L, kE
   bool asks_beside_ = false;            ///< at each step, to tell where the plane is left
   bool leaves_plane_ = false;           ///< seen in a path that did not ask
   bool has_yielded_ = false;
+  bool flowed_ = false;  ///< in the step that was judged last
   /// Where buckling is asked for: the last equilibrium that is known to be stable, and elastic.
   chain::Coordinates<L> stable_;
   double stable_time_ = 0.0;

@@ -151,8 +151,7 @@ void ChainRunner<L, kElastic>::finish() {
     }
   }
   set_energy_balance(body_.model.scene.beam.length, response);
-  const auto& strain = body_.strains.strain;
-  response.permanent_strain = *std::max_element(strain.begin(), strain.end());
+  response.permanent_strain = body_.largest_strain();
 }
 
 /// At a limit point the path goes along its mode.
@@ -236,9 +235,11 @@ bool ChainRunner<L, kElastic>::yields() const {
 
 template <class L, bool kElastic>
 solve::Verdict ChainRunner<L, kElastic>::judge(const Work& /*w*/, bool shortest) {
+  flowed_ = body_.flows();
+  if (!flowed_) return solve::Verdict::Accept;
   body_.set_trial_strains();
   if (!body_.watch.active()) return solve::Verdict::Accept;
-  const double excess = body_.watch.excess(body_.measured(body_.trial));
+  const double excess = body_.watch.excess(body_.watch.measured(body_.trial));
   if (excess <= 0.0 || body_.model.scene.on_break == BreakPolicy::RecordOnly) {
     return solve::Verdict::Accept;
   }
@@ -247,7 +248,7 @@ solve::Verdict ChainRunner<L, kElastic>::judge(const Work& /*w*/, bool shortest)
 
 template <class L, bool kElastic>
 bool ChainRunner<L, kElastic>::accept(const Work& w) {
-  body_.accept_strains();
+  if (flowed_) body_.accept_strains();
   body_.note_axial(false, *response_);
   body_.record.add_work(w, *body_.joints);
   has_yielded_ = has_yielded_ || yields();
@@ -260,7 +261,7 @@ bool ChainRunner<L, kElastic>::accept(const Work& w) {
     has_stable_ = true;
   }
   const bool first = response_->chain.events.empty() && body_.watch.active();
-  if (first && body_.watch.excess(body_.measured(body_.strains)) > 0.0) note_break(w);
+  if (first && body_.watch.excess(body_.watch.measured(body_.strains)) > 0.0) note_break(w);
   return !hooks_->on_progress || hooks_->on_progress(w.time);
 }
 

@@ -140,8 +140,7 @@ class LaneScenario {
     body_->record.end_frames(out);
     set_energy_balance(model_->scene.beam.length, out);
     judge_balance(out);
-    const auto& strain = body_->strains.strain;
-    out.permanent_strain = *std::max_element(strain.begin(), strain.end());
+    out.permanent_strain = body_->largest_strain();
     out.seconds = seconds;
   }
 

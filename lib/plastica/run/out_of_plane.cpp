@@ -34,7 +34,7 @@ class SpatialTangent final : public OutOfPlane {
     set_joints(model, material);
     work_.resize(build_.chain);
     conservative_ = solve::is_conservative(build_.chain);
-    applies_ = holds_at_rest();
+    applies_ = is_fixed_everywhere() || holds_at_rest();
     if (!applies_) {
       // A start that is held in the plane alone is taken as held against twist, as by a fork.
       build_.chain.root.clamped[2] = true;
@@ -117,10 +117,26 @@ class SpatialTangent final : public OutOfPlane {
   }
 
   void set_joints(const ChainModel& model, const MaterialValues<double>& material) {
-    auto made = chain::joint_set(scene_, model.layout, build_, material, view_);
-    joints_ = make_joints<L, kElastic>(scene_, model.layout.regions, made.materials,
-                                       std::move(made.numbers), view_, model.options.fibres);
+    const auto& regions = model.layout.regions;
+    const auto materials = chain::region_materials<double>(model.layout, material);
+    joints_ = make_joints<L, kElastic>(
+        scene_, regions, materials, chain::joint_numbers(build_.joints, regions, materials, view_),
+        view_, model.options.fibres);
     chain::set_constraint_stiffness(joints_->joints(), scene_.beam.length, build_.chain);
+  }
+
+  /// Whether the start is held in all ways and every joint resists every rotation: then nothing
+  /// gives way without strain, and there is no need to look.
+  bool is_fixed_everywhere() const {
+    const auto& root = build_.chain.root;
+    for (std::size_t k = 0; k < 3; ++k) {
+      if (!root.held[k]) return false;
+      for (std::size_t i = 0; i < build_.chain.size(); ++i) {
+        const bool clamped = i == 0 && root.clamped[k];
+        if (!clamped && !build_.joints[i].active[k]) return false;
+      }
+    }
+    return true;
   }
 
   bool holds_at_rest() {

@@ -96,8 +96,7 @@ TEST(BreakWatch, SumsWindowsOfJointsOfAnyLength) {
       for (std::size_t j = 0; j < angles.size(); ++j) {
         if (j % 5 != 4) angles[j][0] = number(draw);
       }
-      std::vector<double> strain(joints.size());
-      watch.set_strains(angles, strain);
+      const std::vector<double> strain = strains_of(watch, angles);
       for (std::size_t j = 0; j < joints.size(); ++j) {
         const double theta = joints[j].own_length() < window
                                  ? summed(joints, angles, j, window)
@@ -114,8 +113,7 @@ TEST(BreakWatch, SeesNothingWhereNothingHasTurned) {
   BreakWatch watch = watch_of(ideal_scene(), 500);
   std::vector<JointAngles> angles(501);
   for (std::size_t j = 0; j < 90; ++j) angles[j][0] = 1.0 / (3.0 + static_cast<double>(j));
-  std::vector<double> strain(501);
-  watch.set_strains(angles, strain);
+  const std::vector<double> strain = strains_of(watch, angles);
   for (std::size_t j = 200; j < strain.size(); ++j) EXPECT_EQ(strain[j], 0.0) << j;
 }
 

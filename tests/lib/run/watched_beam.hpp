@@ -55,12 +55,19 @@ inline BreakWatch watch_of(const Scene& scene, int segments,
   return {scene, joints_of(segments, limit)};
 }
 
+/// The strains of all joints that have turned by these angles.
+inline std::vector<double> strains_of(BreakWatch& watch, const std::vector<JointAngles>& angles) {
+  NodeStrains turned, of;
+  turned.permanent = turned.accumulated = angles;
+  of.reset(watch.size());
+  of.take(turned);
+  return watch.strains(of);
+}
+
 /// The strain of one joint.
 inline double strain_of(BreakWatch watch, const std::vector<JointAngles>& angles,
                         std::size_t joint) {
-  std::vector<double> strain(watch.size());
-  watch.set_strains(angles, strain);
-  return strain[joint];
+  return strains_of(watch, angles)[joint];
 }
 
 /// Uniform curvature about x: every joint turns by its tributary length times it.
