@@ -72,6 +72,21 @@ void check_kind(const Scene& scene, const SceneTarget& target) {
                    "needs a coupon: a scene with drive.strain");
 }
 
+/// @return its number
+std::size_t add_strain_probe(Scene& scene) {
+  Probe probe{.name = "permanent", .quantity = ProbeQuantity::LargestPlasticStrain};
+  if (scene.is_coupon()) {
+    const bool net = scene.break_measure == BreakMeasure::Net;
+    probe.quantity = net ? ProbeQuantity::PlasticStrain : ProbeQuantity::AccumulatedStrain;
+  }
+  // The scene's own have names of their own.
+  while (std::ranges::find(scene.probes, probe.name, &Probe::name) != scene.probes.end()) {
+    probe.name += '_';
+  }
+  scene.probes.push_back(probe);
+  return scene.probes.size() - 1;
+}
+
 std::string how_it_ended(Status status, const Setup& setup) {
   const bool in_motion = setup.solver.analysis == Analysis::Dynamics;
   return fmt::format("the scene ended {}: {}", name_of(status), advice(status, in_motion));
@@ -111,13 +126,10 @@ SceneModel::SceneModel(const Setup& setup, const SceneTarget& target,
       probe_index(scene, target.ordinate_probe, "ordinate.probe", target.ordinate_where);
   const Setup limited = setup_;
   take_limits_off(scene);
-  if (scene.is_coupon()) {
-    const bool net = scene.break_measure == BreakMeasure::Net;
-    strain_probe_ = scene.probes.size();
-    scene.probes.push_back(
-        {"permanent", net ? ProbeQuantity::PlasticStrain : ProbeQuantity::AccumulatedStrain});
-  }
-  setup_.solver.frames = 0;  // the permanent strain of every sample
+  // The permanent strain of every sample: that of some regions' joints by all shapes.
+  const bool of_all = scene.is_coupon() || scene.regions.empty();
+  if (of_all) strain_probe_ = add_strain_probe(scene);
+  setup_.solver.frames = of_all ? 1 : 0;
   // Laid out anew, a scene shares its moments by the stiffness that it has.
   const bool shares =
       !scene.is_coupon() && model_detail::shares_moments(scene, segment_ends(scene));

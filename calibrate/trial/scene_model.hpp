@@ -110,7 +110,7 @@ class SceneModel {
   std::vector<const Field*> fields_;
   std::size_t abscissa_probe_ = 0;
   std::size_t ordinate_probe_ = 0;
-  std::size_t strain_probe_ = 0;  ///< of a coupon
+  std::optional<std::size_t> strain_probe_;  ///< none: strains are those of the shapes
   /// Whether all fields are parameters of one model; else each run lays out its own.
   bool prepared_ = false;
   Model model_;

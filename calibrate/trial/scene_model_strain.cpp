@@ -9,7 +9,7 @@ namespace plastica::calibrate {
 
 double SceneModel::strain_of(const Response& response, const std::vector<bool>& limited,
                              std::size_t sample) const {
-  if (setup_.scene.is_coupon()) return std::fabs(response.probes[strain_probe_][sample]);
+  if (strain_probe_) return std::fabs(response.probes[*strain_probe_][sample]);
   const std::size_t joints = response.chain.joints;
   double largest = std::numeric_limits<double>::quiet_NaN();
   for (std::size_t j = 0; j < joints; ++j) {

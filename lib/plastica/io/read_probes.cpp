@@ -17,13 +17,10 @@ Component default_component(ProbeQuantity kind) {
   }
 }
 
-/// Whether a quantity has no place, and whether it has no direction either.
+/// Whether a quantity has no place.
 bool is_of_whole_beam(ProbeQuantity kind) {
-  return kind == ProbeQuantity::Energy || kind == ProbeQuantity::LoadFactor ||
-         kind == ProbeQuantity::Momentum || kind == ProbeQuantity::AngularMomentum;
-}
-bool is_number(ProbeQuantity kind) {
-  return kind == ProbeQuantity::Energy || kind == ProbeQuantity::LoadFactor;
+  return is_of_all(kind) || kind == ProbeQuantity::Momentum ||
+         kind == ProbeQuantity::AngularMomentum;
 }
 
 Probe read_probe(const TomlTable& table, bool coupon) {
@@ -42,7 +39,7 @@ Probe read_probe(const TomlTable& table, bool coupon) {
   if (at && is_of_whole_beam(probe.quantity)) {
     throw at->error("is of no use: " + kind.string() + " is the whole beam's");
   }
-  if (component && is_number(probe.quantity)) {
+  if (component && is_of_all(probe.quantity)) {
     throw component->error("is of no use: " + kind.string() + " is the whole beam's");
   }
   if (energy && probe.quantity != ProbeQuantity::Energy) {

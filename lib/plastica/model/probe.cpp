@@ -5,7 +5,7 @@
 namespace plastica {
 
 std::span<const std::string_view> probe_kinds() {
-  static constexpr std::array<std::string_view, 22> kWords{"strain",
+  static constexpr std::array<std::string_view, 23> kWords{"strain",
                                                            "stress",
                                                            "plastic_strain",
                                                            "accumulated_strain",
@@ -26,7 +26,8 @@ std::span<const std::string_view> probe_kinds() {
                                                            "momentum",
                                                            "angular_momentum",
                                                            "local_plastic_strain",
-                                                           "local_accumulated_strain"};
+                                                           "local_accumulated_strain",
+                                                           "largest_plastic_strain"};
   return kWords;
 }
 
@@ -36,7 +37,8 @@ Dimension dimension_of(ProbeQuantity quantity, Deformation deformation) {
     case ProbeQuantity::PlasticStrain:
     case ProbeQuantity::AccumulatedStrain:
     case ProbeQuantity::LocalPlasticStrain:
-    case ProbeQuantity::LocalAccumulatedStrain: return Dimension::Strain;
+    case ProbeQuantity::LocalAccumulatedStrain:
+    case ProbeQuantity::LargestPlasticStrain: return Dimension::Strain;
     case ProbeQuantity::Stress: return Dimension::Stress;
     case ProbeQuantity::Load:
       return deformation == Deformation::Tension ? Dimension::Force : Dimension::Moment;

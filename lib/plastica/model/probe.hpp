@@ -36,6 +36,7 @@ enum class ProbeQuantity {
   AngularMomentum,     ///< of the whole beam about the world's origin; dynamics only [N m s]
   LocalPlasticStrain,  ///< permanent strain over a joint's own length, with sign; chain only [1]
   LocalAccumulatedStrain,  ///< sum of its |changes|; chain only [1]
+  LargestPlasticStrain,    ///< permanent strain of all joints, as they break; chain only [1]
 };
 
 /// The words of files for what a probe records, in the order of ProbeQuantity.
@@ -63,9 +64,10 @@ constexpr bool is_of_point(ProbeQuantity quantity) {
   return quantity == ProbeQuantity::Displacement;
 }
 
-/// Whether it is a number of the whole scene that every sample has.
+/// Whether it is a number of the whole scene, without place and direction.
 constexpr bool is_of_all(ProbeQuantity quantity) {
-  return quantity == ProbeQuantity::Energy || quantity == ProbeQuantity::LoadFactor;
+  return quantity == ProbeQuantity::Energy || quantity == ProbeQuantity::LoadFactor ||
+         quantity == ProbeQuantity::LargestPlasticStrain;
 }
 
 /// Which part of a vector a probe records. Joint quantities: bending about x, about y, torsion.

@@ -245,10 +245,10 @@ std::string place_label(double fraction) {
 
 std::string probe_label(const io::SceneRecord& record, const Probe& probe) {
   std::string label(probe_kinds()[static_cast<std::size_t>(probe.quantity)]);
-  if (record.level == Level::Coupon || probe.quantity == ProbeQuantity::LoadFactor) return label;
-  if (probe.quantity == ProbeQuantity::Energy) {
+  if (probe.quantity == ProbeQuantity::Energy && record.level != Level::Coupon) {
     return label + ' ' + words_of(kEnergyKinds[static_cast<std::size_t>(probe.energy)]);
   }
+  if (record.level == Level::Coupon || is_of_all(probe.quantity)) return label;
   const std::string_view component = kComponents[static_cast<std::size_t>(probe.component)];
   if (probe.quantity == ProbeQuantity::Momentum ||
       probe.quantity == ProbeQuantity::AngularMomentum) {

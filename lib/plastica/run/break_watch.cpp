@@ -218,6 +218,11 @@ const std::vector<double>& BreakWatch::strains(NodeStrains& of) {
   return of.strain_;
 }
 
+double BreakWatch::largest_strain(NodeStrains& of) {
+  const std::vector<double>& all = strains(of);
+  return *std::max_element(all.begin(), all.end());
+}
+
 std::array<double, 4> BreakWatch::strains_at(const std::vector<JointAngles>& angles,
                                              std::size_t joint) {
   begin(angles);

@@ -97,6 +97,7 @@ class BreakWatch {
   /// all where there is none. Most steps of most runs are asked for none, so they are found here.
   /// @return  [1] (joints)
   const std::vector<double>& strains(NodeStrains& of);
+  double largest_strain(NodeStrains& of);
 
   /// Strains of one joint: bending about x, about y, torsion, with the signs of the rotations that
   /// its hinge takes; and of bending about both, in Wendelius' formulas the larger of the two

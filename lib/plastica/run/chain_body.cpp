@@ -85,12 +85,6 @@ void ChainBody<L, kElastic>::accept_strains() {
   strains.take(trial);
 }
 
-template <class L, bool kElastic>
-double ChainBody<L, kElastic>::largest_strain() {
-  const std::vector<double>& all = watch.strains(strains);
-  return *std::max_element(all.begin(), all.end());
-}
-
 /// Lanes know neither the forces of a step nor the joints' axes.
 template <class L, bool kElastic>
 void ChainBody<L, kElastic>::find_axial_forces(bool in_motion) {

@@ -35,8 +35,6 @@ class ChainBody {
   void set_trial_strains();
   /// Takes them.
   void accept_strains();
-  /// The largest permanent strain of all joints [1].
-  double largest_strain();
   /// Notes the axial force of joints that yield in the step just accepted, or would if they saw it,
   /// where the response has to speak of it (`Response::axial`).
   /// @param in_motion  whether `work` holds all forces of the step, inertia included; else they are

@@ -104,7 +104,7 @@ void ChainMotionRunner<L, kElastic>::run(const MaterialValues<double>& material,
   set_energy_balance(body_.model.scene.beam.length, response);
   response.momentum_error = step_->momentum_error();
   judge_balance(response);
-  response.permanent_strain = body_.largest_strain();
+  response.permanent_strain = body_.watch.largest_strain(body_.strains);
   const std::chrono::duration<double> took = std::chrono::steady_clock::now() - began;
   response.seconds = took.count();
 }

@@ -244,7 +244,7 @@ typename ChainRecord<L, kElastic>::Space ChainRecord<L, kElastic>::motion_value(
 
 template <class L, bool kElastic>
 double ChainRecord<L, kElastic>::probe_value(const Probe& probe, const Work& w,
-                                             const NodeStrains& strains, const Response& response,
+                                             NodeStrains& strains, const Response& response,
                                              std::size_t sample) const {
   switch (probe.quantity) {
     case ProbeQuantity::Displacement:
@@ -269,6 +269,7 @@ double ChainRecord<L, kElastic>::probe_value(const Probe& probe, const Work& w,
       return detail::component_of(sum, probe.component);
     }
     case ProbeQuantity::LoadFactor: return response.chain.factor[sample];
+    case ProbeQuantity::LargestPlasticStrain: return watch_->largest_strain(strains);
     case ProbeQuantity::Energy: {
       const Energies& energy = response.chain.energy[sample];
       switch (probe.energy) {

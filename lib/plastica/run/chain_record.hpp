@@ -119,7 +119,7 @@ class ChainRecord {
   std::array<double, 6> world_axes(const Space& force, const Space& moment) const {
     return {force[0], force[1], force[2], moment[0], moment[1], moment[2]};
   }
-  double probe_value(const Probe& probe, const Work& w, const NodeStrains& strains,
+  double probe_value(const Probe& probe, const Work& w, NodeStrains& strains,
                      const Response& response, std::size_t sample) const;
   double joint_value(const Probe& probe, const NodeStrains& strains) const;
   /// In the break measure. @param angles  net or accumulated (nodes)
@@ -202,8 +202,11 @@ void ChainRecord<L, kElastic>::prepare(const ChainModel& model, const chain::Vie
   probes_read_shape_ = std::any_of(model.scene.probes.begin(), model.scene.probes.end(),
                                    [](const Probe& probe) { return is_of_joint(probe.quantity); });
   probes_read_chain_ =
-      std::any_of(model.scene.probes.begin(), model.scene.probes.end(), [](const Probe& probe) {
-        return !is_of_point(probe.quantity) && !is_of_all(probe.quantity);
+      std::any_of(model.scene.probes.begin(), model.scene.probes.end(), [&](const Probe& probe) {
+        // The lanes of motions have the laws' states of a sample where the whole chain is read.
+        const bool of_laws = probe.quantity == ProbeQuantity::LargestPlasticStrain &&
+                             model.options.analysis == Analysis::Dynamics;
+        return of_laws || (!is_of_point(probe.quantity) && !is_of_all(probe.quantity));
       });
 }
 

@@ -151,7 +151,7 @@ void ChainRunner<L, kElastic>::finish() {
     }
   }
   set_energy_balance(body_.model.scene.beam.length, response);
-  response.permanent_strain = body_.largest_strain();
+  response.permanent_strain = body_.watch.largest_strain(body_.strains);
 }
 
 /// At a limit point the path goes along its mode.

@@ -140,7 +140,7 @@ class LaneScenario {
     body_->record.end_frames(out);
     set_energy_balance(model_->scene.beam.length, out);
     judge_balance(out);
-    out.permanent_strain = body_->largest_strain();
+    out.permanent_strain = body_->watch.largest_strain(body_->strains);
     out.seconds = seconds;
   }
 
