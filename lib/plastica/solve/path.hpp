@@ -273,8 +273,11 @@ class PathContinuation {
   /// Load over the control point's displacement in this step, relative to the first slope.
   double relative_slope() const {
     const Value moved = control_.value(w_.placement) - at_;
-    return (w_.time - time_) / std::max(span_ / elastic_path_ * size_of(moved), kTiny);
+    return (w_.time - time_) / std::max(first_slope() * size_of(moved), kTiny);
   }
+  /// The elastic one [s/m].
+  double first_slope() const { return span_ / std::max(elastic_path_, least_path()); }
+  double least_path() const { return kLeastPath * longest_path_; }
 
   /// Of a joint, from the undeformed beam.
   double largest_rotation() const {

@@ -170,7 +170,6 @@ typename PathContinuation<L, kElastic>::Trial PathContinuation<L, kElastic>::cro
   const bool may_reverse = options_.control != PathControl::Load;
   latest_ = may_reverse ? stop : kForever;
   double highest = time_;
-  const double first_slope = span_ / elastic_path_;
   for (int k = 0; k < kMaxArcs; ++k) {
     const Trial trial = advance_arc();
     if (trial == Trial::Ended) return trial;
@@ -182,7 +181,7 @@ typename PathContinuation<L, kElastic>::Trial PathContinuation<L, kElastic>::cro
       return trial;
     }
     highest = std::max(highest, time_);
-    const double least = observer_.yields() ? kLimitSlope * first_slope : 0.0;
+    const double least = observer_.yields() ? kLimitSlope * first_slope() : 0.0;
     if (secant_time_ <= least * size_of(secant_)) {
       if (turns_back()) bracket_limit(highest);
       return stopped() ? Trial::Ended : Trial::Failed;

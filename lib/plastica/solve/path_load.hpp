@@ -120,7 +120,7 @@ bool PathContinuation<L, kElastic>::go_on(Trial trial) {
       // What the load may still rise by: where it nears its limit at least as fast as one over the
       // path traversed, the slope times that path. (Of a rectangle's fibres, as one over its
       // square.)
-      const double rises = gradual_ ? slope_ * span_ / elastic_path_ * traversed_ : 0.0;
+      const double rises = gradual_ ? slope_ * first_slope() * traversed_ : 0.0;
       limit_ = LimitLoad{previous_time_, time_ + rises};
       return end(Status::LimitLoad);
     }
@@ -149,18 +149,16 @@ void PathContinuation<L, kElastic>::pass_stop(const SpeedChange& change) {
     if (change.is_corner()) watches_slope_ = has_scale_ = begin_arcs();
     return;
   }
+  longest_path_ = std::max(longest_path_, elastic_path_);
+  if (change.factor) {
+    rate_ = constant<S>(faster) * rate_;
+    elastic_path_ *= faster;
+    return;
+  }
   const ControlPoint<L> control = control_;
   const Value rate = rate_;
   const double path = elastic_path_;
-  longest_path_ = std::max(longest_path_, path);
-  bool moves = true;
-  if (change.factor) {
-    rate_ = constant<S>(faster) * rate;
-    elastic_path_ = faster * path;
-  } else {
-    moves = begin_arcs();
-  }
-  if (moves && elastic_path_ >= kLeastPath * longest_path_) return;
+  if (begin_arcs() && elastic_path_ >= least_path()) return;
   control_ = control;
   rate_ = rate;
   elastic_path_ = path;

@@ -22,6 +22,9 @@ std::vector<History> histories() {
   for (const double half : {0.5, 1e-2, 1e-4, 1e-6, 0.3, 0.999}) {
     all.push_back({{0.0, 1.0, 2.0}, {0.0, half, 1.0}});
   }
+  // That nearly rests on its way, and goes on.
+  all.push_back({{0.0, 0.5, 1.0, 2.0}, {0.0, 0.45, 0.45 + 1e-10, 1.0}});
+  all.push_back({{0.0, 0.5, 1.0, 2.0}, {0.0, 0.45, 0.45, 1.0}});
   // As measured curves are followed: a point for each sample, at uneven distances.
   History uneven{{0.0}, {0.0}};
   for (int i = 1; i <= 40; ++i) {
