@@ -232,43 +232,9 @@ class PathContinuation {
     return attempt([](const Work&) { return PathCondition<L>{}; }, shortest);
   }
 
-  /// One step of Newton's method that takes the time along: loads and prescribed motions meet the
-  /// whole beam at once. A motion that the nearest joint had to take alone might make it yield.
-  void predict(double time) {
-    PathCondition<L> at_time;
-    at_time.active = true;
-    at_time.time_slope = constant<S>(1);
-    at_time.value = constant<S>(w_.time - time);
-    solve_rates(at_time);
-    detail::combine_columns(chain_, at_time, w_);
-    solved_ = false;
-    rate_before_ = size_of_rotations([&](std::size_t i) {
-                     typename L::Spin increment;
-                     for (std::size_t k = 0; k < L::kRotations; ++k)
-                       increment[k] = w_.columns[0].joint[i][k];
-                     return increment;
-                   }) /
-                   (time - time_);
-    detail::take_step(chain_, at_time, false, w_);
-  }
-
-  /// All columns at the committed unknowns, and how much of each meets a condition on the time.
-  void solve_rates(const PathCondition<L>& at_time) {
-    if (!factored_) {
-      detail::assemble(chain_, laws_, w_);
-      w_.recursion.factor(chain_, w_.q, w_.placement, w_.stage, w_.joints, w_.outer_forces,
-                          w_.transmitted);
-      factored_ = true;
-    }
-    if (!solved_) {
-      detail::solve_imbalance(chain_, at_time, w_);
-      for (std::size_t k = 0; k < chain_.constraints.size(); ++k)
-        detail::solve_constraint(chain_, k, w_);
-      detail::solve_time(chain_, at_time, w_);
-      solved_ = true;
-    }
-    detail::join_columns(chain_, at_time, w_);
-  }
+  /// Load control's first guess, and its rates: path_load.hpp.
+  void predict(double time);
+  void solve_rates(const PathCondition<L>& at_time);
 
   /// Load over the control point's displacement in this step, relative to the first slope.
   double relative_slope() const {
