@@ -36,7 +36,7 @@ enum class ProbeQuantity {
   AngularMomentum,     ///< of the whole beam about the world's origin; dynamics only [N m s]
   LocalPlasticStrain,  ///< permanent strain over a joint's own length, with sign; chain only [1]
   LocalAccumulatedStrain,  ///< sum of its |changes|; chain only [1]
-  LargestPlasticStrain,    ///< permanent strain of all joints, as they break; chain only [1]
+  LargestPlasticStrain,    ///< of all joints, of each that nearest to its limit; chain only [1]
 };
 
 /// The words of files for what a probe records, in the order of ProbeQuantity.

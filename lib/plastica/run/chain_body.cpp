@@ -108,11 +108,11 @@ template <class L, bool kElastic>
 void ChainBody<L, kElastic>::note_axial(bool in_motion, Response& response) {
   if (L::kTranslations == 0 || model.scene.yield_model == YieldModel::Elastic) return;
   const bool per_axis = model.scene.yield_model == YieldModel::PerAxis;
-  const auto& flows = joints->work_increment();
-  const auto yields = [&](std::size_t j) { return flows[j] > constant<S>(0); };
+  const auto& works = joints->work_increment();
+  const auto yields = [&](std::size_t j) { return works[j] > constant<S>(0); };
   const bool left_out = per_axis || in_motion;
   const bool any =
-      std::any_of(flows.begin(), flows.end(), [](const S& flow) { return flow > constant<S>(0); });
+      std::any_of(works.begin(), works.end(), [](const S& flow) { return flow > constant<S>(0); });
   // A section of which N is left out would yield by N alone, too: that shows in no flow.
   if (!any && !(per_axis && !in_motion && carries_axial_yield())) return;
   if (left_out) find_axial_forces(in_motion);

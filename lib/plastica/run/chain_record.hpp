@@ -202,11 +202,8 @@ void ChainRecord<L, kElastic>::prepare(const ChainModel& model, const chain::Vie
   probes_read_shape_ = std::any_of(model.scene.probes.begin(), model.scene.probes.end(),
                                    [](const Probe& probe) { return is_of_joint(probe.quantity); });
   probes_read_chain_ =
-      std::any_of(model.scene.probes.begin(), model.scene.probes.end(), [&](const Probe& probe) {
-        // The lanes of motions have the laws' states of a sample where the whole chain is read.
-        const bool of_laws = probe.quantity == ProbeQuantity::LargestPlasticStrain &&
-                             model.options.analysis == Analysis::Dynamics;
-        return of_laws || (!is_of_point(probe.quantity) && !is_of_all(probe.quantity));
+      std::any_of(model.scene.probes.begin(), model.scene.probes.end(), [](const Probe& probe) {
+        return !is_of_point(probe.quantity) && !is_of_all(probe.quantity);
       });
 }
 

@@ -66,6 +66,7 @@ class ChainRunner final : public ChainProgram, private solve::PathObserver<L, kE
   /// @param sections  there; null where nothing has yielded
   void check_plane(const chain::Coordinates<L>& q, double time, const Sections* sections);
   void check_plane_while_moments_grow(const Work& w);
+  void check_plane_where_loads_turn(const Work& w);
 
   ChainBody<L, kElastic> body_;
   solve::PathOptions options_;
@@ -85,7 +86,7 @@ class ChainRunner final : public ChainProgram, private solve::PathObserver<L, kE
   double stable_time_ = 0.0;
   bool has_stable_ = false;
   int unstable_beside_ = 0;      ///< as known last
-  double checked_at_ = 0.0;      ///< time of the last check of stability out of the plane
+  double checked_at_ = -1.0;     ///< time of the last check of stability out of the plane
   double checked_moment_ = 0.0;  ///< largest of a joint at the last such check [N m]
   double last_time_ = 0.0;       ///< of the last step
   /// `sections` there, of a planar chain that has yielded.

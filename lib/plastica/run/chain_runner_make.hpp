@@ -92,7 +92,8 @@ bool ChainRunner<L, kElastic>::begin_path() {
   has_stable_ = false;
   has_yielded_ = leaves_plane_ = false;
   unstable_beside_ = 0;
-  checked_at_ = checked_moment_ = 0.0;
+  checked_at_ = -1.0;
+  checked_moment_ = 0.0;
   body_.record.begin_frames(*response_);
   solve::PathObserver<L, kElastic>& observer = *this;
   continuation_.emplace(body_.build.chain, *body_.joints, options_, control_, body_.work,
@@ -235,7 +236,8 @@ bool ChainRunner<L, kElastic>::yields() const {
 
 template <class L, bool kElastic>
 solve::Verdict ChainRunner<L, kElastic>::judge(const Work& /*w*/, bool shortest) {
-  flowed_ = body_.flows();
+  // Up to the first equilibrium there may have been several steps.
+  flowed_ = body_.flows() || response_->samples == 0;
   if (!flowed_) return solve::Verdict::Accept;
   body_.set_trial_strains();
   if (!body_.watch.active()) return solve::Verdict::Accept;
@@ -253,7 +255,10 @@ bool ChainRunner<L, kElastic>::accept(const Work& w) {
   body_.record.add_work(w, *body_.joints);
   has_yielded_ = has_yielded_ || yields();
   last_time_ = w.time;
-  if (L::kTranslations == 2) check_plane_while_moments_grow(w);
+  if (L::kTranslations == 2) {
+    check_plane_while_moments_grow(w);
+    check_plane_where_loads_turn(w);
+  }
   if (body_.model.options.buckling > 0 && continuation_->known_unstable_modes() == 0 &&
       !has_yielded_) {
     stable_ = w.q;
@@ -283,11 +288,6 @@ bool ChainRunner<L, kElastic>::record(const Work& w) {
   response_->chain.iterations[response_->samples] = continuation_->counters().iterations;
   ++response_->samples;
   if (!response_->unheld_thrust) response_->unheld_thrust = is_pushed(w) && !has_space_beside();
-  const double same = solve::kSameTime * options_.stops.back();
-  if (solve::speed_change(body_.build.chain, w.time, same).is_corner()) {
-    const Sections now = sections();
-    check_plane(w.q, w.time, &now);
-  }
   return response_->samples < body_.model.samples;
 }
 

@@ -123,7 +123,6 @@ template <class L, bool kElastic>
 void ChainRunner<L, kElastic>::check_plane(const chain::Coordinates<L>& q, double time,
                                            const Sections* sections) {
   if constexpr (L::kTranslations == 2) {
-    // At time 0 little acts; what acts is there later, too.
     const bool known = asks_beside_ || leaves_plane_ || !(time > checked_at_ || time < checked_at_);
     if (known || !has_space_beside()) return;
     checked_at_ = time;
@@ -159,6 +158,27 @@ void ChainRunner<L, kElastic>::check_plane_while_moments_grow(const Work& w) {
   }
   if (largest < (has_yielded_ ? 1.02 : 2.0) * checked_moment_) return;
   checked_moment_ = largest;
+  const Sections now = sections();
+  check_plane(w.q, w.time, &now);
+}
+
+/// What acts at time 0, and whatever comes to its most or changes its way, may be gone at the end.
+template <class L, bool kElastic>
+void ChainRunner<L, kElastic>::check_plane_where_loads_turn(const Work& w) {
+  constexpr double kWhile = 1e-6;  // of the path: over it a smooth peak shows, too
+  if (asks_beside_ || leaves_plane_) return;
+  const auto& chain = body_.build.chain;
+  const double end = options_.stops.back();
+  const auto acts_at_once = [&] {
+    return std::any_of(chain.histories.begin(), chain.histories.end(), [](const History& history) {
+      return history.at(0.0) < 0.0 || history.at(0.0) > 0.0;
+    });
+  };
+  const bool looks = w.time > 0.0
+                         ? solve::speed_change(chain, w.time, solve::kSameTime * end).is_corner() ||
+                               solve::is_peak(chain, w.time, kWhile * end)
+                         : acts_at_once();
+  if (!looks) return;
   const Sections now = sections();
   check_plane(w.q, w.time, &now);
 }

@@ -158,14 +158,20 @@ void solve_constraint(const chain::Chain<L>& chain, std::size_t k, NewtonWork<L,
   w.recursion.solve(w.right, false, w.columns[1 + k]);
 }
 
-/// The last column: what a unit of time moves, through loads, springs, the ground and constraints.
+/// The slopes of a chain's histories at the time of the work [1/s].
 template <class L, bool kElastic>
-void solve_time(const chain::Chain<L>& chain, const PathCondition<L>& condition,
-                NewtonWork<L, kElastic>& w) {
-  using S = typename L::Scalar;
-  const auto slope = [&](std::size_t history) {
-    return constant<S>(chain.histories[history].slope_at(w.time));
+auto slopes_now(const chain::Chain<L>& chain, const NewtonWork<L, kElastic>& w) {
+  return [&](std::size_t history) {
+    return chain::factor_as<typename L::Scalar>(chain.histories[history].slope_at(w.time));
   };
+}
+
+/// The last column: what a unit of time moves, through loads, springs, the ground and constraints.
+/// @param slope  of a history's number
+template <class L, bool kElastic, class Slope>
+void solve_time(const chain::Chain<L>& chain, const PathCondition<L>& condition,
+                NewtonWork<L, kElastic>& w, const Slope& slope) {
+  using S = typename L::Scalar;
   w.right.reset(chain.size());
   for (const auto& load : chain.loads) {
     const chain::Wrench<L> unit = chain::unit_wrench(load, w.placement);
@@ -205,11 +211,17 @@ void solve_time(const chain::Chain<L>& chain, const PathCondition<L>& condition,
                     slope(chain.root.history) * chain.root.rotation};
   w.recursion.solve(w.right, false, w.columns.back());
 }
+template <class L, bool kElastic>
+void solve_time(const chain::Chain<L>& chain, const PathCondition<L>& condition,
+                NewtonWork<L, kElastic>& w) {
+  solve_time(chain, condition, w, slopes_now(chain, w));
+}
 
 /// Solves for multipliers and time: the motion must close every gap and meet the condition.
-template <class L, bool kElastic>
+/// @param slope  as for `solve_time`
+template <class L, bool kElastic, class Slope>
 void join_columns(const chain::Chain<L>& chain, const PathCondition<L>& condition,
-                  NewtonWork<L, kElastic>& w) {
+                  NewtonWork<L, kElastic>& w, const Slope& slope) {
   using S = typename L::Scalar;
   const std::size_t constraints = chain.constraints.size();
   const S zero = constant<S>(0);
@@ -225,8 +237,8 @@ void join_columns(const chain::Chain<L>& chain, const PathCondition<L>& conditio
     }
     S by_time = zero;
     if (condition.active) {
-      const S slope = chain::factor_as<S>(chain.histories[loop.history].slope_at(w.time));
-      by_time = power(wrench, w.columns.back().motion[loop.segment]) - slope * loop.motion;
+      const S speed = slope(loop.history);
+      by_time = power(wrench, w.columns.back().motion[loop.segment]) - speed * loop.motion;
     }
     small.a(k, constraints) = select(w.closed[k], by_time, zero);
     const S moved = power(wrench, w.columns[0].motion[loop.segment]);
@@ -247,6 +259,11 @@ void join_columns(const chain::Chain<L>& chain, const PathCondition<L>& conditio
     small.b(constraints) = zero;
   }
   small.solve();
+}
+template <class L, bool kElastic>
+void join_columns(const chain::Chain<L>& chain, const PathCondition<L>& condition,
+                  NewtonWork<L, kElastic>& w) {
+  join_columns(chain, condition, w, slopes_now(chain, w));
 }
 
 /// How a segment moves in a unit of time with the constraints kept; after `join_columns`.

@@ -236,14 +236,23 @@ class PathContinuation {
   void predict(double time);
   void solve_rates(const PathCondition<L>& at_time);
 
-  /// Load over the control point's displacement in this step, relative to the first slope.
+  /// What this step would have moved the control point by elastically, over what it did; 1 where it
+  /// is too little to tell.
   double relative_slope() const {
     const Value moved = control_.value(w_.placement) - at_;
-    return (w_.time - time_) / std::max(first_slope() * size_of(moved), kTiny);
+    const double elastic = size_of(moves_elastically(time_, w_.time));
+    if (!(elastic > kLeastPath * reach_)) return 1.0;
+    return elastic / std::max<double>(size_of(moved), kTiny);
   }
-  /// The elastic one [s/m].
-  double first_slope() const { return span_ / std::max(elastic_path_, least_path()); }
-  double least_path() const { return kLeastPath * longest_path_; }
+  /// Displacement of the control point between two times as `begin_slopes` has seen it answer.
+  Value moves_elastically(double begin, double end) const {
+    Value sum{};
+    for (const Response& one : responses_) {
+      const History& history = chain_.histories[one.history];
+      sum += constant<S>(history.at(end) - history.at(begin)) * one.by_unit;
+    }
+    return sum;
+  }
 
   /// Of a joint, from the undeformed beam.
   double largest_rotation() const {
@@ -254,6 +263,10 @@ class PathContinuation {
     return farthest;
   }
 
+  /// The least displacement of the control point that is no rounding [m].
+  double least_path() const {
+    return kMinPath * (L::kTranslations > 0 ? static_cast<double>(chain_.length) : 1.0);
+  }
   double smallest() const { return options_.smallest_step * options_.stops.front(); }
 
   /// The equilibrium without loads.
@@ -282,6 +295,10 @@ class PathContinuation {
 
   /// How u and t go on elastically from the committed state: sets the scales of an arc.
   bool begin_arcs();
+  /// Looks at the committed state: takes the control point, and how it answers each history.
+  void look_around();
+  /// How the control point answers: for `relative_slope`. @return whether anything moves it
+  bool begin_slopes();
   /// Motion of a segment in a unit of time, with the constraints kept; after `solve_rates`.
   chain::Motion<L> rate_of(std::size_t segment) const;
   /// Takes the segment end that moves most, since one that is held tells nothing of the path.
@@ -330,9 +347,16 @@ class PathContinuation {
   bool solved_ = false;       ///< and all columns
 
   double span_ = 1.0;          ///< scale of time
-  double elastic_path_ = 1.0;  ///< displacement of the control point in `span_`, if elastic
-  double longest_path_ = 0.0;  ///< the largest of these so far
-  Value rate_{};               ///< of the control point, elastically
+  double elastic_path_ = 0.0;  ///< displacement of the control point in `span_`, if elastic
+  /// What one factor moves the control point by elastically.
+  struct Response {
+    std::size_t history = 0;  ///< the first of all that are equal
+    Value by_unit{};          ///< of all of these
+  };
+  std::vector<Response> responses_;   ///< of histories that change
+  std::vector<std::size_t> same_as_;  ///< the first of equal ones (histories)
+  double reach_ = 0.0;                ///< what all factors at their largest would move it by
+  Value rate_{};                      ///< of the control point, elastically
   double arc_length_ = 0.0, largest_arc_ = 0.0, smallest_arc_ = 0.0;
   double latest_ = kForever;  ///< time at which arcs end
   bool beyond_ = false;       ///< whether the last trial of an arc was after it
@@ -352,7 +376,7 @@ class PathContinuation {
   double speed_ = 1.0;          ///< of what moves, over that in the last step
   double rate_before_ = 0.0;    ///< likewise, in a unit of time before it, or where it begins
   Value at_{};                  ///< the control point at the last step
-  bool has_scale_ = false;      ///< whether arcs have one: something moves
+  bool has_scale_ = false;      ///< whether anything moves the control point
   bool watches_slope_ = false;  ///< load control: see `attempt`
   bool flat_ = false;
   bool gradual_ = false;    ///< whether the step before was nearly flat, too

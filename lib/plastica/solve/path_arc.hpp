@@ -7,14 +7,7 @@ namespace plastica::solve {
 
 template <class L, bool kElastic>
 bool PathContinuation<L, kElastic>::begin_arcs() {
-  restore();
-  // Rounding may set a corner behind its stop.
-  if (time_ > 0.0) w_.time += kSameTime * options_.stops.back();
-  solve_rates(PathCondition<L>::unit_time());
-  w_.time = time_;
-  if (options_.finds_control) find_control();
-  at_ = control_.value(w_.placement);
-  if (counters_.steps <= 1) traversed_ = 0.0;  // of another control point
+  look_around();
   return set_scales(control_.rate(rate_of(control_.segment), w_.placement));
 }
 
@@ -40,11 +33,12 @@ void PathContinuation<L, kElastic>::find_control() {
 
 template <class L, bool kElastic>
 bool PathContinuation<L, kElastic>::set_scales(const Value& rate) {
-  span_ = options_.stops.back();
-  elastic_path_ = size_of(rate) * span_;
+  const double span = options_.stops.back();
+  const double path = static_cast<double>(size_of(rate)) * span;
   // What only rounding moves has no scale: an axial load moves no straight beam.
-  const double unit = L::kTranslations > 0 ? static_cast<double>(chain_.length) : 1.0;
-  if (!(elastic_path_ > kMinPath * unit) || !std::isfinite(elastic_path_)) return false;
+  if (!(path > least_path()) || !std::isfinite(path)) return false;
+  span_ = span;
+  elastic_path_ = path;
   rate_ = rate;
   return true;
 }
@@ -166,6 +160,11 @@ typename PathContinuation<L, kElastic>::Trial PathContinuation<L, kElastic>::cro
     double stop) {
   if (!watches_slope_) return Trial::Failed;
   watches_slope_ = false;
+  // As all goes on from here, or, where that moves the control point by nothing, as it began.
+  const double soon = kSameTime * options_.stops.back();
+  set_scales(constant<S>(1.0 / soon) * moves_elastically(time_, time_ + soon));
+  if (!(elastic_path_ > 0.0)) return Trial::Failed;
+  const double first_slope = span_ / elastic_path_;
   set_arc_length(1e-2, 1.0);
   const bool may_reverse = options_.control != PathControl::Load;
   latest_ = may_reverse ? stop : kForever;
@@ -181,7 +180,7 @@ typename PathContinuation<L, kElastic>::Trial PathContinuation<L, kElastic>::cro
       return trial;
     }
     highest = std::max(highest, time_);
-    const double least = observer_.yields() ? kLimitSlope * first_slope() : 0.0;
+    const double least = observer_.yields() ? kLimitSlope * first_slope : 0.0;
     if (secant_time_ <= least * size_of(secant_)) {
       if (turns_back()) bracket_limit(highest);
       return stopped() ? Trial::Ended : Trial::Failed;

@@ -85,7 +85,7 @@ bool PathContinuation<L, kElastic>::begin_control() {
     case PathControl::Auto:
     case PathControl::Load: break;
   }
-  watches_slope_ = has_scale_ = begin_arcs();
+  watches_slope_ = has_scale_ = begin_slopes();
   return seek();
 }
 
@@ -160,7 +160,9 @@ bool PathContinuation<L, kElastic>::go_on(Trial trial) {
       // What the load may still rise by: where it nears its limit at least as fast as one over the
       // path traversed, the slope times that path. (Of a rectangle's fibres, as one over its
       // square.)
-      const double rises = gradual_ ? slope_ * first_slope() * traversed_ : 0.0;
+      const double elastic = size_of(moves_elastically(previous_time_, time_));
+      const double rises =
+          gradual_ ? slope_ * (time_ - previous_time_) / elastic * traversed_ : 0.0;
       limit_ = LimitLoad{previous_time_, time_ + rises};
       return end(Status::LimitLoad);
     }
@@ -169,40 +171,69 @@ bool PathContinuation<L, kElastic>::go_on(Trial trial) {
   if (trial == Trial::Failed) return end(limit_ ? Status::LimitLoad : Status::NotConverged);
   while (!(time_ < options_.stops[stop_])) {
     if (options_.recorded[stop_]) observer_.record(w_);
+    if (stop_ + 1 == options_.stops.size()) return end(Status::Completed);
     pass_stop(speed_change(chain_, options_.stops[stop_], kSameTime * options_.stops.back()));
-    if (++stop_ == options_.stops.size()) return end(Status::Completed);
+    ++stop_;
   }
   return seek();
 }
 
-/// What comes after a corner of a load or motion is no continuation. Slopes of the path and arcs
-/// are measured by how far the control point goes elastically in a unit of time: at another speed
-/// so many times as far, and of other loads anew. What hardly moves it, or by rounding alone, is
-/// measured as what came before.
+/// What comes after a corner of a load or motion is no continuation.
 template <class L, bool kElastic>
 void PathContinuation<L, kElastic>::pass_stop(const SpeedChange& change) {
   if (change.is_corner()) goes_on_ = false;
   const double faster = std::fabs(change.factor.value_or(1.0));
   speed_ *= faster;
   rate_before_ *= faster;
-  if (!has_scale_) {
-    if (change.is_corner()) watches_slope_ = has_scale_ = begin_arcs();
-    return;
-  }
-  longest_path_ = std::max(longest_path_, elastic_path_);
-  if (change.factor) {
-    rate_ = constant<S>(faster) * rate_;
-    elastic_path_ *= faster;
-    return;
-  }
-  const ControlPoint<L> control = control_;
-  const Value rate = rate_;
-  const double path = elastic_path_;
-  if (begin_arcs() && elastic_path_ >= least_path()) return;
-  control_ = control;
-  rate_ = rate;
-  elastic_path_ = path;
+  // What begins to move the beam here.
+  if (change.is_corner() && !has_scale_) watches_slope_ = has_scale_ = begin_slopes();
+}
+
+template <class L, bool kElastic>
+void PathContinuation<L, kElastic>::look_around() {
+  restore();
+  solve_rates(PathCondition<L>::unit_time());
+  if (options_.finds_control) find_control();
   at_ = control_.value(w_.placement);
+  if (counters_.steps <= 1) traversed_ = 0.0;  // of another control point
+}
+
+template <class L, bool kElastic>
+bool PathContinuation<L, kElastic>::begin_slopes() {
+  look_around();
+  const Value rate = control_.rate(rate_of(control_.segment), w_.placement);
+  set_scales(rate);
+  const auto& histories = chain_.histories;
+  same_as_.clear();
+  responses_.clear();
+  for (std::size_t h = 0; h < histories.size(); ++h) {
+    const auto first = std::find(histories.begin(), histories.end(), histories[h]);
+    same_as_.push_back(static_cast<std::size_t>(first - histories.begin()));
+    if (same_as_[h] == h && histories[h].time.size() > 1) responses_.push_back({h, {}});
+  }
+  const double speed =
+      responses_.size() == 1 ? histories[responses_[0].history].slope_at(time_) : 0.0;
+  const bool is_known = speed < 0.0 || speed > 0.0;  // of a single one that acts now
+  const PathCondition<L> unit = PathCondition<L>::unit_time();
+  reach_ = 0.0;
+  for (Response& one : responses_) {
+    const History& history = histories[one.history];
+    if (is_known) {
+      one.by_unit = constant<S>(1.0 / speed) * rate;
+    } else {
+      const auto slope = [&](std::size_t k) {
+        return constant<S>(same_as_[k] == one.history ? 1.0 : 0.0);
+      };
+      detail::solve_time(chain_, unit, w_, slope);
+      detail::join_columns(chain_, unit, w_, slope);
+      one.by_unit = control_.rate(rate_of(control_.segment), w_.placement);
+      solved_ = false;  // the last column is another one
+    }
+    double most = std::fabs(history.at(options_.stops.back()));
+    for (const double factor : history.factor) most = std::max(most, std::fabs(factor));
+    reach_ += most * static_cast<double>(size_of(one.by_unit));
+  }
+  return reach_ > least_path() && std::isfinite(reach_);
 }
 
 }  // namespace plastica::solve

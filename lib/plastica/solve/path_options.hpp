@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -22,9 +23,9 @@ inline constexpr double kBend = 0.1;
 /// A path that comes to its limit from a slope below this nears it by and by, as fibres yield.
 inline constexpr double kGradual = 20.0 * kLimitSlope;
 
-/// Loads that move the control point elastically by less than this part of what others have done
-/// tell nothing of a slope: it may be rounding that moves it.
-inline constexpr double kLeastPath = 1e-4;
+/// A step that would move the control point elastically by less than this part of what all loads
+/// would move it by tells nothing of a slope: it may be rounding that moves it.
+inline constexpr double kLeastPath = 1e-10;
 
 /// A limit load is bracketed within this fraction of it.
 inline constexpr double kLimitWidth = 1e-4;
@@ -72,7 +73,8 @@ struct PathOptions {
 /// How loads and motions go on at a time. A path at rest depends on where they go, and not on how
 /// fast: where all that moves is faster or slower by one factor, it has no corner.
 struct SpeedChange {
-  std::optional<double> factor;  ///< of all speeds; below 0: they turn back; none: of no one
+  /// That all speeds change by; below 0: all turn back; none: they change unlike each other.
+  std::optional<double> factor;
   bool is_corner() const { return !factor || *factor < 0.0; }
 };
 
@@ -91,6 +93,17 @@ SpeedChange speed_change(const chain::Chain<L>& chain, double time, double toler
     common = factor;
   }
   return {common.value_or(1.0)};
+}
+
+/// Whether something acts with its largest factor so far at a time, and with less from there on.
+/// @param while_  over which that shows [s]
+template <class L>
+bool is_peak(const chain::Chain<L>& chain, double time, double while_) {
+  return std::any_of(chain.histories.begin(), chain.histories.end(), [&](const History& history) {
+    const double now = std::fabs(history.at(time));
+    return std::fabs(history.at(time + while_)) < now &&
+           (time < while_ || std::fabs(history.at(time - while_)) <= now);
+  });
 }
 
 /// What an observer says of a converged step.

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <string>
 #include <vector>
@@ -82,6 +83,32 @@ TEST(LargestStrain, IsTheSameWhereNoShapesAreKeptAndWhereABeamIsAlone) {
     EXPECT_EQ(together[i].response.probes, shapes[i].response.probes) << i;
     EXPECT_EQ(run_case(few[i]).response.probes, shapes[i].response.probes) << i;
   }
+}
+
+TEST(LargestStrain, CountsAllStepsInWhichWhatActsAtOnceIsPutOn) {
+  // A pillar takes over after the clamp has yielded: the last of the steps is elastic.
+  Scene scene = testing::cantilever_scene(20);
+  scene.yield_model = YieldModel::PerAxis;
+  scene.material.yield_stress = 300e6;
+  scene.material.hardening.law = HardeningLaw::Linear;
+  scene.material.hardening.tangent_modulus = 10e9;
+  Support pillar{.at = {0.5, {}}, .kind = SupportKind::Pillar};
+  pillar.normal = {0.0, 1.0, 0.0};
+  pillar.gap = 0.018;
+  scene.supports.push_back(pillar);
+  scene.loads.push_back({.force = {0.0, -500.0, 0.0}, .history = History::constant()});
+  add_probe(scene, ProbeQuantity::LargestPlasticStrain, Place::end(), Component::Y);
+  SolverOptions options{.duration = 1.0, .steps = 2};
+  options.largest_rotation = 0.01;
+  const Response response = testing::completed(scene, options);
+  const double more = testing::last_of(response, 0);
+  const ChainHistory& chain = response.chain;
+  const double moment = std::fabs(chain.moment[(response.samples - 1) * chain.joints * 3]);
+  EXPECT_GT(more, 1e-3);
+  EXPECT_GT(moment, testing::yield_moment_of(scene));
+  EXPECT_EQ(response.probes[0].front(), more);
+  scene.material.break_strain = 0.5 * more;
+  EXPECT_EQ(simulate(scene, options).status, Status::Broken);
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <vector>
 
 #include "tests/support/chain_scene.hpp"
@@ -22,6 +23,12 @@ std::vector<History> histories() {
   for (const double half : {0.5, 1e-2, 1e-4, 1e-6, 0.3, 0.999}) {
     all.push_back({{0.0, 1.0, 2.0}, {0.0, half, 1.0}});
   }
+  // That begins with rounding in place of 0.
+  all.push_back({{0.0, 1.0, 2.0}, {0.0, 1e-14, 1.0}});
+  // Smooth ones, that begin later than the path, or slowly.
+  all.push_back(History::smooth_step(0.5, 2.0));
+  all.push_back(History::smooth_step(0.0, 2.0));
+  all.push_back(History::spline({0.0, 1.0, 2.0}, {0.0, 0.3, 1.0}));
   // That nearly rests on its way, and goes on.
   all.push_back({{0.0, 0.5, 1.0, 2.0}, {0.0, 0.45, 0.45 + 1e-10, 1.0}});
   all.push_back({{0.0, 0.5, 1.0, 2.0}, {0.0, 0.45, 0.45, 1.0}});
@@ -111,6 +118,40 @@ TEST(PathSpeed, OfALoadThatHardlyActedBeforeIsNoLimit) {
     const Response response = completed(scene, {.steps = 20});
     EXPECT_NEAR(last_of(response, 0) / alone, 1.0, 1e-5) << pushed;
   }
+}
+
+TEST(PathSpeed, OfWhatFallsHidesNoBucklingOutOfThePlane) {
+  // A thin strip, stable at its end, that has left its plane on the way: P_c = 4.013
+  // sqrt(EI GJ)/L^2 (Timoshenko and Gere, Theory of Elastic Stability, 1961, art. 6.3).
+  Scene scene = cantilever_scene(20);
+  scene.beam.length = 2.0;
+  scene.section.width = 0.005;
+  scene.section.height = 0.06;
+  const SectionProperties p = testing::properties_of(scene);
+  const double e = scene.material.youngs_modulus;
+  const double g = e / (2.0 * (1.0 + scene.material.poisson_ratio));
+  const double critical = 4.013 * std::sqrt(e * p.second_moment_y * g * p.torsion_constant) / 4.0;
+  const Load load{.at = Place::end(), .force = {0.0, -critical, 0.0}};
+  const auto status = [&](const History& history, int steps, double duration) {
+    scene.loads = {load};
+    scene.loads[0].history = history;
+    return simulate(scene, {.level = Level::Planar, .duration = duration, .steps = steps}).status;
+  };
+  // It acts at once and only falls; its peak is no sample; a smooth peak.
+  EXPECT_EQ(status({{0.0, 1.0, 2.0}, {1.5, 1.2, 0.2}}, 20, 2.0), Status::Unstable);
+  EXPECT_EQ(status({{0.0, 1.0, 3.0}, {0.0, 1.5, 0.2}}, 20, 3.0), Status::Unstable);
+  EXPECT_EQ(status({{0.0, 1.0, 3.0}, {0.0, 0.9, 0.2}}, 20, 3.0), Status::Completed);
+  History swing = History::sine(1.0, 0.5);
+  for (double& factor : swing.factor) factor *= 1.5;
+  for (double& slope : swing.slope) slope *= 1.5;
+  EXPECT_EQ(status(swing, 7, 0.5), Status::Unstable);
+  // It stays, and another lifts it ever more.
+  scene.loads = {load, load};
+  for (double& force : scene.loads[0].force) force *= 1.5;
+  for (double& force : scene.loads[1].force) force *= -1.2;
+  scene.loads[0].history = History::constant();
+  scene.loads[1].history = {{0.0, 1.0, 2.0}, {0.0, 0.1, 1.0}};
+  EXPECT_EQ(simulate(scene, {.level = Level::Planar, .steps = 20}).status, Status::Unstable);
 }
 
 }  // namespace
