@@ -72,6 +72,7 @@ class ChainRunner final : public ChainProgram, private solve::PathObserver<L, kE
   solve::PathOptions options_;
   solve::ControlPoint<L> control_;
   chain::Coordinates<L> committed_, previous_;
+  solve::ElasticResponses<L> elastic_;
   Response* response_ = nullptr;
   MaterialValues<double> material_{};
   const Workspace* hooks_ = nullptr;  ///< while a path is followed

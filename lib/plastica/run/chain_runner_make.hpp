@@ -97,7 +97,7 @@ bool ChainRunner<L, kElastic>::begin_path() {
   body_.record.begin_frames(*response_);
   solve::PathObserver<L, kElastic>& observer = *this;
   continuation_.emplace(body_.build.chain, *body_.joints, options_, control_, body_.work,
-                        committed_, previous_, observer);
+                        committed_, previous_, elastic_, observer);
   return continuation_->begin();
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <vector>
 
 #include "plastica/solve/newton.hpp"
 
@@ -42,6 +43,19 @@ struct ControlPoint {
       return motion.shift + L::spun(motion.spin, L::rotate(placement.frame[segment], arm));
     }
   }
+};
+
+/// How the control point answers loads elastically, kept from one path to the next so that these
+/// allocate nothing.
+template <class L>
+struct ElasticResponses {
+  /// What one factor moves the control point by.
+  struct Response {
+    std::size_t history = 0;                    ///< the first of all that are equal
+    typename ControlPoint<L>::Value by_unit{};  ///< of all of these
+  };
+  std::vector<Response> responses{};   ///< of histories that change
+  std::vector<std::size_t> same_as{};  ///< the first of equal ones (histories)
 };
 
 }  // namespace plastica::solve

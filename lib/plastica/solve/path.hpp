@@ -28,7 +28,8 @@ class PathContinuation {
 
   PathContinuation(const chain::Chain<L>& chain, Laws& laws, const PathOptions& options,
                    const ControlPoint<L>& control, Work& work, chain::Coordinates<L>& committed,
-                   chain::Coordinates<L>& previous, Observer& observer)
+                   chain::Coordinates<L>& previous, ElasticResponses<L>& elastic,
+                   Observer& observer)
       : chain_(chain),
         laws_(laws),
         options_(options),
@@ -36,6 +37,7 @@ class PathContinuation {
         w_(work),
         committed_(committed),
         previous_(previous),
+        elastic_(elastic),
         observer_(observer),
         conservative_(is_conservative(chain)),
         has_pillars_(std::any_of(chain.constraints.begin(), chain.constraints.end(),
@@ -247,7 +249,7 @@ class PathContinuation {
   /// Displacement of the control point between two times as `begin_slopes` has seen it answer.
   Value moves_elastically(double begin, double end) const {
     Value sum{};
-    for (const Response& one : responses_) {
+    for (const auto& one : elastic_.responses) {
       const History& history = chain_.histories[one.history];
       sum += constant<S>(history.at(end) - history.at(begin)) * one.by_unit;
     }
@@ -328,6 +330,7 @@ class PathContinuation {
   Work& w_;
   chain::Coordinates<L>& committed_;
   chain::Coordinates<L>& previous_;
+  ElasticResponses<L>& elastic_;
   Observer& observer_;
 
   PathCounters counters_{};
@@ -348,15 +351,8 @@ class PathContinuation {
 
   double span_ = 1.0;          ///< scale of time
   double elastic_path_ = 0.0;  ///< displacement of the control point in `span_`, if elastic
-  /// What one factor moves the control point by elastically.
-  struct Response {
-    std::size_t history = 0;  ///< the first of all that are equal
-    Value by_unit{};          ///< of all of these
-  };
-  std::vector<Response> responses_;   ///< of histories that change
-  std::vector<std::size_t> same_as_;  ///< the first of equal ones (histories)
-  double reach_ = 0.0;                ///< what all factors at their largest would move it by
-  Value rate_{};                      ///< of the control point, elastically
+  double reach_ = 0.0;         ///< what all factors at their largest would move it by
+  Value rate_{};               ///< of the control point, elastically
   double arc_length_ = 0.0, largest_arc_ = 0.0, smallest_arc_ = 0.0;
   double latest_ = kForever;  ///< time at which arcs end
   bool beyond_ = false;       ///< whether the last trial of an arc was after it

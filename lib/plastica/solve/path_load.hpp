@@ -204,25 +204,26 @@ bool PathContinuation<L, kElastic>::begin_slopes() {
   const Value rate = control_.rate(rate_of(control_.segment), w_.placement);
   set_scales(rate);
   const auto& histories = chain_.histories;
-  same_as_.clear();
-  responses_.clear();
+  auto& [responses, same_as] = elastic_;
+  same_as.clear();
+  responses.clear();
   for (std::size_t h = 0; h < histories.size(); ++h) {
     const auto first = std::find(histories.begin(), histories.end(), histories[h]);
-    same_as_.push_back(static_cast<std::size_t>(first - histories.begin()));
-    if (same_as_[h] == h && histories[h].time.size() > 1) responses_.push_back({h, {}});
+    same_as.push_back(static_cast<std::size_t>(first - histories.begin()));
+    if (same_as[h] == h && histories[h].time.size() > 1) responses.push_back({h, {}});
   }
   const double speed =
-      responses_.size() == 1 ? histories[responses_[0].history].slope_at(time_) : 0.0;
+      responses.size() == 1 ? histories[responses[0].history].slope_at(time_) : 0.0;
   const bool is_known = speed < 0.0 || speed > 0.0;  // of a single one that acts now
   const PathCondition<L> unit = PathCondition<L>::unit_time();
   reach_ = 0.0;
-  for (Response& one : responses_) {
+  for (auto& one : responses) {
     const History& history = histories[one.history];
     if (is_known) {
       one.by_unit = constant<S>(1.0 / speed) * rate;
     } else {
       const auto slope = [&](std::size_t k) {
-        return constant<S>(same_as_[k] == one.history ? 1.0 : 0.0);
+        return constant<S>(elastic_.same_as[k] == one.history ? 1.0 : 0.0);
       };
       detail::solve_time(chain_, unit, w_, slope);
       detail::join_columns(chain_, unit, w_, slope);
