@@ -173,11 +173,10 @@ History::SlopeChange History::slopes_about(double when, double tolerance) const 
   if (!slope.empty()) {
     return {first ? 0.0 : slope[point], last ? 0.0 : slope[point], first || last};
   }
-  const bool alone = first && last;
-  const double beyond_first = continues && !alone ? slope_of(*this, 0) : 0.0;
-  const double beyond_last = continues && !alone ? slope_of(*this, point - 1) : 0.0;
-  return {first ? beyond_first : slope_of(*this, point - 1),
-          last ? beyond_last : slope_of(*this, point)};
+  const bool goes_on = continues && !(first && last);
+  const auto beyond = [&](std::size_t segment) { return goes_on ? slope_of(*this, segment) : 0.0; };
+  return {first ? beyond(0) : slope_of(*this, point - 1),
+          last ? beyond(point - 1) : slope_of(*this, point)};
 }
 
 double History::curvature_at(double when) const {
