@@ -297,7 +297,7 @@ class PathContinuation {
 
   /// How u and t go on elastically from the committed state: sets the scales of an arc.
   bool begin_arcs();
-  /// Looks at the committed state: takes the control point, and how it answers each history.
+  /// Solves for the rates at the committed state, and takes the control point.
   void look_around();
   /// How the control point answers: for `relative_slope`. @return whether anything moves it
   bool begin_slopes();
@@ -369,8 +369,8 @@ class PathContinuation {
   bool at_time_ = false;        ///< whether the trial was sought at a given time
   bool holds_tangent_ = false;  ///< whether `w_` holds the tangent of the trial
   double rotated_ = 0.0;        ///< by the trial, of all segments: see `size_of_rotations`
-  double speed_ = 1.0;          ///< of what moves, over that in the last step
   double rate_before_ = 0.0;    ///< likewise, in a unit of time before it, or where it begins
+  double speed_ = 1.0;          ///< of what moves, over that in the last step
   Value at_{};                  ///< the control point at the last step
   bool has_scale_ = false;      ///< whether anything moves the control point
   bool watches_slope_ = false;  ///< load control: see `attempt`

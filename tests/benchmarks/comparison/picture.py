@@ -5,9 +5,7 @@ import html
 import math
 
 from . import report
-
-# Steps of a segment that the limit takes: 64 segments, 1 000 steps of 1 ms, off by 0.33 %.
-LIMIT_STEPS = 64e3
+from .rows import LIMIT_STEPS
 
 OURS, LIMIT, OTHERS = "#0072B2", "#333333", "#E69F00"
 LEFT, WIDTH, RIGHT = 260, 470, 80

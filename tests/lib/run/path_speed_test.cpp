@@ -1,8 +1,12 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <utility>
 #include <vector>
 
+#include "plastica/chain/level.hpp"
+#include "plastica/solve/path_options.hpp"
 #include "tests/support/chain_scene.hpp"
 
 // A path at rest depends on where loads and motions go, and not on how fast: what a history with
@@ -99,9 +103,10 @@ TEST(PathSpeed, LeavesALimitLoadWhereItIs) {
     scene.loads[0].history = history;
     const Response response = simulate(scene, {.steps = 20});
     ASSERT_EQ(response.status, Status::LimitLoad) << history.factor[1];
-    EXPECT_LT(response.limit->below, 0.5 * (1.0 + 1e-3)) << history.factor[1];
-    EXPECT_GT(response.limit->above, 0.5 * (1.0 - 1e-3)) << history.factor[1];
-    EXPECT_LT(response.limit->above - response.limit->below, 1e-3) << history.factor[1];
+    // Bracketed to 1e-4 of the time, in which the factor grows by up to 1.5 a second.
+    EXPECT_LE(response.limit->below, 0.5 + 1e-9) << history.factor[1];
+    EXPECT_GE(response.limit->above, 0.5 - 1e-9) << history.factor[1];
+    EXPECT_LT(response.limit->above - response.limit->below, 1.5e-4) << history.factor[1];
   }
 }
 
@@ -152,6 +157,36 @@ TEST(PathSpeed, OfWhatFallsHidesNoBucklingOutOfThePlane) {
   scene.loads[0].history = History::constant();
   scene.loads[1].history = {{0.0, 1.0, 2.0}, {0.0, 0.1, 1.0}};
   EXPECT_EQ(simulate(scene, {.level = Level::Planar, .steps = 20}).status, Status::Unstable);
+}
+
+TEST(PathSpeed, ChangesByOneFactorOrHasACorner) {
+  const auto change_at_1 = [](std::vector<History> histories) {
+    chain::Chain<chain::Planar<double>> chain;
+    chain.histories = std::move(histories);
+    return solve::speed_change(chain, 1.0, 1e-9);
+  };
+  const History faster{{0.0, 1.0, 2.0}, {0.0, 0.1, 0.4}};
+  const History alike{{0.0, 1.0, 3.0}, {1.0, 0.8, -0.4}};
+  const History back{{0.0, 1.0, 2.0}, {0.0, 0.2, -0.2}};
+  const History rests = History::constant();
+  const auto expect = [&](const solve::SpeedChange& change, double factor) {
+    ASSERT_TRUE(change.factor.has_value());
+    EXPECT_NEAR(*change.factor, factor, 1e-12);
+    EXPECT_EQ(change.is_corner(), factor < 0.0);
+  };
+  expect(change_at_1({rests, faster}), 3.0);
+  expect(change_at_1({faster, alike}), 3.0);
+  expect(change_at_1({back}), -2.0);
+  expect(change_at_1({rests, History::ramp(), History::smooth_step(0.5, 2.0)}), 1.0);
+  for (const std::vector<History>& corner : {std::vector<History>{faster, History::ramp()},
+                                             {faster, back},
+                                             {{{1.0, 2.0}, {0.0, 1.0}}},
+                                             {{{0.0, 1.0}, {0.0, 1.0}}},
+                                             {History::smooth_step(0.0, 1.0), History::ramp()}}) {
+    const solve::SpeedChange change = change_at_1(corner);
+    EXPECT_FALSE(change.factor.has_value());
+    EXPECT_TRUE(change.is_corner());
+  }
 }
 
 }  // namespace
