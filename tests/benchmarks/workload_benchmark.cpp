@@ -276,7 +276,8 @@ const bool kRegistered = [] {
             ->Unit(benchmark::kMillisecond);
       };
       if (!lanes) {
-        batch({1}, 32, 1);
+        batch({1}, 64, 1);
+        batch({1}, 16, 0);
         continue;
       }
       batch({1}, 4096, 1);

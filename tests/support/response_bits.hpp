@@ -24,6 +24,8 @@ inline std::vector<std::uint64_t> bits_of(const Response& response) {
     bits.push_back(static_cast<std::uint64_t>(count));
   }
   add(response.permanent_strain);
+  add(response.momentum_error);
+  if (response.axial) add(response.axial->ratio);
   if (response.limit) {
     add(response.limit->below);
     add(response.limit->above);
@@ -37,7 +39,9 @@ inline std::vector<std::uint64_t> bits_of(const Response& response) {
     add_all(*numbers);
   }
   for (const Energies& energy : chain.energy) {
-    for (const double term : {energy.elastic, energy.plastic, energy.external, energy.residual}) {
+    for (const double term :
+         {energy.elastic, energy.plastic, energy.external, energy.residual, energy.kinetic,
+          energy.damping, energy.numerical_dissipation, energy.impact, energy.fracture}) {
       add(term);
     }
   }

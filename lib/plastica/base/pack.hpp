@@ -202,6 +202,9 @@ struct ScalarTraits<Pack<T, W>> {
 };
 
 template <class T, int W>
+inline constexpr bool kHasLanes<Pack<T, W>> = true;
+
+template <class T, int W>
 PLASTICA_ALWAYS_INLINE inline Pack<T, W> select(const typename Pack<T, W>::Mask& mask,
                                                 const Pack<T, W>& a, const Pack<T, W>& b) {
   return Pack<T, W>::by_part([&](std::size_t i) { return mask.part[i] ? a.part[i] : b.part[i]; });

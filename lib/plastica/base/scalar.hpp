@@ -50,6 +50,10 @@ inline constexpr bool kIsDouble = sizeof(real_t<S>) == 8;
 template <class S>
 inline constexpr bool kCarriesDerivatives = false;
 
+/// Whether a scalar is many numbers, each with a course of its own.
+template <class S>
+inline constexpr bool kHasLanes = false;
+
 /// A scalar without its derivatives.
 template <class S>
 inline auto value_of(const S& x) {
@@ -64,6 +68,12 @@ inline auto value_of(const S& x) {
 template <class S>
 constexpr S constant(double value) {
   return S(static_cast<real_t<S>>(value));
+}
+
+/// A mask that holds in all lanes, or in none.
+template <class S>
+constexpr mask_t<S> in_all_lanes(bool holds) {
+  return constant<S>(holds ? 1.0 : 0.0) > constant<S>(0.0);
 }
 
 /// `a` where the mask holds, `b` elsewhere.

@@ -8,7 +8,7 @@
 #include "plastica/chain/state.hpp"
 #include "plastica/law/per_axis.hpp"
 
-/// Visits what a chain at rest consists of, in one order for every scalar: so the numbers of a lone
+/// Visits what a chain consists of, in one order for every scalar: so the numbers of a lone
 /// chain come to a lane of a chain of packs, whichever instruction set that is compiled for.
 ///
 /// A visitor has size(vector), index(integer) and flag(bool), which say the shape that all lanes
@@ -35,26 +35,32 @@ struct FieldReader {
   void number(double& number) { number = *from++; }
 };
 
-/// A factor that a lane has been told, for iterations at a time that is given: no slope is asked
-/// for.
+/// A factor in lanes. Each has been told its own, for iterations at a time that is given, at which
+/// no slope is asked for; or all have one time and one history, which is asked.
 template <class S>
-struct ToldFactor {
+struct LaneFactor {
   S now{};
-  S at(double /*time*/) const { return now; }
-  S slope_at(double /*time*/) const { return {}; }
+  const History* history = nullptr;
+  S at(double time) const { return history == nullptr ? now : constant<S>(history->at(time)); }
+  S slope_at(double time) const {
+    return constant<S>(history == nullptr ? 0.0 : history->slope_at(time));
+  }
+  S curvature_at(double time) const {
+    return constant<S>(history == nullptr ? 0.0 : history->curvature_at(time));
+  }
 };
 
-/// A level in lanes each of which has a time of its own.
+/// A level in lanes.
 template <class Level>
-struct OwnTimes : Level {};
+struct InLanes : Level {};
 
 template <class Level>
-struct HistoryOf<OwnTimes<Level>> {
-  using Type = ToldFactor<typename Level::Scalar>;
+struct HistoryOf<InLanes<Level>> {
+  using Type = LaneFactor<typename Level::Scalar>;
 };
 
 template <class Level>
-struct SectionAxes<OwnTimes<Level>> : SectionAxes<Level> {};
+struct SectionAxes<InLanes<Level>> : SectionAxes<Level> {};
 
 template <class V, class Numbers>
 void visit_numbers(V& visitor, Numbers& numbers) {
@@ -151,6 +157,45 @@ void visit_unknowns(V& v, Q& q) {
   for (auto& angle : q.angle) visit_numbers(v, angle);
   visit_numbers(v, q.root);
   for (auto& multiplier : q.multiplier) v.number(multiplier);
+}
+
+/// How the segments resist acceleration.
+template <class V, class C>
+void visit_inertias(V& v, C& chain) {
+  v.size(chain.inertias);
+  for (auto& inertia : chain.inertias) {
+    v.number(inertia.mass);
+    visit_numbers(v, inertia.center);
+    visit_numbers(v, inertia.rotational);
+  }
+}
+
+/// The angles of joints to the ground, which follow from the unknowns.
+template <class V, class C, class Angles>
+void visit_ground_angles(V& v, C& chain, Angles& angles) {
+  for (std::size_t j = chain.size(); j < chain.joints(); ++j) visit_numbers(v, angles[j]);
+}
+
+template <class V, class Pose>
+void visit_pose(V& v, Pose& pose) {
+  visit_numbers(v, pose.position);
+  visit_frame(v, pose.frame);
+}
+
+template <class V, class Wrenches>
+void visit_wrenches(V& v, Wrenches& wrenches) {
+  for (auto& wrench : wrenches) {
+    visit_numbers(v, wrench.force);
+    visit_numbers(v, wrench.moment);
+  }
+}
+
+template <class V, class Motions>
+void visit_velocities(V& v, Motions& motions) {
+  for (auto& motion : motions) {
+    visit_numbers(v, motion.velocity);
+    visit_numbers(v, motion.spin);
+  }
 }
 
 /// Where the segments are.

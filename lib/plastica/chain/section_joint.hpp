@@ -114,6 +114,17 @@ class SectionJointsBase : public JointLaws<L, kElastic> {
   /// Back to the virgin state.
   virtual void reset() = 0;
 
+  /// Visits what is read of joints: chain/lane_fields.hpp.
+  template <class V>
+  void visit_found(V& v, const SectionAxes<L>& axes) {
+    for (std::size_t j = 0; j < joints_.size(); ++j) {
+      for (std::size_t k = 0; k < L::kRotations; ++k) v.number(force_[j][axes.rotation(k)]);
+      v.number(elastic_[j]);
+      v.number(work_[j]);
+      v.number(plastic_[j]);
+    }
+  }
+
  protected:
   std::vector<SectionJoint<L>> joints_;
   std::vector<law::SectionForce<S>> force_;

@@ -68,6 +68,8 @@ class SectionJoints final : public SectionJointsBase<L, kElastic> {
     });
   }
 
+  const SectionAxes<L>& axes() const { return axes_; }
+
   void set_time(double seconds) override {
     for (Law& law : laws_) law::set_time(law, seconds);
   }
@@ -109,6 +111,13 @@ class SectionJoints final : public SectionJointsBase<L, kElastic> {
       for (S& number : joint.spring.at) v.number(number);
       for (S& number : scales_[j].per_length.at) v.number(number);
       for (S& number : scales_[j].rest.at) v.number(number);
+    }
+  }
+  /// Visits what `visit` leaves out as long as joints are at rest.
+  template <class V>
+  void visit_stiffness(V& v) {
+    for (SectionJoint<L>& joint : joints_) {
+      for (S& number : joint.stiffness.at) v.number(number);
     }
   }
   /// Visits the committed states of laws with one each, of the strains that the level has.

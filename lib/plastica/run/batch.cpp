@@ -98,7 +98,7 @@ void run_or_wait(std::size_t index, const BatchCase& one, StopFlag stop, LanePoo
 /// in registers, full or not.
 void spread(std::size_t threads, std::vector<LaneCases>& groups) {
   const auto paths_of = [](const LaneCases& group) {
-    return steps_in_lanes(*group.front().model->chain) ? 0 : group.size();
+    return is_motion(*group.front().model) ? 0 : group.size();
   };
   const auto fewer = [&](const LaneCases& a, const LaneCases& b) {
     return paths_of(a) < paths_of(b);

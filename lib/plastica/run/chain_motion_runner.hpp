@@ -30,7 +30,6 @@ class ChainMotionRunner final : public ChainProgram {
            Response& response) override;
 
  private:
-  bool starts_free() const;
   Status take_steps(Step& step, const Workspace& hooks, Response& response);
   /// Takes steps up to a time. @return Completed if it got there
   Status go_to(double stop, StepSize& size, Step& step, const Workspace& hooks, Response& response);
@@ -51,60 +50,26 @@ class ChainMotionRunner final : public ChainProgram {
   std::size_t next_cut_ = 0;
 };
 
-/// Whether nothing holds the start.
-template <class L, bool kElastic>
-bool ChainMotionRunner<L, kElastic>::starts_free() const {
-  const auto& root = body_.build.chain.root;
-  const chain::JointPlan& joint = body_.build.joints[0];
-  for (std::size_t k = 0; k < L::kTranslations; ++k) {
-    if (root.held[k]) return false;
-  }
-  for (std::size_t k = 0; k < L::kRotations; ++k) {
-    if (root.clamped[k] || joint.active[k] || joint.spring[k] != 0.0) return false;
-  }
-  return true;
-}
-
 template <class L, bool kElastic>
 void ChainMotionRunner<L, kElastic>::run(const MaterialValues<double>& material,
                                          const Workspace& hooks, Response& response) {
   const auto began = std::chrono::steady_clock::now();
-  body_.reset(material);
+  begin_motion(material, body_, response);
   const std::size_t nodes = body_.model.layout.size() + 1;
   cut_.assign(nodes, false);
   reported_.assign(nodes, false);
   watched_.assign(nodes, {});
   next_cut_ = 0;
-  response.samples = 0;
-  clear_motion(response);
-  response.counters = {};
-  response.limit.reset();
-  response.axial.reset();
-  response.chain.events.clear();
-  body_.record.begin_frames(response);
-
-  Work& work = body_.work;
-  chain::place<kElastic>(body_.build.chain, work.q, 0.0, work.placement);
-  if (starts_free()) {
-    work.q.open[0] = true;
-    work.q.pose[0] = {work.placement.position[0], work.placement.frame[0]};
-  }
   if (!step_ || joints_of_step_ != body_.joints.get()) {
     step_ = std::make_unique<Step>(body_.build.chain, *body_.joints, body_.view.section_axes(),
-                                   options_, work);
+                                   options_, body_.work);
     joints_of_step_ = body_.joints.get();
   }
   step_->stop_by(hooks.stop);
   set_initial_motion(body_, initial_motion_);
   response.status =
       step_->start(initial_motion_) ? take_steps(*step_, hooks, response) : Status::HeldTwice;
-  body_.record.end_motion();
-  body_.finish_axial(response);
-  body_.record.end_frames(response);
-  set_energy_balance(body_.model.scene.beam.length, response);
-  response.momentum_error = step_->momentum_error();
-  judge_balance(response);
-  response.permanent_strain = body_.watch.largest_strain(body_.strains);
+  end_motion(step_->momentum_error(), body_, response);
   const std::chrono::duration<double> took = std::chrono::steady_clock::now() - began;
   response.seconds = took.count();
 }
@@ -242,10 +207,7 @@ std::vector<Fragment> ChainMotionRunner<L, kElastic>::fragments() const {
 
 template <class L, bool kElastic>
 void ChainMotionRunner<L, kElastic>::record(const Step& step, Response& response) {
-  body_.record.set_motion(step.motions(), step.kinetic(), step.flows());
-  body_.record.write(body_.work, *body_.joints, body_.strains, response.samples, response);
-  response.chain.iterations[response.samples] = response.counters.iterations;
-  ++response.samples;
+  record_motion(step.motions(), step.kinetic(), step.flows(), body_, response);
 }
 
 template <class L, bool kElastic>

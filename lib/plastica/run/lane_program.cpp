@@ -6,24 +6,11 @@
 #include "plastica/run/lane_group.hpp"
 #include "plastica/run/lane_planar.hpp"
 #include "plastica/run/lane_spatial.hpp"
+#include "plastica/run/motion_lanes.hpp"
 #include "plastica/run/path_lanes.hpp"
 
 namespace plastica {
 namespace {
-
-/// Loads in the same order follow the same histories.
-bool same_histories(const Scene& a, const Scene& b) {
-  return a.gravity_history == b.gravity_history &&
-         std::equal(a.loads.begin(), a.loads.end(), b.loads.begin(), b.loads.end(),
-                    [](const Load& x, const Load& y) { return x.history == y.history; });
-}
-
-/// As chain/builder.hpp asks.
-bool has_gravity(const Scene& scene) {
-  double square = 0.0;
-  for (const double g : scene.gravity) square += g * g;
-  return square > 0.0;
-}
 
 bool same_steps(const SolverOptions& a, const SolverOptions& b) {
   return a.scheme == b.scheme && a.time_step == b.time_step && a.precision == b.precision &&
@@ -80,21 +67,23 @@ bool has_lanes(const ChainModel& model) { return why_alone(model).empty(); }
 
 bool same_lanes(const ChainModel& a, const ChainModel& b) {
   if (continues_in_lanes(a) || continues_in_lanes(b)) return same_path_lanes(a, b);
+  if (moves_in_lanes(a) || moves_in_lanes(b)) return same_motion_lanes(a, b);
   return a.level == b.level && a.across == b.across && a.layout.size() == b.layout.size() &&
-         a.stops == b.stops && a.recorded == b.recorded && same_steps(a.options, b.options) &&
+         same_steps(a.options, b.options) && same_times(a, b) &&
          (a.scene.yield_model == YieldModel::Elastic) ==
-             (b.scene.yield_model == YieldModel::Elastic) &&
-         has_gravity(a.scene) == has_gravity(b.scene) && same_histories(a.scene, b.scene);
+             (b.scene.yield_model == YieldModel::Elastic);
 }
 
 std::size_t lane_width(const ChainModel& model) {
   if (continues_in_lanes(model)) return kPathsTogether;
+  if (moves_in_lanes(model)) return solve::kPathLanes;
   return model.options.precision == Precision::Float ? lanes::kManyLanes<float>
                                                      : lanes::kManyLanes<double>;
 }
 
 std::unique_ptr<LaneProgram> make_lane_program(const ChainModel& model) {
   if (continues_in_lanes(model)) return make_path_lanes(model);
+  if (moves_in_lanes(model)) return make_motion_lanes(model);
   if (model.level == Level::Spatial) return make_group<SpatialLanes>(model);
   return make_group<PlanarLanes>(model);
 }

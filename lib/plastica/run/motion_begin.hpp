@@ -10,7 +10,7 @@
 #include "plastica/solve/motion_options.hpp"
 #include "plastica/solve/segment_motion.hpp"
 
-/// How a motion is solved, and what it begins with.
+/// How a motion is solved, what it begins with, and what is told of it.
 namespace plastica {
 
 template <class L, bool kElastic>
@@ -65,6 +65,62 @@ void set_initial_motion(const ChainBody<L, kElastic>& body,
       motion[i].spin += transposed_times(L::axes(placement.frame[i]), spin);
     }
   }
+}
+
+/// Whether nothing holds the start.
+template <class L, bool kElastic>
+bool starts_free(const ChainBody<L, kElastic>& body) {
+  const auto& root = body.build.chain.root;
+  const chain::JointPlan& joint = body.build.joints[0];
+  for (std::size_t k = 0; k < L::kTranslations; ++k) {
+    if (root.held[k]) return false;
+  }
+  for (std::size_t k = 0; k < L::kRotations; ++k) {
+    if (root.clamped[k] || joint.active[k] || joint.spring[k] != 0.0) return false;
+  }
+  return true;
+}
+
+/// Back to the virgin beam, placed at time 0, and an empty response.
+template <class L, bool kElastic>
+void begin_motion(const MaterialValues<double>& material, ChainBody<L, kElastic>& body,
+                  Response& response) {
+  body.reset(material);
+  response.samples = 0;
+  clear_motion(response);
+  response.counters = {};
+  response.limit.reset();
+  response.axial.reset();
+  response.chain.events.clear();
+  body.record.begin_frames(response);
+  auto& work = body.work;
+  chain::place<kElastic>(body.build.chain, work.q, 0.0, work.placement);
+  if (!starts_free(body)) return;
+  work.q.open[0] = true;
+  work.q.pose[0] = {work.placement.position[0], work.placement.frame[0]};
+}
+
+/// Writes a sample.
+template <class L, bool kElastic>
+void record_motion(const std::vector<solve::SegmentMotion<L>>& motion, double kinetic,
+                   const solve::EnergyFlows& flows, ChainBody<L, kElastic>& body,
+                   Response& response) {
+  body.record.set_motion(motion, kinetic, flows);
+  body.record.write(body.work, *body.joints, body.strains, response.samples, response);
+  response.chain.iterations[response.samples] = response.counters.iterations;
+  ++response.samples;
+}
+
+/// What is said of the whole motion.
+template <class L, bool kElastic>
+void end_motion(double momentum_error, ChainBody<L, kElastic>& body, Response& response) {
+  body.record.end_motion();
+  body.finish_axial(response);
+  body.record.end_frames(response);
+  set_energy_balance(body.model.scene.beam.length, response);
+  response.momentum_error = momentum_error;
+  judge_balance(response);
+  response.permanent_strain = body.watch.largest_strain(body.strains);
 }
 
 }  // namespace plastica

@@ -4,20 +4,15 @@
 #include <array>
 #include <cstddef>
 #include <memory>
-#include <optional>
 #include <span>
-#include <type_traits>
 #include <vector>
 
-#include "plastica/chain/lane_fields.hpp"
 #include "plastica/run/chain_runner.hpp"
 #include "plastica/run/lane_program.hpp"
+#include "plastica/run/lane_shape.hpp"
 #include "plastica/solve/lane_newton.hpp"
 
 namespace plastica {
-
-/// The law of a model's joints, if lanes have it.
-std::optional<solve::LaneLaw> lane_law(const ChainModel& model);
 
 /// Whether a model is a path that can be followed in a lane, see `why_alone`.
 bool continues_in_lanes(const ChainModel& model);
@@ -64,23 +59,9 @@ class PathLanes final : public LaneProgram {
   void count_unstable_modes();
   void take_found(int lane);
 
-  /// Calls `use` with the joints of a runner as what they are.
   template <class Use>
   void with_joints(Runner& runner, const Use& use) const {
-    const auto as = [&](auto tag) {
-      using Law = typename decltype(tag)::type;
-      use(static_cast<chain::SectionJoints<L, false, Law>&>(*runner.body().joints));
-    };
-    using S = double;
-    switch (law_) {
-      case solve::LaneLaw::Elastic: as(std::type_identity<law::ElasticSection<S>>{}); return;
-      case solve::LaneLaw::Ideal:
-        as(std::type_identity<law::PerAxisSection<S, law::IdealPlastic<S>>>{});
-        return;
-      case solve::LaneLaw::Linear:
-        as(std::type_identity<law::PerAxisSection<S, law::LinearHardening<S>>>{});
-        return;
-    }
+    plastica::with_joints<L>(law_, *runner.body().joints, use);
   }
 
   solve::LaneLaw law_;

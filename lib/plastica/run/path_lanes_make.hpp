@@ -62,15 +62,8 @@ void PathLanes<L>::fill(int lane) {
 template <class L>
 bool PathLanes<L>::begin(int lane, const LaneCase& next) {
   Lane& one = lanes_[static_cast<std::size_t>(lane)];
-  const auto view_of = [](const ChainModel& model) -> chain::View<L> {
-    if constexpr (L::kRotations == 1) {
-      return {model.across};
-    } else {
-      return {};
-    }
-  };
   if (one.model != next.model) {
-    one.runner = std::make_unique<Runner>(*next.model, view_of(*next.model));
+    one.runner = std::make_unique<Runner>(*next.model, view_of<L>(*next.model));
     one.model = next.model;
   }
   Runner& runner = *one.runner;

@@ -1,7 +1,7 @@
 #pragma once
 
-#include <algorithm>
 #include <cstddef>
+#include <type_traits>
 #include <vector>
 
 #include "plastica/chain/inverse.hpp"
@@ -11,6 +11,10 @@
 /// The momentum of fragments of a beam: README.md, "Momentum".
 namespace plastica::solve {
 
+/// What sums over a beam and its motion are kept in: double, for float, too; in lanes its scalar.
+template <class S>
+using sum_t = std::conditional_t<kHasLanes<S>, S, double>;
+
 /// Momentum of the segments of a fragment, and what its changes are small against.
 template <class L>
 struct FragmentMotion {
@@ -19,8 +23,8 @@ struct FragmentMotion {
   typename L::Point center{};    ///< of mass [m]
   typename L::Point momentum{};  ///< [N s]
   typename L::Spin angular{};    ///< angular momentum about the center of mass [N m s]
-  double size = 0.0;             ///< sum of the sizes of the segments' momenta [N s]
-  double angular_size = 0.0;     ///< the same of their angular momenta about the center [N m s]
+  sum_t<S> size{};               ///< sum of the sizes of the segments' momenta [N s]
+  sum_t<S> angular_size{};       ///< the same of their angular momenta about the center [N m s]
 };
 
 /// @param first, end  segments of the fragment, `end` not included
@@ -95,26 +99,29 @@ void add_momentum(const std::vector<chain::Inertia<L>>& inertias,
 /// What a fragment's momentum has changed by beyond the impulses of its loads, so far.
 template <class L>
 struct MomentumError {
-  typename L::Point lost{};      ///< [N s]
-  typename L::Spin angular{};    ///< [N m s]
-  double largest_lost = 0.0;     ///< of them, so far
-  double largest_angular = 0.0;  ///< likewise
-  double size = 0.0;             ///< `FragmentMotion::size`, the largest so far
-  double angular_size = 0.0;     ///< likewise
-  chain::Wrench<L> outside{};    ///< what acted on it at the step's begin, about its center
+  using S = typename L::Scalar;
+  using E = sum_t<S>;
+  typename L::Point lost{};    ///< [N s]
+  typename L::Spin angular{};  ///< [N m s]
+  E largest_lost{};            ///< of them, so far
+  E largest_angular{};         ///< likewise
+  E size{};                    ///< `FragmentMotion::size`, the largest so far
+  E angular_size{};            ///< likewise
+  chain::Wrench<L> outside{};  ///< what acted on it at the step's begin, about its center
   bool knows_outside = false;
 
   /// The largest over the largest momentum so far [1].
   /// @param length  of the beam [m]
-  double fraction(double length) const {
+  E fraction(const E& length) const {
+    const E none = constant<E>(0.0);
     // A fragment that hardly turns has no angular momentum but rounding.
-    constexpr double kNoSpin = kIsDouble<typename L::Scalar> ? 1e-9 : 1e-3;
-    const double scale = std::max(angular_size, kNoSpin * size * length);
+    const E no_spin = constant<E>(kIsDouble<S> ? 1e-9 : 1e-3);
+    const E scale = max(angular_size, no_spin * size * length);
     // Nor has one that turns about its center a linear one.
-    constexpr double kNoDrift = kIsDouble<typename L::Scalar> ? 1e-6 : 1e-3;
-    const double linear = std::max(size, kNoDrift * angular_size / length);
-    return std::max(linear > 0.0 ? largest_lost / linear : 0.0,
-                    scale > 0.0 ? largest_angular / scale : 0.0);
+    const E no_drift = constant<E>(kIsDouble<S> ? 1e-6 : 1e-3);
+    const E linear = max(size, no_drift * angular_size / length);
+    return max(select(linear > none, largest_lost / linear, none),
+               select(scale > none, largest_angular / scale, none));
   }
 };
 

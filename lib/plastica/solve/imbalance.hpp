@@ -25,14 +25,16 @@ inline S larger_scale(const S& so_far, const S& x) {
 
 /// Whether every constraint that acts is closed, and none pulls that may not.
 template <class L, bool kElastic>
-bool constraints_hold(const chain::Chain<L>& chain, const NewtonWork<L, kElastic>& w) {
+mask_t<typename L::Scalar> constraints_hold(const chain::Chain<L>& chain,
+                                            const NewtonWork<L, kElastic>& w) {
   using S = typename L::Scalar;
-  if (w.closed_anew) return false;
+  mask_t<S> hold = in_all_lanes<S>(!w.closed_anew);
   for (std::size_t k = 0; k < chain.constraints.size(); ++k) {
     const S size = chain.constraints[k].rotational ? constant<S>(1) : chain.length;
-    if (any(abs(w.gap[k]) > constant<S>(kConstraintTolerance<S>) * size)) return false;
+    const mask_t<S> open = abs(w.gap[k]) > constant<S>(kConstraintTolerance<S>) * size;
+    hold = hold & !open;
   }
-  return true;
+  return hold;
 }
 
 /// What no step can solve, in force and moment.

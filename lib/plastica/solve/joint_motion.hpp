@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "plastica/solve/mean_moments.hpp"
@@ -93,8 +94,8 @@ class JointMotion {
   /// Damping of the joints in the step that was taken, and what the scheme's moments did in it
   /// beyond what was stored and dissipated.
   /// @param moves  whether a joint still joins (joints)
-  template <class Moves>
-  void add_flows(const StepRule& rule, const Moves& moves, EnergyFlows& flows) const {
+  template <class Moves, class E>
+  void add_flows(const StepRule& rule, const Moves& moves, EnergyFlowsOf<E>& flows) const {
     for (std::size_t j = 0; j < stiffness_.size(); ++j) {
       if (!moves(j)) continue;
       const S now = constant<S>(rule.end_work);
@@ -114,8 +115,8 @@ class JointMotion {
       stress_[j] = stress(j, angle_[j], shift_[j]);
       stored_[j] = joints_->elastic_energy()[j];
     }
-    law_before_ = law_;
-    damped_before_ = damped_;
+    std::swap(law_before_, law_);
+    std::swap(damped_before_, damped_);
   }
 
   /// The rates that damping comes from have jumped: it begins anew, from the joints' spins where it

@@ -46,22 +46,30 @@ struct LaneReader {
   void number(const LaneScalar& number) { *to++ = number[lane]; }
 };
 
+template <class Law>
+struct VisitLaw {
+  template <class V>
+  void operator()(V& visitor, Law& law) const {
+    chain::visit_law(visitor, law);
+  }
+};
+
 template <template <class> class Level, class Law>
 class LaneNewtonOf final : public LaneNewton {
  public:
-  using L = chain::OwnTimes<Level<LaneScalar>>;
+  using L = chain::InLanes<Level<LaneScalar>>;
 
   void take_shape(const std::size_t* shape) override {
     ShapeReader reader{shape};
     chain::visit_chain(reader, chain_);
-    joints_.visit(reader, VisitLaw{});
+    joints_.visit(reader, VisitLaw<Law>{});
     work_.resize(chain_);
   }
 
   void take_chain(int lane, const double* numbers) override {
     LaneWriter writer{lane, numbers};
     chain::visit_chain(writer, chain_);
-    joints_.visit(writer, VisitLaw{});
+    joints_.visit(writer, VisitLaw<Law>{});
   }
 
   void take_start(int lane, const double* start) override {
@@ -115,12 +123,6 @@ class LaneNewtonOf final : public LaneNewton {
   }
 
  private:
-  struct VisitLaw {
-    template <class V>
-    void operator()(V& visitor, Law& law) const {
-      chain::visit_law(visitor, law);
-    }
-  };
   struct VisitState {
     template <class V, class State>
     void operator()(V& visitor, State& state, std::size_t first, std::size_t count) const {

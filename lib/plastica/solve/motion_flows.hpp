@@ -7,24 +7,26 @@
 namespace plastica::solve {
 
 template <class L, bool kElastic>
-double MotionStep<L, kElastic>::load_work() const {
+sum_t<typename L::Scalar> MotionStep<L, kElastic>::load_work() const {
   const double end = rule_.end_work;
-  double work = 0.0;
+  E work = constant<E>(0.0);
   for (const auto& load : chain_.loads) {
     const std::size_t i = load.segment;
-    const auto over = [&](const Placement& placement, double factor) {
+    const auto over = [&](const Placement& placement, const E& factor) {
       const auto unit = chain::unit_wrench(load, placement);
       const auto arm = L::rotate(placement.frame[i], chain_.inertias[i].center);
       // Moved to the center of mass, whose displacement the step knows.
       const typename L::Spin moment = unit.moment - L::moment(arm, unit.force);
-      return factor * (dot(unit.force, step_[i].displacement) + dot(moment, step_[i].spin));
+      return factor * E(dot(unit.force, step_[i].displacement) + dot(moment, step_[i].spin));
     };
-    const History& history = chain_.histories[load.history];
+    const auto factor_at = [&](double time) {
+      return chain::factor_as<E>(chain_.histories[load.history].at(time));
+    };
     if (rule_.midpoint) {
       work += over(w_.stage.placement, history_factor_[load.history]);
     } else {
-      work += end * over(w_.placement, history.at(w_.time));
-      if (end < 1.0) work += (1.0 - end) * over(begin_, history.at(time_));
+      work += constant<E>(end) * over(w_.placement, factor_at(w_.time));
+      if (end < 1.0) work += constant<E>(1.0 - end) * over(begin_, factor_at(time_));
     }
   }
   return work;
@@ -43,16 +45,20 @@ typename L::Spin MotionStep<L, kElastic>::ground_moment(std::size_t g) const {
 /// Work of what moves: the ground at the root, supports that hold, springs' feet. Contacts do none;
 /// what they do in a scheme, as they close or open within a step, is the scheme's.
 template <class L, bool kElastic>
-double MotionStep<L, kElastic>::ground_work() {
+sum_t<typename L::Scalar> MotionStep<L, kElastic>::ground_work() {
   const S end = constant<S>(rule_.end_work);
   const S begin = constant<S>(1.0 - rule_.end_work);
-  double work = 0.0;
+  E work = constant<E>(0.0);
   const auto moved = [&](std::size_t history) {
-    return constant<S>(chain_.histories[history].at(w_.time) - chain_.histories[history].at(time_));
+    const auto& factor = chain_.histories[history];
+    return chain::factor_as<S>(factor.at(w_.time) - factor.at(time_));
+  };
+  const auto is_something = [](const S& moves) {
+    return any((moves < constant<S>(0)) | (moves > constant<S>(0)));
   };
   const S root = moved(chain_.root.history);
   const chain::Wrench<L> passed = w_.transmitted.outer[0];
-  if (root != constant<S>(0)) {
+  if (is_something(root)) {
     const chain::Wrench<L> before = root_wrench_.value_or(passed);
     const chain::Wrench<L> mean{end * passed.force + begin * before.force,
                                 end * passed.moment + begin * before.moment};
@@ -63,10 +69,10 @@ double MotionStep<L, kElastic>::ground_work() {
 
   for (std::size_t k = 0; k < chain_.constraints.size(); ++k) {
     const auto& constraint = chain_.constraints[k];
-    const S now = w_.closed[k] ? w_.q.multiplier[k] : constant<S>(0);
+    const S now = select(w_.closed[k], w_.q.multiplier[k], constant<S>(0));
     const S mean = end * now + begin * multiplier_[k];
     work += mean * moved(constraint.history) * constraint.motion;
-    if (constraint.one_sided && !w_.q.released_constraint[k]) {
+    if (constraint.one_sided && any(!w_.q.released_constraint[k])) {
       const S closed = chain::constraint_gap(chain_, constraint, w_.placement, w_.time) -
                        chain::constraint_gap(chain_, constraint, begin_, time_);
       flows_.numerical_dissipation -= mean * closed;
@@ -75,10 +81,11 @@ double MotionStep<L, kElastic>::ground_work() {
   }
   for (const auto& spring : chain_.springs) {
     const S foot = moved(spring.history);
-    if (foot == constant<S>(0)) continue;
+    if (!is_something(foot)) continue;
     for (std::size_t k = 0; k < L::kTranslations; ++k) {
       const auto force = [&](const Placement& placement, double time) {
-        const S at = constant<S>(chain_.histories[spring.history].at(time)) * spring.motion[k];
+        const S at =
+            chain::factor_as<S>(chain_.histories[spring.history].at(time)) * spring.motion[k];
         return -spring.stiffness[k] *
                (placement.point(spring.segment, spring.arm)[k] - spring.rest[k] - at);
       };
@@ -91,7 +98,7 @@ double MotionStep<L, kElastic>::ground_work() {
     const typename L::Spin now = ground_moment(g);
     const typename L::Spin mean = end * now + begin * ground_moment_[g];
     ground_moment_[g] = now;
-    if (w_.q.released_ground_joint[g]) continue;
+    if (any(w_.q.released_ground_joint[g])) continue;
     work += dot(mean, moved(joint.history) * joint.motion);
   }
   return work;
@@ -99,10 +106,10 @@ double MotionStep<L, kElastic>::ground_work() {
 
 /// What the step's inertia forces took up.
 template <class L, bool kElastic>
-double MotionStep<L, kElastic>::inertia_work() const {
+sum_t<typename L::Scalar> MotionStep<L, kElastic>::inertia_work() const {
   const S end = constant<S>(rule_.end_work);
   const S begin = constant<S>(1.0 - rule_.end_work);
-  double work = 0.0;
+  E work = constant<E>(0.0);
   for (std::size_t i = 0; i < chain_.size(); ++i) {
     const typename L::Point force = end * inertia_now_[i].force + begin * inertia_[i].force;
     const typename L::Spin moment = end * inertia_now_[i].moment + begin * inertia_[i].moment;
@@ -114,7 +121,7 @@ double MotionStep<L, kElastic>::inertia_work() const {
 template <class L, bool kElastic>
 void MotionStep<L, kElastic>::add_flows() {
   flows_.external += load_work() + ground_work();
-  double gained = 0.0;
+  E gained = constant<E>(0.0);
   for (std::size_t i = 0; i < chain_.size(); ++i) {
     gained += kinetic_energy(chain_.inertias[i], motion_now_[i]) -
               kinetic_energy(chain_.inertias[i], motion_[i]);

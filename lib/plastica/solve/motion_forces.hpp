@@ -11,7 +11,7 @@ void MotionStep<L, kElastic>::evaluate_laws() {
   for (std::size_t g = 0; g < chain_.ground_joints.size(); ++g) {
     const auto& joint = chain_.ground_joints[g];
     // A joint that was cut keeps its angle.
-    if (w_.q.released_ground_joint[g]) continue;
+    if (any(w_.q.released_ground_joint[g])) continue;
     w_.angles[joint.joint] = chain::ground_joint_angle(chain_, joint, w_.placement, w_.time);
   }
   joints_.evaluate(w_.angles, w_.q.shift, w_.joints);
@@ -24,9 +24,11 @@ void MotionStep<L, kElastic>::set_factors() {
   factors_ = StepFactors(rule_, h_);
   const double end = time_ + h_;
   for (std::size_t k = 0; k < history_factor_.size(); ++k) {
-    const History& factor = chain_.histories[k];
+    const auto factor_at = [&](double time) {
+      return chain::factor_as<E>(chain_.histories[k].at(time));
+    };
     history_factor_[k] =
-        rule_.midpoint ? 0.5 * (factor.at(time_) + factor.at(end)) : factor.at(end);
+        rule_.midpoint ? constant<E>(0.5) * (factor_at(time_) + factor_at(end)) : factor_at(end);
   }
 }
 
@@ -42,9 +44,11 @@ void MotionStep<L, kElastic>::set_stage() {
   for (std::size_t i = 0; i < n; ++i) {
     mean.frame[i] = L::mean(begin_.frame[i], end.frame[i]);
     mean.near[i] = L::mean(begin_.near[i], end.near[i]);
-    mean.far[i] = L::mean(begin_.far[i], end.far[i]);
     mean.position[i] = half * (begin_.position[i] + end.position[i]);
-    if constexpr (kElastic) stage.shift[i] = half * (q_begin_.shift[i] + w_.q.shift[i]);
+    if constexpr (kElastic) {
+      mean.far[i] = L::mean(begin_.far[i], end.far[i]);
+      stage.shift[i] = half * (q_begin_.shift[i] + w_.q.shift[i]);
+    }
     const auto axes = L::axes(begin_.near[i]);
     stage.to_joint[i] = transpose(axes) * L::work_to_joint(inner, step_[i].spin);
     stage.from_joint[i] = L::work_from_joint(inner, step_[i].spin) * axes;
@@ -53,7 +57,8 @@ void MotionStep<L, kElastic>::set_stage() {
   for (std::size_t g = 0; g < chain_.ground_joints.size(); ++g) {
     const auto& joint = chain_.ground_joints[g];
     const auto rotation_at = [&](double time) {
-      return L::rotation(constant<S>(chain_.histories[joint.history].at(time)) * joint.motion);
+      return L::rotation(chain::factor_as<S>(chain_.histories[joint.history].at(time)) *
+                         joint.motion);
     };
     stage.ground_axes[g] =
         L::work_from_joint(step_[joint.segment].spin,
@@ -68,7 +73,7 @@ void MotionStep<L, kElastic>::set_joint_spins(const Motions& motion, double time
   if (rule_.conserves || options_.damping != Damping::Stiffness) return;
   spins_.resize(chain_.joints());
   const auto slope_at = [&](std::size_t history) {
-    return constant<S>(chain_.histories[history].slope_at(time));
+    return chain::factor_as<S>(chain_.histories[history].slope_at(time));
   };
   typename L::Spin inner = slope_at(chain_.root.history) * chain_.root.rotation;
   const auto spin_of = [&](std::size_t i) {
@@ -122,15 +127,26 @@ void MotionStep<L, kElastic>::assemble(bool slopes) {
   detail::set_constraints(chain_, w_);
 }
 
-/// Velocities foretell a smooth motion; joints that ring faster than the step are better sought
-/// from where they are. What worked is tried first.
 template <class L, bool kElastic>
-bool MotionStep<L, kElastic>::solve(double h) {
+void MotionStep<L, kElastic>::set_length(double h) {
   h_ = h;
   set_factors();
   joints_.set_time(h);
   set_force_floor();
-  w_.may_close = rests_on_;
+}
+
+template <class L, bool kElastic>
+mask_t<typename L::Scalar> MotionStep<L, kElastic>::attempt_as_foretold(double h) {
+  set_length(h);
+  return solve_from(true);
+}
+
+/// Velocities foretell a smooth motion; joints that ring faster than the step are better sought
+/// from where they are. What worked is tried first.
+template <class L, bool kElastic>
+bool MotionStep<L, kElastic>::solve(double h) {
+  set_length(h);
+  w_.may_close = contacts_.rests_on;
   const bool at_rest = rests_ > 0;
   rests_ = std::max(rests_ - 1, 0);
   if (solve_from(!at_rest)) return true;
@@ -141,23 +157,23 @@ bool MotionStep<L, kElastic>::solve(double h) {
 
 template <class L, bool kElastic>
 void MotionStep<L, kElastic>::note_fastest() {
-  for (const SegmentMotion<L>& motion : motion_) {
-    fastest_ = std::max<double>(fastest_, size_of(motion.velocity));
+  if constexpr (!kHasLanes<S>) {
+    for (const SegmentMotion<L>& motion : motion_) {
+      fastest_ = std::max<double>(fastest_, size_of(motion.velocity));
+    }
   }
 }
 
 /// @param predicted  whether to start where the velocities point to, or from where the step begins
 template <class L, bool kElastic>
-bool MotionStep<L, kElastic>::solve_from(bool predicted) {
-  w_.q = q_begin_;
+mask_t<typename L::Scalar> MotionStep<L, kElastic>::solve_from(bool predicted) {
+  copy_unknowns(q_begin_, w_.q);
   w_.time = time_ + h_;
   if (predicted) predict(h_);
   // Nothing outside holds the momentum of a fragment: it is kept to rounding. With float the
   // rounding of positions is so coarse a floor that what the velocities foretell may be below it.
-  const bool in_fragments = std::find(w_.q.open.begin(), w_.q.open.end(), true) != w_.q.open.end();
   // One solve leaves more than rounding, which `balance_fragment` gives back.
-  newton_.polishes = !kIsDouble<S> || (claims_of(options_.scheme, options_.rho_infinity).momentum &&
-                                       !newton_.one_solve && in_fragments);
+  newton_.polishes = !kIsDouble<S> || (claims_.momentum && !newton_.one_solve && in_fragments_);
   w_.stage.midpoint = rule_.midpoint;
   w_.stage.follows = rule_.midpoint ? 0.5 : 1.0;
   const auto outcome = equilibrate(
@@ -166,29 +182,32 @@ bool MotionStep<L, kElastic>::solve_from(bool predicted) {
   w_.stage.midpoint = false;
   w_.stage.follows = 1.0;
   iterations_ += outcome.iterations;
-  return outcome.converged && rotates_little() && is_finite();
+  solves_ = outcome.solves;
+  return outcome.converged & rotates_little() & is_finite();
 }
 
 template <class L, bool kElastic>
-bool MotionStep<L, kElastic>::rotates_little() const {
+mask_t<typename L::Scalar> MotionStep<L, kElastic>::rotates_little() const {
+  const S most = constant<S>(options_.largest_rotation);
+  const S most_of_segment = constant<S>(kLargestStepSpin);
+  mask_t<S> little = in_all_lanes<S>(true);
   for (std::size_t i = 0; i < chain_.size(); ++i) {
-    if (!(size_of(step_[i].spin) <= kLargestStepSpin)) return false;
-    if (w_.q.open[i]) continue;
+    little = little & (size_of(step_[i].spin) <= most_of_segment);
     const typename L::Spin increment = w_.q.angle[i] - q_begin_.angle[i];
     for (std::size_t k = 0; k < L::kRotations; ++k) {
-      if (!(std::fabs(increment[k]) <= options_.largest_rotation)) return false;
+      little = little & (w_.q.open[i] | (abs(increment[k]) <= most));
     }
   }
-  return true;
+  return little;
 }
 
 template <class L, bool kElastic>
-bool MotionStep<L, kElastic>::is_finite() const {
-  double sum = 0.0;
+mask_t<typename L::Scalar> MotionStep<L, kElastic>::is_finite() const {
+  E sum = constant<E>(0.0);
   for (const SegmentMotion<L>& motion : motion_now_) {
-    sum += dot(motion.velocity, motion.velocity) + dot(motion.spin, motion.spin);
+    sum += E(dot(motion.velocity, motion.velocity) + dot(motion.spin, motion.spin));
   }
-  return std::isfinite(sum);
+  return sum <= constant<E>(std::numeric_limits<double>::max());
 }
 
 }  // namespace plastica::solve

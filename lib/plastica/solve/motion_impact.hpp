@@ -21,7 +21,7 @@ double MotionStep<L, kElastic>::free_fraction() const {
   const double tolerance = kContactTolerance<S> * chain_.length;
   double fraction = 1.0;
   for (std::size_t k = 0; k < chain_.constraints.size(); ++k) {
-    if (!chain_.constraints[k].one_sided || rests_on_[k]) continue;
+    if (!chain_.constraints[k].one_sided || contacts_.rests_on[k]) continue;
     const double end = gap_of(k, w_.placement, w_.time);
     if (end >= -tolerance) continue;
     const double begin = gap_of(k, begin_, time_);
@@ -36,15 +36,15 @@ double MotionStep<L, kElastic>::free_fraction() const {
 template <class L, bool kElastic>
 void MotionStep<L, kElastic>::meet_at_begin() {
   for (std::size_t k = 0; k < chain_.constraints.size(); ++k) {
-    if (!chain_.constraints[k].one_sided || rests_on_[k]) continue;
+    if (!chain_.constraints[k].one_sided || contacts_.rests_on[k]) continue;
     const bool crosses = gap_of(k, w_.placement, w_.time) < -kContactTolerance<S> * chain_.length;
-    if (crosses && gap_of(k, begin_, time_) <= 0.0) rests_on_[k] = true;
+    if (crosses && gap_of(k, begin_, time_) <= 0.0) contacts_.rests_on[k] = true;
   }
   w_.q = q_begin_;
   w_.time = time_;
   w_.placement = begin_;
   const double before = kinetic();
-  fit_velocities(motion_, rests_on_, {});
+  fit_velocities(motion_);
   flows_.impact += before - kinetic();
   h_before_ = 0.0;
   restart();
@@ -59,9 +59,9 @@ bool MotionStep<L, kElastic>::leaves_loaded() {
   if (rule_.end_work == 1.0 || rule_.midpoint) return false;
   bool leaves = false;
   for (std::size_t k = 0; k < chain_.constraints.size(); ++k) {
-    if (!chain_.constraints[k].one_sided || !rests_on_[k] || w_.closed[k]) continue;
+    if (!chain_.constraints[k].one_sided || !contacts_.rests_on[k] || w_.closed[k]) continue;
     if (multiplier_[k] <= 0.0) continue;
-    rests_on_[k] = false;
+    contacts_.rests_on[k] = false;
     leaves = true;
   }
   if (!leaves) return false;
@@ -90,31 +90,46 @@ double MotionStep<L, kElastic>::approach_of(std::size_t k) const {
   return secant * constraint.motion - speed;
 }
 
-/// Makes velocities fit joints, supports and contacts, with the impulses that this takes. A contact
-/// that would have to pull is left out.
-/// @param acts    one-sided constraints that act (constraints)
-/// @param bounce  speed of each constraint's point away from its support; empty: all at rest
+/// Makes velocities fit joints and supports, with the impulses that this takes, and contacts that
+/// close are at rest.
 template <class L, bool kElastic>
-bool MotionStep<L, kElastic>::fit_velocities(Motions& motion, const std::vector<bool>& acts,
-                                             const std::vector<double>& bounce) {
-  ConstraintRates<L>& rates = rates_;
+mask_t<typename L::Scalar> MotionStep<L, kElastic>::fit_velocities(Motions& motion) {
+  set_support_rates();
+  if constexpr (!kHasLanes<S>) {
+    for (std::size_t k = 0; k < chain_.constraints.size(); ++k) {
+      if (chain_.constraints[k].one_sided && !contacts_.rests_on[k]) rates_.acts[k] = false;
+    }
+  }
+  return fit_to_rates(motion);
+}
+
+/// All constraints act, at the speeds of their supports.
+template <class L, bool kElastic>
+void MotionStep<L, kElastic>::set_support_rates() {
   for (std::size_t k = 0; k < chain_.constraints.size(); ++k) {
     const auto& constraint = chain_.constraints[k];
-    rates.acts[k] = (!constraint.one_sided || acts[k]) && !w_.q.released_constraint[k];
-    const S away = constant<S>(bounce.empty() ? 0.0 : bounce[k]);
-    rates.rate[k] = slope_of(constraint.history) * constraint.motion + away;
+    rates_.acts[k] = !w_.q.released_constraint[k];
+    rates_.rate[k] = slope_of(constraint.history) * constraint.motion;
   }
+}
+
+/// The same by `rates_`; a contact that would have to pull is left out.
+template <class L, bool kElastic>
+mask_t<typename L::Scalar> MotionStep<L, kElastic>::fit_to_rates(Motions& motion) {
   const S slope = slope_of(chain_.root.history);
   const chain::Motion<L> ground{slope * chain_.root.motion, slope * chain_.root.rotation};
   given_ = motion;
   for (;;) {
     motion = given_;
-    const bool holds = make_velocities_fit(chain_, rates, ground, no_laws_, no_motion_, motion, w_);
+    const mask_t<S> holds =
+        make_velocities_fit(chain_, rates_, ground, no_laws_, no_motion_, motion, w_);
     bool pulls = false;
-    for (std::size_t k = 0; k < chain_.constraints.size(); ++k) {
-      if (!chain_.constraints[k].one_sided || !rates.acts[k] || w_.small.b(k) >= 0.0) continue;
-      rates.acts[k] = false;
-      pulls = true;
+    if constexpr (!kHasLanes<S>) {
+      for (std::size_t k = 0; k < chain_.constraints.size(); ++k) {
+        if (!chain_.constraints[k].one_sided || !rates_.acts[k] || w_.small.b(k) >= 0.0) continue;
+        rates_.acts[k] = false;
+        pulls = true;
+      }
     }
     if (!pulls) return holds;
   }
@@ -124,58 +139,64 @@ bool MotionStep<L, kElastic>::fit_velocities(Motions& motion, const std::vector<
 template <class L, bool kElastic>
 bool MotionStep<L, kElastic>::passes_corner() const {
   const auto jumps = [&](std::size_t history) {
-    const History& factor = chain_.histories[history];
-    const double reach = kRounding * h_;
-    if (!factor.slope.empty() && !rule_.midpoint) {
-      // A smooth one at its ends alone: Newmark's and Euler's velocities follow it by themselves,
-      // but the midpoint's, if left alone, swing about it.
-      const auto is_end = [&](double end, double slope) {
-        return slope != 0.0 && end > w_.time - h_ + reach && end <= w_.time + reach;
-      };
-      return is_end(factor.time.front(), factor.slope.front()) ||
-             is_end(factor.time.back(), factor.slope.back());
+    const StepEnd end{w_.time, h_, kRounding * h_};
+    const auto& factor = chain_.histories[history];
+    if constexpr (kHasLanes<S>) {
+      return speed_jumps(*factor.history, end, rule_.midpoint);
+    } else {
+      return speed_jumps(factor, end, rule_.midpoint);
     }
-    const double before = (factor.at(w_.time) - factor.at(w_.time - h_)) / h_;
-    const double after = factor.slope_at(w_.time + reach);
-    return std::fabs(after - before) > 1e-9 * std::max(std::fabs(after), std::fabs(before));
   };
-  const auto moves = [](const auto& v) { return dot(v, v) > 0.0; };
+  const auto is_something = [](const S& square) { return any(square > constant<S>(0)); };
   const auto& root = chain_.root;
-  if (!w_.q.open[0] && (moves(root.motion) || moves(root.rotation)) && jumps(root.history))
-    return true;
+  const bool root_moves = is_something(dot(root.motion, root.motion)) ||
+                          is_something(dot(root.rotation, root.rotation));
+  if (any(!w_.q.open[0]) && root_moves && jumps(root.history)) return true;
   return std::any_of(chain_.constraints.begin(), chain_.constraints.end(),
                      [&](const auto& constraint) {
-                       return constraint.motion != 0.0 && jumps(constraint.history);
+                       return is_something(abs(constraint.motion)) && jumps(constraint.history);
                      });
+}
+
+/// Contacts that open and that are left, after a step. @return whether one is struck
+template <class L, bool kElastic>
+bool MotionStep<L, kElastic>::note_contacts() {
+  bool touches = false;
+  for (std::size_t k = 0; k < chain_.constraints.size(); ++k) {
+    if (!chain_.constraints[k].one_sided) continue;
+    if (contacts_.rests_on[k]) {
+      contacts_.rests_on[k] = w_.closed[k];
+    } else if (gap_of(k, w_.placement, w_.time) <= 0.0) {
+      touches = touches || approach_of(k) > 0.0;
+    } else {
+      contacts_.bounces[k] = 0;
+    }
+  }
+  return touches;
 }
 
 /// Lets contacts that have closed bounce, or rest where they are slow or come back again and again;
 /// follows supports whose speed jumps.
 template <class L, bool kElastic>
 void MotionStep<L, kElastic>::settle() {
-  const std::size_t count = chain_.constraints.size();
   bool touches = false;
-  for (std::size_t k = 0; k < count; ++k) {
-    if (!chain_.constraints[k].one_sided) continue;
-    if (rests_on_[k]) {
-      rests_on_[k] = w_.closed[k];
-    } else if (gap_of(k, w_.placement, w_.time) <= 0.0) {
-      touches = touches || approach_of(k) > 0.0;
-    } else {
-      bounces_[k] = 0;
-    }
-  }
+  if constexpr (!kHasLanes<S>) touches = note_contacts();
   const bool corner = passes_corner();
-  if (!touches && !corner) return;
+  has_restarted_ = touches || corner;
+  if (!has_restarted_) return;
   // What a scheme's velocities lack to fit the joints is its own affair, not the impact's.
-  double before = kinetic();
+  E before = kinetic();
   if (touches) {
-    fit_velocities(motion_, rests_on_, {});
+    fit_velocities(motion_);
     flows_.numerical_dissipation += before - kinetic();
     before = kinetic();
   }
-  strike(corner);
-  const double lost = before - kinetic();
+  if constexpr (kHasLanes<S>) {
+    fit_velocities(motion_);
+  } else {
+    strike(corner);
+  }
+  const E lost = before - kinetic();
   // The work of an impulse that makes a support start or stop comes from outside.
   (touches ? flows_.impact : flows_.external) += touches ? lost : -lost;
   jumped();
@@ -186,30 +207,28 @@ void MotionStep<L, kElastic>::settle() {
 template <class L, bool kElastic>
 void MotionStep<L, kElastic>::jumped() {
   h_before_ = 0.0;
-  begin_ = w_.placement;
-  q_begin_ = w_.q;
+  note_begin();
 }
 
 template <class L, bool kElastic>
 void MotionStep<L, kElastic>::strike(bool corner) {
   const std::size_t count = chain_.constraints.size();
-  std::vector<double>& bounce = bounce_;
-  std::fill(bounce.begin(), bounce.end(), 0.0);
-  std::vector<bool>& acts = acts_;
-  acts = rests_on_;
   bool strikes = corner;
+  set_support_rates();
   for (std::size_t k = 0; k < count; ++k) {
-    if (!chain_.constraints[k].one_sided || rests_on_[k]) continue;
+    if (!chain_.constraints[k].one_sided || contacts_.rests_on[k]) continue;
+    rates_.acts[k] = false;
     if (gap_of(k, w_.placement, w_.time) > 0.0) continue;
     const double speed = approach_of(k);
     if (speed <= 0.0) continue;
-    const bool bounces = speed > kRestingSpeed * fastest_ && ++bounces_[k] <= kMaxBounces;
-    bounce[k] = bounces ? options_.restitution[k] * speed : 0.0;
-    rests_on_[k] = bounce[k] == 0.0;
-    acts[k] = true;
+    const bool bounces = speed > kRestingSpeed * fastest_ && ++contacts_.bounces[k] <= kMaxBounces;
+    const double away = bounces ? options_.restitution[k] * speed : 0.0;
+    contacts_.rests_on[k] = away == 0.0;
+    rates_.acts[k] = !w_.q.released_constraint[k];
+    rates_.rate[k] += constant<S>(away);
     strikes = true;
   }
-  if (strikes) fit_velocities(motion_, acts, bounce);
+  if (strikes) fit_to_rates(motion_);
 }
 
 /// After a jump: generalized-alpha begins anew from the accelerations that the forces give now.
@@ -228,19 +247,22 @@ void MotionStep<L, kElastic>::restart() {
       [this](std::size_t history) { return chain_.histories[history].at(w_.time); },
       w_.outer_forces);
   for (std::size_t k = 0; k < chain_.constraints.size(); ++k) {
-    const bool acts = !chain_.constraints[k].one_sided || rests_on_[k];
-    rates_.acts[k] = acts && !w_.q.released_constraint[k];
+    rates_.acts[k] = !w_.q.released_constraint[k];
+    if constexpr (!kHasLanes<S>) {
+      if (chain_.constraints[k].one_sided && !contacts_.rests_on[k]) rates_.acts[k] = false;
+    }
   }
   // The laws' forces as they are: nothing moves in no time.
   laws_alone_.force = w_.joints.force;
   const auto support_at = [this](std::size_t history) {
-    const History& factor = chain_.histories[history];
+    const auto& factor = chain_.histories[history];
     const double time = w_.time + kRounding * h_;
-    return SupportRates{factor.slope_at(time), factor.curvature_at(time)};
+    return SupportRates<S>{chain::factor_as<S>(factor.slope_at(time)),
+                           chain::factor_as<S>(factor.curvature_at(time))};
   };
   set_accelerations(chain_, laws_alone_, no_motion_, carried_, rates_, support_at, motion_, w_);
   for (std::size_t k = 0; k < multiplier_.size(); ++k) {
-    multiplier_[k] = rates_.acts[k] ? w_.small.b(k) : constant<S>(0);
+    multiplier_[k] = select(rates_.acts[k], w_.small.b(k), constant<S>(0));
   }
   for (std::size_t i = 0; i < chain_.size(); ++i) {
     inertia_[i] = inertia_force(StepFactors(rule_, 1.0), chain_.inertias[i], w_.placement.frame[i],

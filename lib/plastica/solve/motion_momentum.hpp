@@ -10,10 +10,10 @@ template <class L, bool kElastic>
 bool MotionStep<L, kElastic>::is_held(std::size_t first, std::size_t end) const {
   const auto within = [&](std::size_t segment) { return segment >= first && segment < end; };
   for (std::size_t k = 0; k < chain_.constraints.size(); ++k) {
-    if (w_.closed[k] && within(chain_.constraints[k].segment)) return true;
+    if (any(w_.closed[k]) && within(chain_.constraints[k].segment)) return true;
   }
   for (std::size_t g = 0; g < chain_.ground_joints.size(); ++g) {
-    if (!w_.q.released_ground_joint[g] && within(chain_.ground_joints[g].segment)) return true;
+    if (any(!w_.q.released_ground_joint[g]) && within(chain_.ground_joints[g].segment)) return true;
   }
   return std::any_of(chain_.springs.begin(), chain_.springs.end(),
                      [&](const auto& spring) { return within(spring.segment); });
@@ -73,17 +73,17 @@ void MotionStep<L, kElastic>::balance_fragment(std::size_t first, std::size_t en
                    h * (fraction * outside.moment + rest * error.outside.moment);
   error.outside = outside;
   error.knows_outside = true;
-  error.size = std::max({error.size, before.size, after.size});
-  error.angular_size = std::max({error.angular_size, before.angular_size, after.angular_size});
-  error.largest_lost = std::max<double>(error.largest_lost, size_of(error.lost));
-  error.largest_angular = std::max<double>(error.largest_angular, size_of(error.angular));
+  error.size = max(max(error.size, before.size), after.size);
+  error.angular_size = max(max(error.angular_size, before.angular_size), after.angular_size);
+  error.largest_lost = max(error.largest_lost, E(size_of(error.lost)));
+  error.largest_angular = max(error.largest_angular, E(size_of(error.angular)));
 }
 
 template <class L, bool kElastic>
-double MotionStep<L, kElastic>::momentum_error() const {
-  double error = 0.0;
+sum_t<typename L::Scalar> MotionStep<L, kElastic>::momentum_error() const {
+  E error = constant<E>(0.0);
   for (const MomentumError<L>& fragment : momentum_) {
-    error = std::max(error, fragment.fraction(chain_.length));
+    error = max(error, fragment.fraction(chain_.length));
   }
   return error;
 }

@@ -39,12 +39,15 @@ inline constexpr double kContactTolerance = kIsDouble<S> ? 1e-7 : 1e-5;
 inline constexpr double kRestingSpeed = 1e-3;
 
 /// What has flowed into and out of a beam in motion [J]; each from its own formula.
-struct EnergyFlows {
-  double external = 0.0;
-  double damping = 0.0;
-  double numerical_dissipation = 0.0;
-  double impact = 0.0;
-  double fracture = 0.0;
+/// @tparam E  double; in lanes each has its own
+template <class E>
+struct EnergyFlowsOf {
+  E external{};
+  E damping{};
+  E numerical_dissipation{};
+  E impact{};
+  E fracture{};
 };
+using EnergyFlows = EnergyFlowsOf<double>;
 
 }  // namespace plastica::solve

@@ -15,7 +15,7 @@ void MotionStep<L, kElastic>::predict(double length) {
     const typename L::Spin spin = L::axes(frame) * motion_[i].spin;
     const typename L::Point arm = L::rotate(frame, chain_.inertias[i].center);
     const typename L::Point velocity = motion_[i].velocity - L::spun(spin, arm);
-    if (w_.q.open[i]) {
+    if (any(w_.q.open[i])) {
       const S size = max(h * size_of(spin), constant<S>(1e-30));
       const S fraction = min(constant<S>(1), constant<S>(0.5 * kLargestStepSpin) / size);
       const typename L::Spin increment = fraction * (h * spin);
@@ -45,7 +45,11 @@ void MotionStep<L, kElastic>::predict_joint(std::size_t i, const S& h,
   typename L::Spin increment = h * transposed_times(L::axes(begin_.near[i]), spin - inner_spin);
   const S most = constant<S>(options_.largest_rotation);
   const S size = size_of(increment);
-  if (size > most) increment = (most / size) * increment;
+  const mask_t<S> turns_far = size > most;
+  if (any(turns_far)) {
+    const typename L::Spin shorter = (most / size) * increment;
+    increment = select(turns_far, shorter, increment);
+  }
   w_.q.angle[i] = L::add_rotation(increment, w_.q.angle[i]);
   for (std::size_t k = 0; k < L::kRotations; ++k) {
     if (i == 0 && chain_.root.clamped[k]) w_.q.angle[i][k] = q_begin_.angle[i][k];
@@ -72,7 +76,7 @@ void MotionStep<L, kElastic>::predict_joint(std::size_t i, const S& h,
 /// counts whole.
 template <class L, bool kElastic>
 double MotionStep<L, kElastic>::error() const {
-  const bool first_order = claims_of(options_.scheme, options_.rho_infinity).order == 1;
+  const bool first_order = claims_.order == 1;
   const bool known = !first_order && h_before_ > 0.0;
   double largest = 0.0;
   for (std::size_t i = 0; i < chain_.size(); ++i) {
@@ -94,16 +98,18 @@ template <class L, bool kElastic>
 void MotionStep<L, kElastic>::set_force_floor() {
   // Times the least tolerance, four times the rounding.
   constexpr double kFraction = kIsDouble<S> ? 1e-4 : 0.03;
-  double far = chain_.length;
+  E far = E(chain_.length);
+  const E fraction = constant<E>(kFraction);
+  const E square = constant<E>(h_ * h_);
   if constexpr (L::kTranslations > 0) {
     for (const std::size_t i : {std::size_t{0}, chain_.size() - 1}) {
-      far = std::max<double>(far, size_of(begin_.position[i]));
+      far = max(far, E(size_of(begin_.position[i])));
     }
-    w_.force_floor = constant<S>(kFraction * mass_ * far / (h_ * h_));
+    w_.force_floor = S(fraction * mass_ * far / square);
   } else {
-    double rotational = 0.0;
+    E rotational = constant<E>(0.0);
     for (const auto& inertia : chain_.inertias) rotational += inertia.rotational(0, 0);
-    w_.force_floor = constant<S>(kFraction * rotational / (h_ * h_ * far));
+    w_.force_floor = S(fraction * rotational / (square * far));
   }
 }
 

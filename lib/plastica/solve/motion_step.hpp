@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstddef>
 #include <optional>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -11,6 +12,7 @@
 #include "plastica/solve/joint_motion.hpp"
 #include "plastica/solve/newton.hpp"
 #include "plastica/solve/rates.hpp"
+#include "plastica/solve/speed_jump.hpp"
 
 namespace plastica::solve {
 
@@ -18,10 +20,14 @@ namespace plastica::solve {
 ///
 /// A step is tried (`attempt`) and then taken (`accept`) or left; what a joint was, where segments
 /// were and how fast, stays as it was until then.
+///
+/// In lanes there are beams side by side that take the same steps, without contacts and breaks; a
+/// lane whose step fails (`attempt_as_foretold`) is of no use any more.
 template <class L, bool kElastic>
 class MotionStep {
  public:
   using S = typename L::Scalar;
+  using E = sum_t<S>;
   using Work = NewtonWork<L, kElastic>;
   using Joints = chain::SectionJointsBase<L, kElastic>;
   using Motions = std::vector<SegmentMotion<L>>;
@@ -33,12 +39,13 @@ class MotionStep {
         joints_(joints),
         options_(options),
         rule_(step_rule(options.scheme, options.rho_infinity)),
+        claims_(claims_of(options.scheme, options.rho_infinity)),
         newton_(options.newton),
         w_(work),
         joint_motion_(joints, axes, chain.size()) {
     newton_.patience = 5;
     newton_.tolerance = std::max(newton_.tolerance, kMinTolerance);
-    newton_.one_solve = claims_of(options.scheme, options.rho_infinity).one_solve;
+    newton_.one_solve = claims_.one_solve;
     const std::size_t n = chain.size();
     motion_.resize(n);
     motion_now_.resize(n);
@@ -49,8 +56,6 @@ class MotionStep {
     const std::size_t constraints = chain.constraints.size();
     rates_.acts.resize(constraints);
     rates_.rate.resize(constraints);
-    bounce_.resize(constraints);
-    acts_.resize(constraints);
     carried_.shift.resize(n);
     carried_.spin.resize(n);
     ground_moment_.resize(chain.ground_joints.size());
@@ -67,11 +72,13 @@ class MotionStep {
 
   /// Begins at time 0 with velocities that joints and supports need not allow yet.
   /// @return false if a support holds what others hold already
-  bool start(const Motions& motion) {
+  mask_t<S> start(const Motions& motion) {
     motion_ = motion;
     const std::size_t constraints = chain_.constraints.size();
-    rests_on_.assign(constraints, false);
-    bounces_.assign(constraints, 0);
+    if constexpr (!kHasLanes<S>) {
+      contacts_.rests_on.assign(constraints, false);
+      contacts_.bounces.assign(constraints, 0);
+    }
     multiplier_.assign(constraints, constant<S>(0));
     root_wrench_.reset();
     flows_ = {};
@@ -87,12 +94,13 @@ class MotionStep {
     evaluate_laws();
     joint_motion_.begin(w_.angles, w_.q.shift, w_.joints);
     for (std::size_t g = 0; g < ground_moment_.size(); ++g) ground_moment_[g] = ground_moment(g);
-    begin_ = w_.placement;
-    q_begin_ = w_.q;
-    for (std::size_t k = 0; k < chain_.constraints.size(); ++k) {
-      rests_on_[k] = chain_.constraints[k].one_sided && gap_of(k, begin_, 0.0) <= 0.0;
+    note_begin();
+    if constexpr (!kHasLanes<S>) {
+      for (std::size_t k = 0; k < constraints; ++k) {
+        contacts_.rests_on[k] = chain_.constraints[k].one_sided && gap_of(k, begin_, 0.0) <= 0.0;
+      }
     }
-    const bool holds = fit_velocities(motion_, rests_on_, {});
+    const mask_t<S> holds = fit_velocities(motion_);
     note_fastest();
     restart();
     return holds;
@@ -116,6 +124,9 @@ class MotionStep {
     return false;
   }
 
+  /// Tries a step as it is, from where the velocities point to. @return as `attempt`
+  mask_t<S> attempt_as_foretold(double h);
+
   /// Takes the step that was tried.
   void accept() {
     joints_.commit();
@@ -123,16 +134,17 @@ class MotionStep {
     balance_momentum();
     add_flows();
     joint_motion_.commit(w_.angles, w_.q.shift);
-    inertia_ = inertia_now_;
+    std::swap(inertia_, inertia_now_);
     time_ = w_.time;
-    for (std::size_t i = 0; i < chain_.size(); ++i) {
-      acceleration_[i] = constant<S>(1.0 / h_) * (motion_now_[i].velocity - motion_[i].velocity);
-    }
+    if (options_.step_error > 0.0) note_accelerations();
     h_before_ = h_;
     std::swap(motion_, motion_now_);
     note_fastest();
-    begin_ = w_.placement;
-    q_begin_ = w_.q;
+    begin_.frame = w_.placement.frame;
+    begin_.position = w_.placement.position;
+    begin_.near = w_.placement.near;
+    if constexpr (kElastic) begin_.far = w_.placement.far;
+    copy_unknowns(w_.q, q_begin_);
     settle();
   }
 
@@ -179,14 +191,17 @@ class MotionStep {
   /// How far the scheme is off in the step that was tried, at most [m]: see motion_predict.hpp.
   double error() const;
   int iterations() const { return iterations_; }  ///< of the last attempt
-  const EnergyFlows& flows() const { return flows_; }
+  const S& solves() const { return solves_; }     ///< the same, of each lane
+  /// Whether velocities have jumped at the end of the last step, so that forces are those after it.
+  bool has_restarted() const { return has_restarted_; }
+  const EnergyFlowsOf<E>& flows() const { return flows_; }
   /// See `Response::momentum_error`.
-  double momentum_error() const;
+  E momentum_error() const;
   const Motions& motions() const { return motion_; }
   /// Where the segments were before the last attempt.
   const Placement& begin() const { return begin_; }
-  double kinetic() const {
-    double energy = 0.0;
+  E kinetic() const {
+    E energy = constant<E>(0.0);
     for (std::size_t i = 0; i < chain_.size(); ++i) {
       energy += kinetic_energy(chain_.inertias[i], motion_[i]);
     }
@@ -194,9 +209,9 @@ class MotionStep {
   }
   /// Whether a joint still joins: of a segment, or to the ground.
   bool joins(std::size_t joint) const {
-    if (joint < chain_.size()) return !w_.q.open[joint];
+    if (joint < chain_.size()) return any(!w_.q.open[joint]);
     for (std::size_t g = 0; g < chain_.ground_joints.size(); ++g) {
-      if (chain_.ground_joints[g].joint == joint) return !w_.q.released_ground_joint[g];
+      if (chain_.ground_joints[g].joint == joint) return any(!w_.q.released_ground_joint[g]);
     }
     return true;
   }
@@ -209,28 +224,50 @@ class MotionStep {
   /// A contact that strikes in as many steps in a row comes to rest.
   static constexpr int kMaxBounces = 5;
 
+  /// The beam as it is placed now is where the next step begins.
+  void note_begin() {
+    begin_ = w_.placement;
+    q_begin_ = w_.q;
+    in_fragments_ = std::any_of(w_.q.open.begin(), w_.q.open.end(),
+                                [](const mask_t<S>& open) { return any(open); });
+  }
+  /// What a step changes; poses are unknowns of fragments alone.
+  void copy_unknowns(const chain::Coordinates<L>& from, chain::Coordinates<L>& to) const {
+    to.angle = from.angle;
+    to.shift = from.shift;
+    to.root = from.root;
+    to.multiplier = from.multiplier;
+    if (in_fragments_) to.pose = from.pose;
+  }
+  void note_accelerations() {
+    for (std::size_t i = 0; i < chain_.size(); ++i) {
+      acceleration_[i] = constant<S>(1.0 / h_) * (motion_now_[i].velocity - motion_[i].velocity);
+    }
+  }
+
   // motion_predict.hpp
   void predict(double h);
   void predict_joint(std::size_t i, const S& h, const typename L::Spin& inner_spin,
                      const typename L::Point& inner_velocity);
   void set_force_floor();
   // motion_forces.hpp
+  void set_length(double h);
   bool solve(double h);
-  bool solve_from(bool predicted);
+  mask_t<S> solve_from(bool predicted);
   void note_fastest();
   void evaluate_laws();
   void set_factors();
   void assemble(bool slopes);
   void set_stage();
   void set_joint_spins(const Motions& motion, double time);
-  bool rotates_little() const;
-  bool is_finite() const;
+  mask_t<S> rotates_little() const;
+  mask_t<S> is_finite() const;
   // motion_flows.hpp
   void add_flows();
-  double load_work() const;
+  E load_work() const;
   typename L::Spin ground_moment(std::size_t ground_joint) const;
-  double ground_work();
-  double inertia_work() const;
+  E ground_work();
+  E inertia_work() const;
   // motion_momentum.hpp
   bool is_held(std::size_t first, std::size_t end) const;
   void balance_momentum();
@@ -242,21 +279,30 @@ class MotionStep {
   bool leaves_loaded();
   /// Of a history behind the time that is reached, which may be a corner but for rounding.
   S slope_of(std::size_t history) const {
-    return constant<S>(chain_.histories[history].slope_at(w_.time + kRounding * h_));
+    return chain::factor_as<S>(chain_.histories[history].slope_at(w_.time + kRounding * h_));
   }
   double approach_of(std::size_t constraint) const;
-  bool fit_velocities(Motions& motion, const std::vector<bool>& acts,
-                      const std::vector<double>& bounce);
+  mask_t<S> fit_velocities(Motions& motion);
+  void set_support_rates();
+  mask_t<S> fit_to_rates(Motions& motion);
+  bool note_contacts();
   void settle();
   void jumped();
   void strike(bool corner);
   bool passes_corner() const;
   void restart();
 
+  struct Contacts {
+    std::vector<bool> rests_on;  ///< one-sided constraints that are closed (constraints)
+    std::vector<int> bounces;    ///< in a row (constraints)
+  };
+  struct NoContacts {};
+
   const chain::Chain<L>& chain_;
   Joints& joints_;
   const MotionOptions& options_;
   StepRule rule_;
+  SchemeClaims claims_;
   NewtonOptions newton_;
   Work& w_;
   JointMotion<L, kElastic> joint_motion_;
@@ -264,16 +310,17 @@ class MotionStep {
   chain::JointForces<L, kElastic> laws_alone_;  ///< forces without slopes
   ConstraintRates<L> rates_;
   CarriedMotion<L> carried_;
-  Motions given_;               ///< velocities that are to fit
-  std::vector<double> bounce_;  ///< (constraints)
-  std::vector<bool> acts_;      ///< (constraints)
-  chain::Stage<L> no_motion_;   ///< forces act at the end, and follow nothing
-  double mass_ = 0.0;
+  Motions given_;              ///< velocities that are to fit
+  chain::Stage<L> no_motion_;  ///< forces act at the end, and follow nothing
+  E mass_{};
   double h_ = 0.0;
   StepFactors factors_;
-  std::vector<double> history_factor_;  ///< where forces act (histories)
+  std::vector<E> history_factor_;  ///< where forces act (histories)
   double time_ = 0.0;
   int iterations_ = 0;
+  S solves_{};
+  bool has_restarted_ = false;
+  bool in_fragments_ = false;  ///< whether any joint is open
   int rests_ = 0;
   double fastest_ = 0.0;  ///< speed of a segment so far [m/s]
   // At the begin of the step:
@@ -283,9 +330,8 @@ class MotionStep {
   std::vector<typename L::Point> acceleration_;  ///< accelerations over the step before
   double h_before_ = 0.0;                        ///< its length; 0: none, or a jump since
   std::vector<CenterForce<L>> inertia_;
-  std::vector<bool> rests_on_;  ///< one-sided constraints that are closed (constraints)
-  std::vector<int> bounces_;    ///< in a row (constraints)
-  std::vector<S> multiplier_;   ///< (constraints)
+  std::conditional_t<kHasLanes<S>, NoContacts, Contacts> contacts_;
+  std::vector<S> multiplier_;                    ///< (constraints)
   std::optional<chain::Wrench<L>> root_wrench_;  ///< what the root passed on; none: not known
   std::vector<typename L::Spin> ground_moment_;  ///< of ground joints on their segments
   // At its end:
@@ -293,7 +339,7 @@ class MotionStep {
   std::vector<CenterForce<L>> inertia_now_;
   std::vector<SegmentStep<L>> step_;
   std::vector<typename L::Spin> spins_;  ///< of joints, where damping asks for them
-  EnergyFlows flows_;
+  EnergyFlowsOf<E> flows_;
   std::vector<MomentumError<L>> momentum_;  ///< of the fragment that begins with a segment (N)
 };
 

@@ -35,6 +35,8 @@ NewtonOutcome<typename L::Scalar> equilibrate(const chain::Chain<L>& chain,
   using S = typename L::Scalar;
   NewtonOutcome<S> outcome;
   bool polished = false;
+  mask_t<S> ended = in_all_lanes<S>(false);  // by what one solve leaves
+  mask_t<S> lost = ended;                    // while others go on
   w.stepped = constant<S>(0);
   for (int iteration = 0;; ++iteration) {
     const S enough = constant<S>(reachable<S>(options.tolerance, iteration));
@@ -44,13 +46,16 @@ NewtonOutcome<typename L::Scalar> equilibrate(const chain::Chain<L>& chain,
     const bool looks = may_end && std::none_of(chain.constraints.begin(), chain.constraints.end(),
                                                [](const auto& k) { return k.one_sided; });
     assemble(w, !looks);
-    if (may_end && detail::constraints_hold(chain, w)) {
+    const mask_t<S> hold = may_end ? detail::constraints_hold(chain, w) : ended;
+    if (any(hold)) {
       w.recursion.sum(chain, w.q, w.placement, w.stage, w.joints, w.outer_forces, w.transmitted);
       const S imbalance = detail::relative_imbalance(chain, w);
+      const S little = constant<S>(reachable<S>(kOneSolveTolerance, iteration));
       outcome.imbalance[static_cast<std::size_t>(iteration)] = imbalance;
       outcome.iterations = iteration;
-      outcome.converged = imbalance <= constant<S>(reachable<S>(kOneSolveTolerance, iteration));
-      if (!any(!outcome.converged)) break;
+      ended = hold & (imbalance <= little);
+      outcome.converged = ended & !lost;
+      if (!any(!(ended | lost))) break;
     }
     if (looks) assemble(w, true);
     const PathCondition<L> condition = condition_at(w);
@@ -60,8 +65,8 @@ NewtonOutcome<typename L::Scalar> equilibrate(const chain::Chain<L>& chain,
     if (condition.active) imbalance = max(imbalance, abs(condition.value));
     outcome.imbalance[static_cast<std::size_t>(iteration)] = imbalance;
     outcome.iterations = iteration;
-    outcome.converged = imbalance <= enough;
-    auto going = may_improve(imbalance, enough);
+    outcome.converged = (ended | (imbalance <= enough)) & !lost;
+    mask_t<S> going = may_improve(imbalance, enough) & !ended & !lost;
     if (options.patience > 0 && iteration >= options.patience) {
       const S& before = outcome.imbalance[static_cast<std::size_t>(iteration - options.patience)];
       going = going & (imbalance <= constant<S>(0.1) * before);
@@ -73,14 +78,16 @@ NewtonOutcome<typename L::Scalar> equilibrate(const chain::Chain<L>& chain,
       break;
     }
     polished = polishes;
+    if constexpr (kHasLanes<S>) lost = lost | (!(going | outcome.converged));
     detail::solve_imbalance(chain, condition, w);
     for (std::size_t k = 0; k < chain.constraints.size(); ++k)
       detail::solve_constraint(chain, k, w);
     if (condition.active) detail::solve_time(chain, condition, w);
     detail::join_columns(chain, condition, w);
     detail::combine_columns(chain, condition, w);
-    const mask_t<S> stays = outcome.converged & going;  // none of them
-    detail::take_step(chain, condition, polishes ? stays : outcome.converged, w);
+    const mask_t<S> stays = polishes ? lost : outcome.converged | lost;
+    outcome.solves = outcome.solves + select(stays, constant<S>(0), constant<S>(1));
+    detail::take_step(chain, condition, stays, w);
   }
   return outcome;
 }

@@ -152,6 +152,7 @@ template <class S>
 struct NewtonOutcome {
   mask_t<S> converged{};
   int iterations = 0;  ///< factorizations
+  S solves{};          ///< of a lane, which waits for others once it is done
   /// Relative imbalance at the beginning of each iteration, and at the end (iterations + 1).
   std::array<S, kMaxIterations + 1> imbalance{};
 };

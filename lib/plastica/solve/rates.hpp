@@ -25,9 +25,10 @@ struct CarriedMotion {
 };
 
 /// How the factor of a support's history changes.
+template <class S>
 struct SupportRates {
-  double slope = 0.0;      ///< [1/s]
-  double curvature = 0.0;  ///< [1/s^2]
+  S slope{};      ///< [1/s]
+  S curvature{};  ///< [1/s^2]
 };
 
 /// A constraint moves nothing that is free if a unit impulse along it does less than this fraction
@@ -51,8 +52,9 @@ void factor_inertia(const chain::Chain<L>& chain, const chain::Stage<L>& stage,
 /// w.columns[0] and the constraints' impulses in w.small.
 /// @return whether every active constraint has something to hold
 template <class L, bool kElastic>
-bool solve_rates(const chain::Chain<L>& chain, const ConstraintRates<L>& constraints,
-                 bool with_balance, NewtonWork<L, kElastic>& w) {
+mask_t<typename L::Scalar> solve_rates(const chain::Chain<L>& chain,
+                                       const ConstraintRates<L>& constraints, bool with_balance,
+                                       NewtonWork<L, kElastic>& w) {
   using S = typename L::Scalar;
   const S zero = constant<S>(0);
   const S one = constant<S>(1);
@@ -65,7 +67,7 @@ bool solve_rates(const chain::Chain<L>& chain, const ConstraintRates<L>& constra
       rotational = max(rotational, inertia.rotational(k, k));
   }
   rotational = rotational + mass * chain.length * chain.length;
-  bool all_hold = true;
+  mask_t<S> all_hold = in_all_lanes<S>(true);
   const std::size_t count = chain.constraints.size();
   for (std::size_t k = 0; k < count; ++k) {
     const auto& constraint = chain.constraints[k];
@@ -83,7 +85,8 @@ bool solve_rates(const chain::Chain<L>& chain, const ConstraintRates<L>& constra
     }
     const S own = power(wrench, w.columns[1 + k].motion[constraint.segment]);
     const S free = one / (constraint.rotational ? rotational : mass);
-    if (any(constraints.acts[k] & !(own > constant<S>(kHoldsNothing<S>) * free))) all_hold = false;
+    const mask_t<S> holds = own > constant<S>(kHoldsNothing<S>) * free;
+    all_hold = all_hold & ((!constraints.acts[k]) | holds);
     w.small.a(k, count) = zero;
     w.small.a(count, k) = zero;
     const S residual = constraints.rate[k] - power(wrench, w.columns[0].motion[constraint.segment]);
@@ -111,11 +114,13 @@ bool solve_rates(const chain::Chain<L>& chain, const ConstraintRates<L>& constra
 /// @param ground  how the ground moves at the root
 /// @return whether every constraint has something to hold
 template <class L, bool kElastic>
-bool make_velocities_fit(const chain::Chain<L>& chain, const ConstraintRates<L>& constraints,
-                         const chain::Motion<L>& ground,
-                         const chain::JointForces<L, kElastic>& no_laws,
-                         const chain::Stage<L>& no_motion, std::vector<SegmentMotion<L>>& motion,
-                         NewtonWork<L, kElastic>& w) {
+mask_t<typename L::Scalar> make_velocities_fit(const chain::Chain<L>& chain,
+                                               const ConstraintRates<L>& constraints,
+                                               const chain::Motion<L>& ground,
+                                               const chain::JointForces<L, kElastic>& no_laws,
+                                               const chain::Stage<L>& no_motion,
+                                               std::vector<SegmentMotion<L>>& motion,
+                                               NewtonWork<L, kElastic>& w) {
   w.outer_forces.reset(chain.size());
   detail::factor_inertia(chain, no_motion, no_laws, w);
   w.right.reset(chain.size());
@@ -127,7 +132,7 @@ bool make_velocities_fit(const chain::Chain<L>& chain, const ConstraintRates<L>&
                                        L::moment(L::rotate(frame, inertia.center), momentum)};
   }
   w.right.ground = ground;
-  const bool all_hold = detail::solve_rates(chain, constraints, false, w);
+  const auto all_hold = detail::solve_rates(chain, constraints, false, w);
   for (std::size_t i = 0; i < chain.size(); ++i) {
     const chain::Motion<L>& moves = w.columns[0].motion[i];
     const auto& frame = w.placement.frame[i];
@@ -150,15 +155,14 @@ void set_accelerations(const chain::Chain<L>& chain, const chain::JointForces<L,
   using S = typename L::Scalar;
   detail::factor_inertia(chain, no_motion, laws, w);
   w.right.reset(chain.size());
-  const SupportRates root = support_at(chain.root.history);
-  w.right.ground = {constant<S>(root.curvature) * chain.root.motion,
-                    constant<S>(root.curvature) * chain.root.rotation};
+  const SupportRates<S> root = support_at(chain.root.history);
+  w.right.ground = {root.curvature * chain.root.motion, root.curvature * chain.root.rotation};
   // Arms and joint axes are carried along.
   std::vector<typename L::Point>& carried = carried_motion.shift;
   std::vector<typename L::Spin>& spin_acceleration = carried_motion.spin;
   typename L::Point at{};
   typename L::Spin spin_rate{};
-  typename L::Spin inner_spin = constant<S>(root.slope) * chain.root.rotation;
+  typename L::Spin inner_spin = root.slope * chain.root.rotation;
   for (std::size_t i = 0; i < chain.size(); ++i) {
     const auto& frame = w.placement.frame[i];
     const typename L::Spin spin = L::axes(frame) * motion[i].spin;
@@ -193,7 +197,7 @@ void set_accelerations(const chain::Chain<L>& chain, const chain::JointForces<L,
     const typename L::Point arm = L::rotate(frame, constraint.arm);
     const typename L::Point bias =
         carried[i] + L::spun(spin_acceleration[i], arm) + L::spun(spin, L::spun(spin, arm));
-    const S moved = constant<S>(support_at(constraint.history).curvature) * constraint.motion;
+    const S moved = support_at(constraint.history).curvature * constraint.motion;
     rates.rate[k] =
         moved - (dot(constraint.direction, bias) + dot(constraint.axis, spin_acceleration[i]));
   }

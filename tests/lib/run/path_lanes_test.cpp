@@ -10,7 +10,7 @@
 #include "plastica/run/batch.hpp"
 #include "plastica/run/lane_program.hpp"
 #include "tests/support/chain_scene.hpp"
-#include "tests/support/response_bits.hpp"
+#include "tests/support/lanes_like_alone.hpp"
 #include "tests/support/sanitized.hpp"
 
 /// Batches of beams at rest, whose paths are followed side by side: each has the bits that it has
@@ -19,9 +19,7 @@ namespace plastica {
 namespace {
 
 using testing::bits_of;
-
-constexpr InstructionSet kLevels[] = {InstructionSet::Baseline, InstructionSet::Avx2,
-                                      InstructionSet::Avx512};
+using testing::expect_bits_of_alone;
 
 Load load_at(double fraction, std::array<double, 3> force) {
   Load load;
@@ -113,18 +111,6 @@ Scene askew(std::size_t i, YieldModel model) {
   return scene;
 }
 
-void expect_bits_of_alone(const std::vector<BatchCase>& cases, int threads = 1) {
-  BatchOptions options;
-  options.threads = threads;
-  const std::vector<BatchRow> rows = run_batch(cases, options);
-  for (std::size_t i = 0; i < cases.size(); ++i) {
-    const Response alone = simulate(cases[i].scene, cases[i].options);
-    EXPECT_EQ(rows[i].reason, "");
-    EXPECT_EQ(rows[i].response.status, alone.status) << cases[i].id;
-    EXPECT_TRUE(bits_of(rows[i].response) == bits_of(alone)) << cases[i].id;
-  }
-}
-
 /// Eleven cases: more than lanes, so that some wait for a free one.
 template <class MakeScene>
 std::vector<BatchCase> eleven(const MakeScene& make, InstructionSet level) {
@@ -149,7 +135,7 @@ std::vector<BatchCase> eleven(const MakeScene& make, InstructionSet level) {
 
 template <class MakeScene>
 void expect_lanes_like_alone(const MakeScene& make) {
-  for (const InstructionSet level : kLevels) {
+  for (const InstructionSet level : testing::kInstructionSets) {
     if (has_instruction_set(level)) expect_bits_of_alone(eleven(make, level));
   }
 }
@@ -323,9 +309,19 @@ TEST(PathLanes, SayWhatRunsAlone) {
   motion.time_step = 1e-3;
   for (const Scheme scheme : {Scheme::LinearlyImplicitMidpoint, Scheme::ArticulatedMidpoint}) {
     motion.scheme = scheme;
-    const bool rides = scheme == Scheme::ArticulatedMidpoint;
-    EXPECT_EQ(riding(bent(0, YieldModel::Elastic), motion).starts_with(alone), !rides);
+    EXPECT_EQ(riding(bent(0, YieldModel::Elastic), motion),
+              "side by side with up to 7 others of its shape");
   }
+  motion.scheme = Scheme::EnergyMomentum;
+  Scene cut = bent(0, YieldModel::Elastic);
+  cut.cuts.push_back({.at = {0.5, {}}, .time = 0.5});
+  EXPECT_EQ(riding(cut, motion), alone + "joints are cut in it");
+  Scene rated = bent(0, YieldModel::PerAxis);
+  rated.material.rate = {.law = RateLaw::CowperSymonds, .reference_rate = 40.0, .exponent = 5.0};
+  EXPECT_EQ(riding(rated, motion), alone + "its yield stress depends on the rate");
+  motion.step_error = 1e-4;
+  EXPECT_EQ(riding(bent(0, YieldModel::Elastic), motion),
+            alone + "its steps follow their error (solver.step_error)");
   Scene coupon;
   coupon.drive.strain = {0.0, 0.01};
   EXPECT_EQ(riding(coupon, at_rest), alone + "it is a coupon");

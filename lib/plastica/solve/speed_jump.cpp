@@ -1,0 +1,24 @@
+#include "plastica/solve/speed_jump.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace plastica::solve {
+
+bool speed_jumps(const History& history, const StepEnd& end, bool midpoint) {
+  if (!history.slope.empty() && !midpoint) {
+    // A smooth one at its ends alone: Newmark's and Euler's velocities follow it by themselves, but
+    // the midpoint's, if left alone, swing about it.
+    const auto is_there = [&](double time, double slope) {
+      return slope != 0.0 && time > end.time - end.length + end.reach &&
+             time <= end.time + end.reach;
+    };
+    return is_there(history.time.front(), history.slope.front()) ||
+           is_there(history.time.back(), history.slope.back());
+  }
+  const double before = (history.at(end.time) - history.at(end.time - end.length)) / end.length;
+  const double after = history.slope_at(end.time + end.reach);
+  return std::fabs(after - before) > 1e-9 * std::max(std::fabs(after), std::fabs(before));
+}
+
+}  // namespace plastica::solve

@@ -1,0 +1,18 @@
+#pragma once
+
+#include "plastica/model/history.hpp"
+
+namespace plastica::solve {
+
+/// Where a step ends.
+struct StepEnd {
+  double time = 0.0;    ///< [s]
+  double length = 0.0;  ///< of the step [s]
+  double reach = 0.0;   ///< how far behind the end is after it, but for rounding [s]
+};
+
+/// Whether the speed of what a history moves jumps at the end of a step, as its scheme sees it.
+/// @param midpoint  whether forces act half way
+bool speed_jumps(const History& history, const StepEnd& end, bool midpoint);
+
+}  // namespace plastica::solve
