@@ -220,11 +220,24 @@ void visit_law(V& v, Law& law) {
     v.number(law.stiffness);
     v.number(law.compliance);
     v.number(law.yield);
+  } else if constexpr (requires { law.saturation; }) {
+    v.number(law.stiffness);
+    v.number(law.yield);
+    v.number(law.saturation);
+    v.number(law.rate);
+    for (auto& modulus : law.back_modulus) v.number(modulus);
+    for (auto& rate : law.back_rate) v.number(rate);
   } else if constexpr (requires { law.kinematic; }) {
     v.number(law.stiffness);
     v.number(law.yield);
     v.number(law.isotropic);
     v.number(law.kinematic);
+    if constexpr (requires { law.steepest; }) {
+      v.number(law.steepest);
+      for (auto* numbers : {&law.begin, &law.width, &law.slope}) {
+        for (auto& number : *numbers) v.number(number);
+      }
+    }
   } else {
     visit_numbers(v, law.stiffness);  // of a section that never yields
   }

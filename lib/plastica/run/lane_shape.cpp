@@ -69,8 +69,10 @@ std::optional<solve::LaneLaw> lane_law(const ChainModel& model) {
   switch (model.scene.material.hardening.law) {
     case HardeningLaw::Ideal: return solve::LaneLaw::Ideal;
     case HardeningLaw::Linear: return solve::LaneLaw::Linear;
-    default: return {};
+    case HardeningLaw::VoceChaboche: return solve::LaneLaw::VoceChaboche;
+    case HardeningLaw::Multilinear: return solve::LaneLaw::Multilinear;
   }
+  return {};
 }
 
 std::string_view why_alone(const ChainModel& model) {
@@ -91,10 +93,7 @@ std::string_view why_alone(const ChainModel& model) {
   if (scene.yield_model != YieldModel::Elastic && scene.yield_model != YieldModel::PerAxis) {
     return "it yields by several forces at once (rules.yield_model)";
   }
-  if (!lane_law(model)) {
-    return has_own_rates(scene.material) ? "its yield stress depends on the rate"
-                                         : "its hardening law has no lanes";
-  }
+  if (!lane_law(model)) return "its yield stress depends on the rate";
   const bool has_pillar =
       std::any_of(scene.supports.begin(), scene.supports.end(),
                   [](const Support& support) { return traits_of(support).one_sided; });

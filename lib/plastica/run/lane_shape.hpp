@@ -37,6 +37,12 @@ void with_joints(solve::LaneLaw law, chain::SectionJointsBase<L, false>& joints,
     case solve::LaneLaw::Linear:
       as(std::type_identity<law::PerAxisSection<S, law::LinearHardening<S>>>{});
       return;
+    case solve::LaneLaw::VoceChaboche:
+      as(std::type_identity<law::PerAxisSection<S, law::VoceChaboche<S>>>{});
+      return;
+    case solve::LaneLaw::Multilinear:
+      as(std::type_identity<law::PerAxisSection<S, law::Multilinear<S>>>{});
+      return;
   }
 }
 

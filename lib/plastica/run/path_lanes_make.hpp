@@ -84,7 +84,7 @@ bool PathLanes<L>::begin(int lane, const LaneCase& next) {
     if (fits && shape_ != new_shape_ && !any_seeks()) {
       shape_ = new_shape_;
       newton_->take_shape(shape_.data());
-      constexpr std::size_t kOfJoint = 20;  // more than its trial in space, with hardening
+      constexpr std::size_t kOfJoint = 28;  // more than its trial in space, with back stresses
       found_.resize(kOfJoint * (chain.joints() + 1) + chain.constraints.size());
     }
     if (fits && shape_ == new_shape_) {

@@ -126,13 +126,19 @@ struct MotionOfLevel {
       make_lane_motion<Level, law::PerAxisSection<S, law::IdealPlastic<S>>>;
   static constexpr LaneMotionTable::Make kLinear =
       make_lane_motion<Level, law::PerAxisSection<S, law::LinearHardening<S>>>;
+  static constexpr LaneMotionTable::Make kVoceChaboche =
+      make_lane_motion<Level, law::PerAxisSection<S, law::VoceChaboche<S>>>;
+  static constexpr LaneMotionTable::Make kMultilinear =
+      make_lane_motion<Level, law::PerAxisSection<S, law::Multilinear<S>>>;
 };
 
 constexpr LaneMotionTable motion_table() {
   using InPlane = MotionOfLevel<chain::Planar>;
   using InSpace = MotionOfLevel<chain::Spatial>;
-  return {{InPlane::kElastic, InPlane::kIdeal, InPlane::kLinear},
-          {InSpace::kElastic, InSpace::kIdeal, InSpace::kLinear}};
+  return {{InPlane::kElastic, InPlane::kIdeal, InPlane::kLinear, InPlane::kVoceChaboche,
+           InPlane::kMultilinear},
+          {InSpace::kElastic, InSpace::kIdeal, InSpace::kLinear, InSpace::kVoceChaboche,
+           InSpace::kMultilinear}};
 }
 
 PLASTICA_KERNELS_END

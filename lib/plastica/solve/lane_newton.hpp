@@ -12,8 +12,8 @@ namespace plastica::solve {
 inline constexpr int kPathLanes = 8;
 
 /// The laws that lanes have; chains with others are solved alone.
-enum class LaneLaw { Elastic, Ideal, Linear };
-inline constexpr std::size_t kLaneLaws = 3;
+enum class LaneLaw { Elastic, Ideal, Linear, VoceChaboche, Multilinear };
+inline constexpr std::size_t kLaneLaws = 5;
 
 /// The iterations of one level and law. All numbers are in the order of chain/lane_fields.hpp.
 class LaneNewton {

@@ -148,13 +148,19 @@ struct NewtonOfLevel {
       make_lane_newton<Level, law::PerAxisSection<S, law::IdealPlastic<S>>>;
   static constexpr LaneNewtonTable::Make kLinear =
       make_lane_newton<Level, law::PerAxisSection<S, law::LinearHardening<S>>>;
+  static constexpr LaneNewtonTable::Make kVoceChaboche =
+      make_lane_newton<Level, law::PerAxisSection<S, law::VoceChaboche<S>>>;
+  static constexpr LaneNewtonTable::Make kMultilinear =
+      make_lane_newton<Level, law::PerAxisSection<S, law::Multilinear<S>>>;
 };
 
 constexpr LaneNewtonTable newton_table() {
   using InPlane = NewtonOfLevel<chain::Planar>;
   using InSpace = NewtonOfLevel<chain::Spatial>;
-  return {{InPlane::kElastic, InPlane::kIdeal, InPlane::kLinear},
-          {InSpace::kElastic, InSpace::kIdeal, InSpace::kLinear}};
+  return {{InPlane::kElastic, InPlane::kIdeal, InPlane::kLinear, InPlane::kVoceChaboche,
+           InPlane::kMultilinear},
+          {InSpace::kElastic, InSpace::kIdeal, InSpace::kLinear, InSpace::kVoceChaboche,
+           InSpace::kMultilinear}};
 }
 
 PLASTICA_KERNELS_END
