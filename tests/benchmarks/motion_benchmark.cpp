@@ -1,7 +1,9 @@
 #include <benchmark/benchmark.h>
 
 #include <string>
+#include <vector>
 
+#include "plastica/run/batch.hpp"
 #include "tests/support/motion_scene.hpp"
 
 /// What a step of a chain in motion costs per segment, by level, scheme and number of segments.
@@ -54,6 +56,53 @@ void levels_and_schemes(benchmark::internal::Benchmark* benchmark) {
   }
 }
 BENCHMARK(step)->Apply(levels_and_schemes)->ArgNames({"level", "scheme", "segments"});
+
+/// 64 steel cantilevers of 32 segments, struck so that they yield, each with numbers of its own;
+/// stepped together in lanes, or one by one.
+void struck_batch(benchmark::State& state, Level level, Scheme scheme) {
+  constexpr std::size_t kCases = 64;
+  const bool together = state.range(0) == 1;
+  Scene scene = testing::struck_scene(32, 15.0, YieldModel::PerAxis);
+  if (level == Level::Spatial) scene.initial_motions[0].velocity[0] = 8.0;
+  testing::add_probe(scene, ProbeQuantity::Displacement, Place::end(), Component::Y);
+  std::vector<BatchCase> cases(kCases);
+  for (std::size_t i = 0; i < kCases; ++i) {
+    cases[i].scene = scene;
+    cases[i].scene.material.yield_stress *= 1.0 + 1e-3 * static_cast<double>(i);
+    cases[i].options = testing::motion_options(scheme, 2e-5, 20);
+    cases[i].options.duration = 0.02;
+    cases[i].options.level = level;
+  }
+  for (auto _ : state) {
+    std::vector<BatchRow> rows;
+    if (together) {
+      rows = run_batch(cases, {.threads = 1});
+    } else {
+      for (const BatchCase& one : cases) rows.push_back(run_case(one));
+    }
+    for (const BatchRow& row : rows) {
+      if (row.response.status != Status::Completed) state.SkipWithError("not completed");
+    }
+  }
+  state.counters["per_scenario"] = benchmark::Counter(
+      kCases, benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
+}
+BENCHMARK_CAPTURE(struck_batch, planar_implicit, Level::Planar, Scheme::LinearlyImplicitMidpoint)
+    ->Arg(0)
+    ->Arg(1)
+    ->ArgName("together");
+BENCHMARK_CAPTURE(struck_batch, spatial_implicit, Level::Spatial, Scheme::LinearlyImplicitMidpoint)
+    ->Arg(0)
+    ->Arg(1)
+    ->ArgName("together");
+BENCHMARK_CAPTURE(struck_batch, planar_alpha, Level::Planar, Scheme::GeneralizedAlpha)
+    ->Arg(0)
+    ->Arg(1)
+    ->ArgName("together");
+BENCHMARK_CAPTURE(struck_batch, spatial_alpha, Level::Spatial, Scheme::GeneralizedAlpha)
+    ->Arg(0)
+    ->Arg(1)
+    ->ArgName("together");
 
 }  // namespace
 }  // namespace plastica

@@ -151,12 +151,24 @@ void visit_chain(V& v, C& chain) {
   v.number(chain.constraint_rotational_stiffness);
 }
 
+/// Vectors or matrices.
+template <class V, class Values>
+void visit_each(V& v, Values& values) {
+  for (auto& value : values) visit_numbers(v, value);
+}
+
+/// Of the unknowns, those that are no angles of joints.
+template <class V, class Q>
+void visit_held(V& v, Q& q) {
+  visit_numbers(v, q.root);
+  for (auto& multiplier : q.multiplier) v.number(multiplier);
+}
+
 /// The unknowns of a chain in one piece.
 template <class V, class Q>
 void visit_unknowns(V& v, Q& q) {
-  for (auto& angle : q.angle) visit_numbers(v, angle);
-  visit_numbers(v, q.root);
-  for (auto& multiplier : q.multiplier) v.number(multiplier);
+  visit_each(v, q.angle);
+  visit_held(v, q);
 }
 
 /// How the segments resist acceleration.
@@ -168,12 +180,6 @@ void visit_inertias(V& v, C& chain) {
     visit_numbers(v, inertia.center);
     visit_numbers(v, inertia.rotational);
   }
-}
-
-/// The angles of joints to the ground, which follow from the unknowns.
-template <class V, class C, class Angles>
-void visit_ground_angles(V& v, C& chain, Angles& angles) {
-  for (std::size_t j = chain.size(); j < chain.joints(); ++j) visit_numbers(v, angles[j]);
 }
 
 template <class V, class Pose>

@@ -18,6 +18,12 @@ bool sees_axial(const ChainModel& model) {
          yields != YieldModel::PerAxis;
 }
 
+/// Of the plastic work of a joint in a step.
+template <class S>
+bool is_flow(const S& work) {
+  return work < constant<S>(0) || work > constant<S>(0);
+}
+
 }  // namespace
 
 template <class L, bool kElastic>
@@ -61,16 +67,21 @@ template <class L, bool kElastic>
 bool ChainBody<L, kElastic>::flows() const {
   if (model.scene.yield_model == YieldModel::Elastic) return false;
   const auto& works = joints->work_increment();
-  return std::any_of(works.begin(), works.end(),
-                     [](const S& flow) { return flow < constant<S>(0) || flow > constant<S>(0); });
+  return std::any_of(works.begin(), works.end(), is_flow<S>);
 }
 
 template <class L, bool kElastic>
-void ChainBody<L, kElastic>::set_trial_strains() {
+void ChainBody<L, kElastic>::set_trial_strains(bool of_all) {
   if (model.scene.yield_model == YieldModel::Elastic) return;
+  const auto& works = joints->work_increment();
   for (std::size_t i = 0; i < trial.permanent.size(); ++i) {
     const std::size_t joint = record.joint_of_node(i);
     if (joint == chain::JointModel::kNone) continue;
+    if (!of_all && !is_flow(works[joint])) {
+      trial.permanent[i] = strains.permanent[i];
+      trial.accumulated[i] = strains.accumulated[i];
+      continue;
+    }
     trial.permanent[i] = record.permanent_angle(*joints, work, joint);
     for (std::size_t k = 0; k < 3; ++k) {
       trial.accumulated[i][k] =
@@ -85,27 +96,32 @@ void ChainBody<L, kElastic>::accept_strains() {
   strains.take(trial);
 }
 
-/// Lanes know neither the forces of a step nor the joints' axes.
+/// At rest lanes know neither the forces of a step nor the joints' axes.
 template <class L, bool kElastic>
 void ChainBody<L, kElastic>::find_axial_forces(bool in_motion) {
   const auto factor_at = [&](std::size_t history) {
     return build.chain.histories[history].at(work.time);
   };
+  const auto find = [&](const chain::Placement<L>& placement,
+                        const std::vector<chain::Wrench<L>>& wrench) {
+    chain::find_axial_forces(build.chain, work.q, placement, work.closed, work.time, factor_at,
+                             wrench, axial_forces_, axial_);
+  };
+  if (in_motion) {
+    find(work.placement, work.outer_forces.wrench);
+    return;
+  }
   axial_placement_.resize(build.chain.size());
   chain::place<kElastic>(build.chain, work.q, work.time, axial_placement_);
-  if (!in_motion) {
-    chain::gather_loads(build.chain, axial_placement_, chain::Stage<L>{}, factor_at,
-                        axial_outside_);
-    chain::add_constraints(build.chain, axial_placement_, chain::Stage<L>{}, work.q, work.closed,
-                           axial_outside_);
-  }
-  chain::find_axial_forces(build.chain, work.q, axial_placement_, work.closed, work.time, factor_at,
-                           in_motion ? work.outer_forces.wrench : axial_outside_.wrench,
-                           axial_forces_, axial_);
+  chain::gather_loads(build.chain, axial_placement_, chain::Stage<L>{}, factor_at, axial_outside_);
+  chain::add_constraints(build.chain, axial_placement_, chain::Stage<L>{}, work.q, work.closed,
+                         axial_outside_);
+  find(axial_placement_, axial_outside_.wrench);
 }
 
 template <class L, bool kElastic>
-void ChainBody<L, kElastic>::note_axial(bool in_motion, Response& response) {
+void ChainBody<L, kElastic>::note_axial(bool in_motion, Response& response,
+                                        const std::vector<S>* given) {
   if (L::kTranslations == 0 || model.scene.yield_model == YieldModel::Elastic) return;
   const bool per_axis = model.scene.yield_model == YieldModel::PerAxis;
   const auto& works = joints->work_increment();
@@ -115,8 +131,8 @@ void ChainBody<L, kElastic>::note_axial(bool in_motion, Response& response) {
       std::any_of(works.begin(), works.end(), [](const S& flow) { return flow > constant<S>(0); });
   // A section of which N is left out would yield by N alone, too: that shows in no flow.
   if (!any && !(per_axis && !in_motion && carries_axial_yield())) return;
-  if (left_out) find_axial_forces(in_motion);
-  const std::vector<S>& axial = left_out ? axial_ : work.joints.axial;
+  if (left_out && given == nullptr) find_axial_forces(in_motion);
+  const std::vector<S>& axial = given != nullptr ? *given : left_out ? axial_ : work.joints.axial;
   // Ideal plasticity does not let N grow; fibres know how they bend under it.
   const bool takes_thrust = !left_out && model.scene.yield_model != YieldModel::Fibre &&
                             model.scene.material.hardening.law != HardeningLaw::Ideal;

@@ -32,14 +32,16 @@ class ChainBody {
   /// those of the step before. (Work of flow may be negative, where a joint yields back early.)
   bool flows() const;
   /// Permanent strains of the step that `work` holds, before it is accepted.
-  void set_trial_strains();
+  /// @param of_all  whether they are not those of the step before where no joint flows in it
+  void set_trial_strains(bool of_all = false);
   /// Takes them.
   void accept_strains();
   /// Notes the axial force of joints that yield in the step just accepted, or would if they saw it,
   /// where the response has to speak of it (`Response::axial`).
   /// @param in_motion  whether `work` holds all forces of the step, inertia included; else they are
   ///                   found from the unknowns
-  void note_axial(bool in_motion, Response& response);
+  /// @param given      these forces, if they are known; else null (joints)
+  void note_axial(bool in_motion, Response& response, const std::vector<S>* given = nullptr);
   /// After the run.
   void finish_axial(Response& response) const;
   /// All joints over their limit now, with moment, angle and dissipation.

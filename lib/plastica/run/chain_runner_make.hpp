@@ -237,9 +237,10 @@ bool ChainRunner<L, kElastic>::yields() const {
 template <class L, bool kElastic>
 solve::Verdict ChainRunner<L, kElastic>::judge(const Work& /*w*/, bool shortest) {
   // Up to the first equilibrium there may have been several steps.
-  flowed_ = body_.flows() || response_->samples == 0;
+  const bool first = response_->samples == 0;
+  flowed_ = first || body_.flows();
   if (!flowed_) return solve::Verdict::Accept;
-  body_.set_trial_strains();
+  body_.set_trial_strains(first);
   if (!body_.watch.active()) return solve::Verdict::Accept;
   const double excess = body_.watch.excess(body_.watch.measured(body_.trial));
   if (excess <= 0.0 || body_.model.scene.on_break == BreakPolicy::RecordOnly) {

@@ -24,6 +24,8 @@ class LaneProgram {
   virtual ~LaneProgram() = default;
   /// @param cases  1 … lane_width(), all of one shape (`same_lanes`) with the program's model
   virtual void run(std::span<const LaneCase> cases) = 0;
+  /// Of the last cases, how many have left their lanes and run alone.
+  virtual std::size_t left() const { return 0; }
 };
 
 /// Gives each case its fraction of the time of all [s]: as its iterations and samples are of

@@ -112,7 +112,7 @@ class LaneScenario {
   void record() {
     Response& out = response();
     if (out.samples > 0 && body_->record.needs_chain(out.samples, out)) transmit();
-    body_->set_trial_strains();
+    body_->set_trial_strains(true);
     // The kernels have summed in every step what is taken here once a sample.
     if (yields()) {
       std::copy(accumulated_.begin(), accumulated_.end(), body_->trial.accumulated.begin());

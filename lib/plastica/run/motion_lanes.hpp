@@ -31,6 +31,7 @@ class MotionLanes final : public LaneProgram {
       : law_(*lane_law(model)), steps_(steps()) {}
 
   void run(std::span<const LaneCase> cases) override;
+  std::size_t left() const override { return count_ - riders(); }
 
  private:
   using Body = ChainBody<L, false>;
@@ -58,7 +59,6 @@ class MotionLanes final : public LaneProgram {
   void take_step(double h);
   bool goes_on(int number, Lane& lane, bool restarted);
   void read_joints(int number, Lane& lane);
-  void read_unknowns(int number, Lane& lane);
   void read_motion(int number, Lane& lane);
   void read_all(int number, Lane& lane);
   void record();
@@ -71,7 +71,7 @@ class MotionLanes final : public LaneProgram {
   solve::MotionOptions options_;
   double time_ = 0.0;
   std::vector<std::size_t> shape_, new_shape_;
-  std::vector<double> numbers_, found_;
+  std::vector<double> numbers_, found_, axial_;
 };
 
 /// Of both levels that lanes have (motion_lanes_*.cpp).

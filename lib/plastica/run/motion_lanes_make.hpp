@@ -143,8 +143,9 @@ void MotionLanes<L>::go_to(double stop, StepSize& size) {
 
 template <class L>
 void MotionLanes<L>::take_step(double h) {
-  OfEach solved{}, solves{}, flows{};
-  steps_->attempt(h, solved.data(), solves.data(), flows.data());
+  OfEach rides{}, solved{}, solves{}, flows{};
+  for (std::size_t i = 0; i < count_; ++i) rides[i] = lanes_[i].rides ? 1.0 : 0.0;
+  steps_->attempt(h, rides.data(), solved.data(), solves.data(), flows.data());
   for (std::size_t i = 0; i < count_; ++i) {
     Lane& lane = lanes_[i];
     // Who is stopped runs alone, and ends there at once.
@@ -154,7 +155,6 @@ void MotionLanes<L>::take_step(double h) {
     lane.body->work.time = time_ + h;
     if (flows[i] == 0.0) continue;
     read_joints(static_cast<int>(i), lane);
-    read_unknowns(static_cast<int>(i), lane);
     lane.body->set_trial_strains();
   }
   if (riders() == 0) return;
@@ -173,13 +173,12 @@ void MotionLanes<L>::take_step(double h) {
 /// After a step in which joints have flowed. @return whether none breaks
 template <class L>
 bool MotionLanes<L>::goes_on(int number, Lane& lane, bool restarted) {
-  if (restarted) {
-    read_joints(number, lane);
-    read_unknowns(number, lane);
-  }
+  if (restarted) read_joints(number, lane);
   Body& body = *lane.body;
   body.accept_strains();
-  body.note_axial(true, *lane.one.response);
+  axial_.resize(body.build.chain.joints());
+  steps_->read_axial(number, axial_.data());
+  body.note_axial(true, *lane.one.response, &axial_);
   return !body.watch.active() || body.watch.excess(body.watch.measured(body.strains)) <= 0.0;
 }
 
@@ -188,19 +187,8 @@ void MotionLanes<L>::read_joints(int number, Lane& lane) {
   Body& body = *lane.body;
   steps_->read_joints(number, found_.data());
   chain::FieldReader reader{found_.data()};
-  chain::visit_ground_angles(reader, body.build.chain, body.work.angles);
+  chain::visit_each(reader, body.work.angles);
   body.joints->visit_found(reader, body.view.section_axes());
-}
-
-template <class L>
-void MotionLanes<L>::read_unknowns(int number, Lane& lane) {
-  auto& work = lane.body->work;
-  steps_->read_unknowns(number, found_.data());
-  chain::FieldReader reader{found_.data()};
-  chain::visit_unknowns(reader, work.q);
-  chain::visit_pose(reader, work.q.pose[0]);
-  chain::visit_wrenches(reader, work.outer_forces.wrench);
-  std::copy(work.q.angle.begin(), work.q.angle.end(), work.angles.begin());
 }
 
 template <class L>
@@ -208,8 +196,10 @@ void MotionLanes<L>::read_motion(int number, Lane& lane) {
   auto& work = lane.body->work;
   steps_->read_motion(number, found_.data());
   chain::FieldReader reader{found_.data()};
+  chain::visit_held(reader, work.q);
+  chain::visit_pose(reader, work.q.pose[0]);
   chain::visit_wrenches(reader, work.transmitted.outer);
-  for (auto& force : work.joints.force) chain::visit_numbers(reader, force);
+  chain::visit_each(reader, work.joints.force);
   chain::visit_velocities(reader, lane.motion);
   reader.number(lane.kinetic);
   reader.number(lane.flows.external);
@@ -221,9 +211,9 @@ void MotionLanes<L>::read_motion(int number, Lane& lane) {
 template <class L>
 void MotionLanes<L>::read_all(int number, Lane& lane) {
   read_joints(number, lane);
-  read_unknowns(number, lane);
   read_motion(number, lane);
   auto& work = lane.body->work;
+  std::copy_n(work.angles.begin(), work.q.angle.size(), work.q.angle.begin());
   chain::place<false>(lane.body->build.chain, work.q, work.time, work.placement);
 }
 

@@ -7,8 +7,8 @@
 #include "plastica/solve/motion_options.hpp"
 
 /// Motions of several chains of one shape that take the same steps, side by side. Each lane does
-/// the same operations as a lone chain's `MotionStep`: the same bits, as long as each of its steps
-/// succeeds at once.
+/// the same operations as a lone chain's `MotionStep`: the same bits, as long as none of its steps
+/// is to be cut.
 namespace plastica::solve {
 
 /// The steps of one level and law. All numbers are in the order of chain/lane_fields.hpp; what is
@@ -33,18 +33,21 @@ class LaneMotion {
   virtual void start(const MotionOptions& options, const History* const* histories, bool free,
                      double* holds) = 0;
   /// Tries a step.
+  /// @param rides   of which lanes it is asked
   /// @param solved  whether it has succeeded
   /// @param solves  iterations that it took
   /// @param flows   whether any joint flows in it
-  virtual void attempt(double h, double* solved, double* solves, double* flows) = 0;
+  virtual void attempt(double h, const double* rides, double* solved, double* solves,
+                       double* flows) = 0;
   /// Takes it. @return whether velocities have jumped at its end
   virtual bool accept() = 0;
 
-  /// @param found  of the joints: angles of those to the ground, moments, energies, works
+  /// @param found  of the joints: angles, moments, energies, works
   virtual void read_joints(int lane, double* found) = 0;
-  /// @param found  unknowns, the pose of a free start, and what acts on each segment
-  virtual void read_unknowns(int lane, double* found) = 0;
-  /// @param found  what joints transmit and do, velocities, energies, error of momentum
+  /// After a step was taken. @param axial  axial forces of the joints [N]
+  virtual void read_axial(int lane, double* axial) = 0;
+  /// @param found  the other unknowns, the pose of a free start; what joints transmit and do,
+  ///               velocities, energies, error of momentum
   virtual void read_motion(int lane, double* found) = 0;
 };
 

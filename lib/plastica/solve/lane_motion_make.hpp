@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "plastica/chain/axial.hpp"
 #include "plastica/solve/lane_motion.hpp"
 #include "plastica/solve/lane_newton_make.hpp"
 #include "plastica/solve/motion_step.hpp"
@@ -61,10 +62,11 @@ class LaneMotionOf final : public LaneMotion {
     store_mask(step_->start(velocity_), holds);
   }
 
-  void attempt(double h, double* solved, double* solves, double* flows) override {
-    store_mask(step_->attempt_as_foretold(h), solved);
-    step_->solves().store(solves);
+  void attempt(double h, const double* rides, double* solved, double* solves,
+               double* flows) override {
     const LaneScalar none = constant<LaneScalar>(0);
+    store_mask(step_->attempt(h, LaneScalar::load(rides) > none), solved);
+    step_->solves().store(solves);
     mask_t<LaneScalar> any_flows = none < none;
     if constexpr (!std::is_empty_v<typename Law::State>) {
       for (const LaneScalar& work : joints_.work_increment()) {
@@ -76,26 +78,34 @@ class LaneMotionOf final : public LaneMotion {
 
   bool accept() override {
     step_->accept();
+    has_axial_ = false;
     return step_->has_restarted();
   }
 
   void read_joints(int lane, double* found) override {
     LaneReader reader{lane, found};
-    chain::visit_ground_angles(reader, chain_, work_.angles);
+    chain::visit_each(reader, work_.angles);
     joints_.visit_found(reader, joints_.axes());
   }
 
-  void read_unknowns(int lane, double* found) override {
-    LaneReader reader{lane, found};
-    chain::visit_unknowns(reader, work_.q);
-    chain::visit_pose(reader, work_.q.pose[0]);
-    chain::visit_wrenches(reader, work_.outer_forces.wrench);
+  void read_axial(int lane, double* axial) override {
+    if (!has_axial_) {
+      chain::find_axial_forces(
+          chain_, work_.q, work_.placement, work_.closed, work_.time,
+          [&](std::size_t history) { return chain_.histories[history].at(work_.time); },
+          work_.outer_forces.wrench, axial_forces_, axial_);
+      has_axial_ = true;
+    }
+    LaneReader reader{lane, axial};
+    for (const LaneScalar& force : axial_) reader.number(force);
   }
 
   void read_motion(int lane, double* found) override {
     LaneReader reader{lane, found};
+    chain::visit_held(reader, work_.q);
+    chain::visit_pose(reader, work_.q.pose[0]);
     chain::visit_wrenches(reader, work_.transmitted.outer);
-    for (auto& force : work_.joints.force) chain::visit_numbers(reader, force);
+    chain::visit_each(reader, work_.joints.force);
     chain::visit_velocities(reader, step_->motions());
     const EnergyFlowsOf<LaneScalar>& flows = step_->flows();
     reader.number(step_->kinetic());
@@ -111,6 +121,9 @@ class LaneMotionOf final : public LaneMotion {
   NewtonWork<L, false> work_;
   std::vector<SegmentMotion<L>> velocity_;  ///< at time 0 (N)
   std::optional<MotionStep<L, false>> step_;
+  chain::AxialForces<L> axial_forces_;
+  std::vector<LaneScalar> axial_;  ///< [N] (joints)
+  bool has_axial_ = false;         ///< of the step that was taken
 };
 
 template <template <class> class Level, class Law>

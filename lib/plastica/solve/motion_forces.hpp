@@ -130,29 +130,28 @@ void MotionStep<L, kElastic>::assemble(bool slopes) {
 template <class L, bool kElastic>
 void MotionStep<L, kElastic>::set_length(double h) {
   h_ = h;
+  solves_ = constant<S>(0);
   set_factors();
   joints_.set_time(h);
   set_force_floor();
 }
 
-template <class L, bool kElastic>
-mask_t<typename L::Scalar> MotionStep<L, kElastic>::attempt_as_foretold(double h) {
-  set_length(h);
-  return solve_from(true);
-}
-
 /// Velocities foretell a smooth motion; joints that ring faster than the step are better sought
 /// from where they are. What worked is tried first.
 template <class L, bool kElastic>
-bool MotionStep<L, kElastic>::solve(double h) {
+mask_t<typename L::Scalar> MotionStep<L, kElastic>::solve(double h, const mask_t<S>& rides) {
   set_length(h);
-  w_.may_close = contacts_.rests_on;
-  const bool at_rest = rests_ > 0;
-  rests_ = std::max(rests_ - 1, 0);
-  if (solve_from(!at_rest)) return true;
-  if (!solve_from(at_rest)) return false;
-  if (!at_rest) rests_ = kRests;
-  return true;
+  const S none = constant<S>(0);
+  const mask_t<S> at_rest = rests_ > none;
+  rests_ = max(rests_ - constant<S>(1), none);
+  const mask_t<S> left = !rides;
+  w_.settled = left;
+  mask_t<S> solved = solve_from(!at_rest, in_all_lanes<S>(false));
+  if (!any(!(solved | left))) return solved;
+  w_.settled = solved | left;
+  const mask_t<S> again = (!w_.settled) & solve_from(at_rest, solved);
+  rests_ = select(again & !at_rest, constant<S>(kRests), rests_);
+  return solved | again;
 }
 
 template <class L, bool kElastic>
@@ -165,11 +164,21 @@ void MotionStep<L, kElastic>::note_fastest() {
 }
 
 /// @param predicted  whether to start where the velocities point to, or from where the step begins
+/// @param found      lanes whose unknowns stay what they are
 template <class L, bool kElastic>
-mask_t<typename L::Scalar> MotionStep<L, kElastic>::solve_from(bool predicted) {
+mask_t<typename L::Scalar> MotionStep<L, kElastic>::solve_from(const mask_t<S>& predicted,
+                                                               const mask_t<S>& found) {
+  const bool keeps = any(found);
+  if (keeps) copy_unknowns(w_.q, q_found_);
   copy_unknowns(q_begin_, w_.q);
   w_.time = time_ + h_;
-  if (predicted) predict(h_);
+  if (any(predicted)) {
+    predict(h_);
+    if constexpr (kHasLanes<S>) select_unknowns(!predicted, q_begin_, w_.q);
+  }
+  if constexpr (kHasLanes<S>) {
+    if (keeps) select_unknowns(found, q_found_, w_.q);
+  }
   // Nothing outside holds the momentum of a fragment: it is kept to rounding. With float the
   // rounding of positions is so coarse a floor that what the velocities foretell may be below it.
   // One solve leaves more than rounding, which `balance_fragment` gives back.
@@ -182,7 +191,7 @@ mask_t<typename L::Scalar> MotionStep<L, kElastic>::solve_from(bool predicted) {
   w_.stage.midpoint = false;
   w_.stage.follows = 1.0;
   iterations_ += outcome.iterations;
-  solves_ = outcome.solves;
+  solves_ = solves_ + outcome.solves;
   return outcome.converged & rotates_little() & is_finite();
 }
 

@@ -22,7 +22,7 @@ namespace plastica::solve {
 /// were and how fast, stays as it was until then.
 ///
 /// In lanes there are beams side by side that take the same steps, without contacts and breaks; a
-/// lane whose step fails (`attempt_as_foretold`) is of no use any more.
+/// lane whose step fails rides no longer.
 template <class L, bool kElastic>
 class MotionStep {
  public:
@@ -83,7 +83,7 @@ class MotionStep {
     root_wrench_.reset();
     flows_ = {};
     momentum_.assign(chain_.size(), {});
-    rests_ = 0;
+    rests_ = constant<S>(0);
     fastest_ = 0.0;
     h_ = h_before_ = time_ = 0.0;
     w_.stage.midpoint = false;
@@ -111,7 +111,8 @@ class MotionStep {
   bool attempt(double h) {
     iterations_ = 0;
     for (int tries = 0; tries < kMaxContactTries; ++tries) {
-      if (!solve(h)) return false;
+      w_.may_close = contacts_.rests_on;
+      if (!solve(h, true)) return false;
       if (leaves_loaded()) continue;
       const double fraction = free_fraction();
       if (fraction >= 1.0) return true;
@@ -124,8 +125,8 @@ class MotionStep {
     return false;
   }
 
-  /// Tries a step as it is, from where the velocities point to. @return as `attempt`
-  mask_t<S> attempt_as_foretold(double h);
+  /// The same in lanes; nothing is sought in those that do not ride any more.
+  mask_t<S> attempt(double h, const mask_t<S>& rides) { return solve(h, rides); }
 
   /// Takes the step that was tried.
   void accept() {
@@ -239,6 +240,20 @@ class MotionStep {
     to.multiplier = from.multiplier;
     if (in_fragments_) to.pose = from.pose;
   }
+  /// The same in some lanes.
+  void select_unknowns(const mask_t<S>& mask, const chain::Coordinates<L>& from,
+                       chain::Coordinates<L>& to) const {
+    for (std::size_t i = 0; i < from.angle.size(); ++i) {
+      to.angle[i] = select(mask, from.angle[i], to.angle[i]);
+      if (!in_fragments_) continue;
+      to.pose[i] = {select(mask, from.pose[i].position, to.pose[i].position),
+                    L::select(mask, from.pose[i].frame, to.pose[i].frame)};
+    }
+    to.root = select(mask, from.root, to.root);
+    for (std::size_t k = 0; k < from.multiplier.size(); ++k) {
+      to.multiplier[k] = select(mask, from.multiplier[k], to.multiplier[k]);
+    }
+  }
   void note_accelerations() {
     for (std::size_t i = 0; i < chain_.size(); ++i) {
       acceleration_[i] = constant<S>(1.0 / h_) * (motion_now_[i].velocity - motion_[i].velocity);
@@ -252,8 +267,8 @@ class MotionStep {
   void set_force_floor();
   // motion_forces.hpp
   void set_length(double h);
-  bool solve(double h);
-  mask_t<S> solve_from(bool predicted);
+  mask_t<S> solve(double h, const mask_t<S>& rides);
+  mask_t<S> solve_from(const mask_t<S>& predicted, const mask_t<S>& found);
   void note_fastest();
   void evaluate_laws();
   void set_factors();
@@ -321,11 +336,12 @@ class MotionStep {
   S solves_{};
   bool has_restarted_ = false;
   bool in_fragments_ = false;  ///< whether any joint is open
-  int rests_ = 0;
-  double fastest_ = 0.0;  ///< speed of a segment so far [m/s]
+  S rests_{};                  ///< steps that are tried from rest first
+  double fastest_ = 0.0;       ///< speed of a segment so far [m/s]
   // At the begin of the step:
   Placement begin_;
   chain::Coordinates<L> q_begin_;
+  chain::Coordinates<L> q_found_;  ///< of lanes, while others seek once more
   Motions motion_;
   std::vector<typename L::Point> acceleration_;  ///< accelerations over the step before
   double h_before_ = 0.0;                        ///< its length; 0: none, or a jump since

@@ -35,8 +35,8 @@ NewtonOutcome<typename L::Scalar> equilibrate(const chain::Chain<L>& chain,
   using S = typename L::Scalar;
   NewtonOutcome<S> outcome;
   bool polished = false;
-  mask_t<S> ended = in_all_lanes<S>(false);  // by what one solve leaves
-  mask_t<S> lost = ended;                    // while others go on
+  mask_t<S> ended = w.settled;              // or by what one solve leaves
+  mask_t<S> lost = in_all_lanes<S>(false);  // while others go on
   w.stepped = constant<S>(0);
   for (int iteration = 0;; ++iteration) {
     const S enough = constant<S>(reachable<S>(options.tolerance, iteration));
@@ -46,14 +46,14 @@ NewtonOutcome<typename L::Scalar> equilibrate(const chain::Chain<L>& chain,
     const bool looks = may_end && std::none_of(chain.constraints.begin(), chain.constraints.end(),
                                                [](const auto& k) { return k.one_sided; });
     assemble(w, !looks);
-    const mask_t<S> hold = may_end ? detail::constraints_hold(chain, w) : ended;
-    if (any(hold)) {
+    if (may_end) {
+      const mask_t<S> hold = detail::constraints_hold(chain, w);
       w.recursion.sum(chain, w.q, w.placement, w.stage, w.joints, w.outer_forces, w.transmitted);
       const S imbalance = detail::relative_imbalance(chain, w);
       const S little = constant<S>(reachable<S>(kOneSolveTolerance, iteration));
       outcome.imbalance[static_cast<std::size_t>(iteration)] = imbalance;
       outcome.iterations = iteration;
-      ended = hold & (imbalance <= little);
+      ended = ended | (hold & (imbalance <= little));
       outcome.converged = ended & !lost;
       if (!any(!(ended | lost))) break;
     }
@@ -85,7 +85,7 @@ NewtonOutcome<typename L::Scalar> equilibrate(const chain::Chain<L>& chain,
     if (condition.active) detail::solve_time(chain, condition, w);
     detail::join_columns(chain, condition, w);
     detail::combine_columns(chain, condition, w);
-    const mask_t<S> stays = polishes ? lost : outcome.converged | lost;
+    const mask_t<S> stays = lost | (polishes ? w.settled : outcome.converged);
     outcome.solves = outcome.solves + select(stays, constant<S>(0), constant<S>(1));
     detail::take_step(chain, condition, stays, w);
   }

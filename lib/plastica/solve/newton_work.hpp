@@ -59,6 +59,8 @@ struct NewtonWork {
   S settled_moment{};
   S settled_force{};
   bool forgets = false;
+  /// Lanes in which nothing is sought: they stay where they are.
+  mask_t<S> settled{};
   /// 1 once the unknowns come from a step of Newton's method: what is left may be rounding then.
   S stepped{};
   /// Below this a force is nothing, whatever the others are [N]; see solve/motion_step.hpp.
@@ -110,6 +112,7 @@ struct NewtonWork {
     force_floor = constant<S>(0);
     settled_moment = constant<S>(0);
     settled_force = constant<S>(0);
+    settled = never;
     stepped = constant<S>(0);
     forgets = false;
   }

@@ -109,6 +109,57 @@ TEST(MotionLanes, HaveTheBitsOfLoneElasticBeams) {
   expect_motions_like_alone([](std::size_t i) { return struck(i, YieldModel::Elastic, false); });
 }
 
+/// How many of eight cases do not ride to their end.
+std::size_t left_of(const std::vector<BatchCase>& cases) {
+  std::vector<Model> models;
+  std::vector<Workspace> hooks(8);
+  std::vector<Response> responses(8);
+  std::vector<LaneCase> lanes;
+  for (std::size_t i = 0; i < 8; ++i) {
+    models.push_back(prepare(cases[i].scene, cases[i].options));
+    responses[i] = make_response(models[i]);
+  }
+  for (std::size_t i = 0; i < 8; ++i) {
+    lanes.push_back({models[i].chain.get(), &models[i].material, &hooks[i], &responses[i]});
+  }
+  const auto program = make_lane_program(*models[0].chain);
+  program->run(lanes);
+  return program->left();
+}
+
+/// Else bits would be compared of beams that have all run alone.
+TEST(MotionLanes, RideToTheirEnd) {
+  for (const Scheme scheme : kSchemes) {
+    for (const bool in_space : {false, true}) {
+      EXPECT_EQ(left_of(eleven_motions(
+                    [&](std::size_t i) { return struck(i, YieldModel::PerAxis, in_space); }, scheme,
+                    InstructionSet::Auto)),
+                0U);
+    }
+    EXPECT_EQ(left_of(eleven_motions(moved_and_stopped, scheme, InstructionSet::Auto)), 0U);
+  }
+}
+
+/// Where joints ring faster than the steps, what velocities foretell leads nowhere in some steps.
+TEST(MotionLanes, SeekOnceMoreFromRest) {
+  std::vector<BatchCase> cases = eleven_motions(
+      [](std::size_t i) {
+        Scene scene =
+            testing::struck_scene(24, 15.0 + 0.1 * static_cast<double>(i), YieldModel::PerAxis);
+        differ(scene, i);
+        return scene;
+      },
+      Scheme::LinearlyImplicitMidpoint, InstructionSet::Auto);
+  for (BatchCase& one : cases) {
+    one.options.time_step = 1e-4;
+    one.options.duration = 4e-3;
+  }
+  EXPECT_EQ(left_of(cases), 0U);
+  const Response one = simulate(cases[3].scene, cases[3].options);
+  EXPECT_GT(one.counters.iterations, 2 * one.counters.steps);
+  expect_bits_of_alone(cases);
+}
+
 TEST(MotionLanes, HaveTheBitsOfLoneElasticBeamsInSpace) {
   expect_motions_like_alone([](std::size_t i) { return struck(i, YieldModel::Elastic, true); });
 }
@@ -203,6 +254,10 @@ TEST(MotionLanes, LeaveTheOthersAloneWhenOneLeaves) {
     EXPECT_NE(rows[8].response.status, Status::Completed);
     EXPECT_EQ(rows[4].response.status, Status::Completed);
     expect_bits_of_alone(cases);
+    cases.resize(8);
+    cases.erase(cases.begin() + 2);
+    cases.push_back(cases[0]);
+    EXPECT_EQ(left_of(cases), 2U);  // those that break
   }
 }
 
