@@ -122,6 +122,7 @@ void visit_attached(V& v, C& chain) {
     v.index(joint.segment);
     v.index(joint.history);
     v.index(joint.joint);
+    v.flag(joint.outer);
     visit_frame(v, joint.local);
     visit_frame(v, joint.ground);
     visit_numbers(v, joint.motion);

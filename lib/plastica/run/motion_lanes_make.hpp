@@ -166,16 +166,19 @@ void MotionLanes<L>::take_step(double h) {
     if (!lane.rides) continue;
     note_step(time_ - begin, *lane.one.response);
     ++lane.one.response->counters.steps;
-    if (flows[i] > 0.0) lane.rides = goes_on(static_cast<int>(i), lane, restarted);
+    const bool flowed = flows[i] > 0.0;
+    if (flowed) lane.body->accept_strains();
+    if (flowed || restarted) lane.rides = goes_on(static_cast<int>(i), lane, restarted);
   }
 }
 
-/// After a step in which joints have flowed. @return whether none breaks
+/// After a step in which joints have flowed, or at whose end they were asked again. @return whether
+/// none breaks
 template <class L>
 bool MotionLanes<L>::goes_on(int number, Lane& lane, bool restarted) {
+  if (law_ == solve::LaneLaw::Elastic) return true;
   if (restarted) read_joints(number, lane);
   Body& body = *lane.body;
-  body.accept_strains();
   axial_.resize(body.build.chain.joints());
   steps_->read_axial(number, axial_.data());
   body.note_axial(true, *lane.one.response, &axial_);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 
 #include "plastica/solve/newton_step.hpp"
@@ -37,21 +38,26 @@ NewtonOutcome<typename L::Scalar> equilibrate(const chain::Chain<L>& chain,
   bool polished = false;
   mask_t<S> ended = w.settled;              // or by what one solve leaves
   mask_t<S> lost = in_all_lanes<S>(false);  // while others go on
+  std::array<S, kMaxPatience> recent{};     // imbalances before the last steps of each lane
   w.stepped = constant<S>(0);
   for (int iteration = 0;; ++iteration) {
     const S enough = constant<S>(reachable<S>(options.tolerance, iteration));
+    // Waiting for others to be polished, a lane may see more iterations than it takes.
+    const auto note = [&](const S& imbalance) {
+      outcome.imbalance[static_cast<std::size_t>(std::min(iteration, kMaxIterations))] = imbalance;
+    };
     // What may be the end of one solve is looked at without slopes; but not where contacts are
     // decided, which is done once an iteration.
     const bool may_end = options.one_solve && iteration > 0;
     const bool looks = may_end && std::none_of(chain.constraints.begin(), chain.constraints.end(),
                                                [](const auto& k) { return k.one_sided; });
     assemble(w, !looks);
-    if (may_end) {
-      const mask_t<S> hold = detail::constraints_hold(chain, w);
+    const mask_t<S> hold = may_end ? detail::constraints_hold(chain, w) : lost;
+    if (may_end && any(hold)) {
       w.recursion.sum(chain, w.q, w.placement, w.stage, w.joints, w.outer_forces, w.transmitted);
       const S imbalance = detail::relative_imbalance(chain, w);
       const S little = constant<S>(reachable<S>(kOneSolveTolerance, iteration));
-      outcome.imbalance[static_cast<std::size_t>(iteration)] = imbalance;
+      note(imbalance);
       outcome.iterations = iteration;
       ended = ended | (hold & (imbalance <= little));
       outcome.converged = ended & !lost;
@@ -63,20 +69,20 @@ NewtonOutcome<typename L::Scalar> equilibrate(const chain::Chain<L>& chain,
     w.recursion.factor(chain, w.q, w.placement, w.stage, w.joints, w.outer_forces, w.transmitted);
     S imbalance = detail::relative_imbalance(chain, w);
     if (condition.active) imbalance = max(imbalance, abs(condition.value));
-    outcome.imbalance[static_cast<std::size_t>(iteration)] = imbalance;
+    note(imbalance);
     outcome.iterations = iteration;
     outcome.converged = (ended | (imbalance <= enough)) & !lost;
-    mask_t<S> going = may_improve(imbalance, enough) & !ended & !lost;
-    if (options.patience > 0 && iteration >= options.patience) {
-      const S& before = outcome.imbalance[static_cast<std::size_t>(iteration - options.patience)];
-      going = going & (imbalance <= constant<S>(0.1) * before);
+    const mask_t<S> out = outcome.solves >= constant<S>(options.max_iterations);
+    mask_t<S> going = may_improve(imbalance, enough) & !ended & !lost & !out;
+    if (options.patience > 0) {
+      const S& before = recent[static_cast<std::size_t>(options.patience - 1)];
+      const mask_t<S> early = outcome.solves < constant<S>(options.patience);
+      going = going & (early | (imbalance <= constant<S>(0.1) * before));
     }
     // A value that is there gets its derivatives from one more step.
-    const bool polishes = (kCarriesDerivatives<S> || options.polishes) && !any(going) && !polished;
-    if ((!any(going) && !polishes) || iteration == options.max_iterations ||
-        is_raised(options.stop)) {
-      break;
-    }
+    const bool polishes = (kCarriesDerivatives<S> || options.polishes) && !any(going) &&
+                          any(outcome.converged & !out) && !polished;
+    if ((!any(going) && !polishes) || is_raised(options.stop)) break;
     polished = polishes;
     if constexpr (kHasLanes<S>) lost = lost | (!(going | outcome.converged));
     detail::solve_imbalance(chain, condition, w);
@@ -85,8 +91,11 @@ NewtonOutcome<typename L::Scalar> equilibrate(const chain::Chain<L>& chain,
     if (condition.active) detail::solve_time(chain, condition, w);
     detail::join_columns(chain, condition, w);
     detail::combine_columns(chain, condition, w);
-    const mask_t<S> stays = lost | (polishes ? w.settled : outcome.converged);
+    const mask_t<S> stays = lost | (polishes ? w.settled | out : outcome.converged);
     outcome.solves = outcome.solves + select(stays, constant<S>(0), constant<S>(1));
+    for (std::size_t k = recent.size(); k-- > 0;) {
+      recent[k] = select(stays, recent[k], k > 0 ? recent[k - 1] : imbalance);
+    }
     detail::take_step(chain, condition, stays, w);
   }
   return outcome;

@@ -119,6 +119,7 @@ struct NewtonWork {
 };
 
 inline constexpr int kMaxIterations = 64;
+inline constexpr int kMaxPatience = 5;
 
 /// A tolerance that a scalar can meet: as asked for; with float no less than 170 units of its
 /// rounding, since what joints transmit are sums over the chain. If after six iterations that is
@@ -145,7 +146,7 @@ struct NewtonOptions {
   /// Solves once more after convergence: what is left is rounding then, not the tolerance.
   bool polishes = false;
   /// Gives up when the imbalance has not fallen to a tenth in so many iterations; 0: never.
-  int patience = 0;
+  int patience = 0;  ///< <= kMaxPatience
   /// Once raised, no further iteration is begun: what is not converged then stays so.
   StopFlag stop = nullptr;
 };
