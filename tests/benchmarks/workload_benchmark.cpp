@@ -264,8 +264,8 @@ const bool kRegistered = [] {
           ->ArgsProduct({{64}, {500, 800, 1000, 2000}})
           ->Unit(benchmark::kMillisecond);
       if (!scheme.ends_with("midpoint")) continue;
-      // The general step has no lanes, and takes longer.
-      const bool lanes = scheme.starts_with("articulated");
+      // The general step takes longer.
+      const bool articulated = scheme.starts_with("articulated");
       const auto batch = [&, &level_name = name, &of = level](std::vector<std::int64_t> threads,
                                                               std::int64_t scenarios,
                                                               std::int64_t together) {
@@ -275,7 +275,7 @@ const bool kRegistered = [] {
             ->ArgsProduct({std::move(threads), {scenarios}, {together}})
             ->Unit(benchmark::kMillisecond);
       };
-      if (!lanes) {
+      if (!articulated) {
         batch({1}, 64, 1);
         batch({1}, 16, 0);
         continue;
