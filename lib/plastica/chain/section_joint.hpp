@@ -114,7 +114,14 @@ class SectionJointsBase : public JointLaws<L, kElastic> {
   /// Back to the virgin state.
   virtual void reset() = 0;
 
-  /// Visits what is read of joints: chain/lane_fields.hpp.
+  /// Visits what only motions ask of joints: chain/lane_fields.hpp.
+  template <class V>
+  void visit_stiffness(V& v) {
+    for (SectionJoint<L>& joint : joints_) {
+      for (S& number : joint.stiffness.at) v.number(number);
+    }
+  }
+  /// Visits what is read of joints.
   template <class V>
   void visit_found(V& v, const SectionAxes<L>& axes) {
     for (std::size_t j = 0; j < joints_.size(); ++j) {

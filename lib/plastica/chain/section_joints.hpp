@@ -113,13 +113,6 @@ class SectionJoints final : public SectionJointsBase<L, kElastic> {
       for (S& number : scales_[j].rest.at) v.number(number);
     }
   }
-  /// Visits what `visit` leaves out as long as joints are at rest.
-  template <class V>
-  void visit_stiffness(V& v) {
-    for (SectionJoint<L>& joint : joints_) {
-      for (S& number : joint.stiffness.at) v.number(number);
-    }
-  }
   /// Visits the committed states of laws with one each, of the strains that the level has.
   /// @param visit_state  (visitor, state, first strain, how many)
   template <class V, class VisitState>

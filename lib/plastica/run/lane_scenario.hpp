@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "plastica/run/lane_program.hpp"
+#include "plastica/run/lane_shape.hpp"
 #include "plastica/run/motion_begin.hpp"
 #include "plastica/run/prescribed_joints.hpp"
 #include "plastica/solve/motion_step.hpp"
@@ -25,7 +26,7 @@ class LaneScenario {
   Status begin(const LaneCase& one) {
     if (!body_ || model_ != one.model) {
       model_ = one.model;
-      body_ = std::make_unique<Body>(*one.model, view_of(*one.model));
+      body_ = std::make_unique<Body>(*one.model, view_of<L>(*one.model));
       laws_.reset();
     }
     case_ = one;
@@ -145,14 +146,6 @@ class LaneScenario {
   }
 
  private:
-  static chain::View<L> view_of(const ChainModel& model) {
-    if constexpr (requires(chain::View<L> view) { view.across; }) {
-      return {model.across};
-    } else {
-      return {};
-    }
-  }
-
   /// The nearest motion that the joints and the support allow.
   Status fit_initial_motion() {
     if (model_->scene.initial_motions.empty()) return Status::Completed;

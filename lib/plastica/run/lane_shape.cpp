@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "plastica/chain/layout.hpp"
+#include "plastica/model/beam_axis.hpp"
 #include "plastica/model/support_kind.hpp"
 #include "plastica/run/lane_program.hpp"
 

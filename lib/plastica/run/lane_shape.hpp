@@ -4,6 +4,8 @@
 #include <type_traits>
 
 #include "plastica/chain/lane_fields.hpp"
+#include "plastica/chain/view.hpp"
+#include "plastica/law/uniaxial.hpp"
 #include "plastica/run/chain_model.hpp"
 #include "plastica/solve/lane_newton.hpp"
 
@@ -49,7 +51,7 @@ void with_joints(solve::LaneLaw law, chain::SectionJointsBase<L, false>& joints,
 /// A view of a model at a level in lanes.
 template <class L>
 chain::View<L> view_of(const ChainModel& model) {
-  if constexpr (L::kRotations == 1) {
+  if constexpr (requires(chain::View<L> view) { view.across; }) {
     return {model.across};
   } else {
     return {};
