@@ -166,6 +166,12 @@ void check_law_parameters(std::span<const Parameter> parameters, const Material&
                           std::span<const Law> laws) {
   check_rate_parameters(parameters, rate_kind(material.rate.law));
   const Hardening& hardening = material.hardening;
+  if (std::ranges::find(laws, Law::Multilinear) != laws.end() &&
+      hardening.plastic_strain.front() <= 0.0) {
+    throw InputError({}, "laws", std::string(name_of(Law::Multilinear)),
+                     "needs a table, and none is made up: material.hardening.plastic_strain and "
+                     "flow_stress of a fit file say where its fit begins");
+  }
   std::vector<const HardeningKind*> kinds{&hardening_kind(hardening.law)};
   for (const Law law : laws) kinds.push_back(&hardening_kind(hardening_of(law, hardening).law));
   const auto has_it = [](const HardeningKind* kind, const Parameter& p) {

@@ -49,7 +49,7 @@ std::vector<Parameter> parameters_of(Law law, Loading loading, std::span<const P
                                      std::span<const Parameter> given);
 
 /// Refuses parameters of hardening and rate laws that no law of the fit has, which would move
-/// nothing.
+/// nothing, and a comparison with multilinear hardening without a table.
 /// @param laws  that are compared; empty: that of `material` alone
 /// @throws InputError naming the parameter
 void check_law_parameters(std::span<const Parameter> parameters, const Material& material,

@@ -267,6 +267,10 @@ TEST(SceneFitCommand, RefusesLawsThatItCannotCompare) {
             "plastica: --laws = ludwik: is no law; there are ideal, linear, voce, chaboche, "
             "multilinear\n");
   EXPECT_EQ(said("linear,linear"), "plastica: --laws = linear: is named twice\n");
+  EXPECT_EQ(said("ideal,multilinear"),
+            "plastica: laws = multilinear: needs a table, and none is made up: "
+            "material.hardening.plastic_strain and flow_stress of a fit file say where its fit "
+            "begins\n");
   const CommandResult prior = place.run({"calibrate", "fit.toml", "--no-modulus-prior"});
   EXPECT_EQ(prior.code, 2);
   EXPECT_EQ(
