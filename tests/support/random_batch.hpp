@@ -186,6 +186,9 @@ class RandomBatch {
     scene.material.density *= between(0.8, 1.2);
     scene.section.height *= between(0.9, 1.1);
     for (Load& load : scene.loads) load.force[1] *= between(0.7, 1.2);
+    for (Support& support : scene.supports) {
+      support.translation[1] *= chance(0.1) ? 0.0 : between(0.5, 1.5);
+    }
     for (InitialMotion& motion : scene.initial_motions) {
       motion.velocity[1] *= chance(0.05) ? 40.0 : between(0.5, 1.5);
     }

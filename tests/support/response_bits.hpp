@@ -25,7 +25,17 @@ inline std::vector<std::uint64_t> bits_of(const Response& response) {
   }
   add(response.permanent_strain);
   add(response.momentum_error);
-  if (response.axial) add(response.axial->ratio);
+  bits.push_back(response.axial ? 1 : 0);
+  if (response.axial) {
+    for (const double number : {response.axial->ratio, response.axial->fraction,
+                                response.axial->left, response.axial->thrust}) {
+      add(number);
+    }
+  }
+  add(response.energy_balance_error);
+  add(response.shortest_step);
+  add(response.longest_step);
+  bits.push_back(response.unheld_thrust ? 1 : 0);
   if (response.limit) {
     add(response.limit->below);
     add(response.limit->above);

@@ -94,20 +94,20 @@ void run_or_wait(std::size_t index, const BatchCase& one, StopFlag stop, LanePoo
   }
 }
 
-/// Halves the largest groups of paths until there is a group for each thread; motions are stepped
-/// in registers, full or not.
+/// Halves the largest groups until there is a group for each thread; but articulated motions are
+/// stepped in registers, full or not.
 void spread(std::size_t threads, std::vector<LaneCases>& groups) {
-  const auto paths_of = [](const LaneCases& group) {
-    return is_motion(*group.front().model) ? 0 : group.size();
+  const auto parts_of = [](const LaneCases& group) {
+    return steps_in_lanes(*group.front().model->chain) ? 0 : group.size();
   };
   const auto fewer = [&](const LaneCases& a, const LaneCases& b) {
-    return paths_of(a) < paths_of(b);
+    return parts_of(a) < parts_of(b);
   };
   while (!groups.empty() && groups.size() < threads) {
     const auto largest = std::max_element(groups.begin(), groups.end(), fewer);
-    const std::size_t paths = paths_of(*largest);
-    if (paths < 2) return;
-    const auto middle = largest->begin() + static_cast<std::ptrdiff_t>(paths / 2);
+    const std::size_t parts = parts_of(*largest);
+    if (parts < 2) return;
+    const auto middle = largest->begin() + static_cast<std::ptrdiff_t>(parts / 2);
     LaneCases half(std::make_move_iterator(middle), std::make_move_iterator(largest->end()));
     largest->erase(middle, largest->end());
     groups.push_back(std::move(half));

@@ -84,6 +84,7 @@ void ChainBody<L, kElastic>::set_trial_strains(bool of_all) {
     }
     trial.permanent[i] = record.permanent_angle(*joints, work, joint);
     for (std::size_t k = 0; k < 3; ++k) {
+      trial.permanent[i][k] += 0.0;  // no -0, which tables would show
       trial.accumulated[i][k] =
           strains.accumulated[i][k] + std::fabs(trial.permanent[i][k] - strains.permanent[i][k]);
     }

@@ -54,7 +54,7 @@ void share_seconds(double seconds, std::span<const LaneCase> cases) {
 
 std::size_t lane_width(const ChainModel& model, std::size_t cases, int threads) {
   const std::size_t most = lane_width(model);
-  if (!continues_in_lanes(model)) return most;
+  if (steps_in_lanes(model)) return most;
   const auto workers = static_cast<std::size_t>(threads);
   return std::clamp((cases + workers - 1) / workers, std::size_t{1}, most);
 }

@@ -17,8 +17,8 @@ struct LaneCase {
   Response* response = nullptr;
 };
 
-/// Runs motions of articulated schemes, or paths at rest, several at a time; one a thread. A case
-/// has the same bits in whatever company.
+/// Runs motions or paths at rest, several at a time; one a thread. A case has the same bits in
+/// whatever company.
 class LaneProgram {
  public:
   virtual ~LaneProgram() = default;
@@ -32,27 +32,28 @@ class LaneProgram {
 /// theirs.
 void share_seconds(double seconds, std::span<const LaneCase> cases);
 
-/// Whether a model is a motion that nothing but a lane program steps, a lone one too.
+/// Whether a model is a motion of an articulated scheme, which nothing but a lane program steps, a
+/// lone one too.
 bool steps_in_lanes(const ChainModel& model);
 
-/// Why no lane program can run a model; empty: one can. Motions ride by articulated schemes; paths
-/// of rigid joints in the plane or in space that are elastic, or ideal plastic or linearly
-/// hardening about each axis by itself, on two-sided supports, under load control, with double
-/// precision.
+/// Why no lane program can run a model; empty: one can. Motions ride by articulated schemes; so do
+/// motions of the other schemes with fixed steps, and paths under load control, of joints that are
+/// rigid in translation, in the plane or in space, elastic or yielding about each axis by itself at
+/// no rate of their own, on two-sided supports, with double precision.
 std::string_view why_alone(const ChainModel& model);
 
 /// Whether a lane program can run a model.
 bool has_lanes(const ChainModel& model);
 
 /// Whether two models of `has_lanes` can be run together: as many segments and, of motions, the
-/// same steps and histories, of paths supports and loads of the same kind at the same segments; all
-/// other numbers may differ.
+/// same steps and histories; but for articulated motions, supports, loads and masses of the same
+/// kind at the same segments, and the same law. All other numbers may differ.
 bool same_lanes(const ChainModel& a, const ChainModel& b);
 
 /// Most cases that are run together.
 std::size_t lane_width(const ChainModel& model);
-/// How many of so many cases a thread runs together: of paths no more than leave work for all
-/// threads; motions are stepped in registers, full or not.
+/// How many of so many cases a thread runs together: no more than leave work for all threads; but
+/// articulated motions are stepped in registers, full or not.
 std::size_t lane_width(const ChainModel& model, std::size_t cases, int threads);
 
 /// @throws InputError if the processor does not have the instruction set that is asked for

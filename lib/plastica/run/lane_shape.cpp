@@ -44,20 +44,24 @@ bool same_masses(const ChainModel& a, const ChainModel& b) {
                     });
 }
 
-/// Loads and supports in the same order follow the same histories.
-bool same_histories(const Scene& a, const Scene& b) {
-  const auto same = [](const auto& x, const auto& y) { return x.history == y.history; };
-  return a.gravity_history == b.gravity_history &&
-         std::equal(a.loads.begin(), a.loads.end(), b.loads.begin(), b.loads.end(), same) &&
-         std::equal(a.supports.begin(), a.supports.end(), b.supports.begin(), b.supports.end(),
-                    same);
-}
-
 /// As chain/builder.hpp asks.
 bool has_gravity(const Scene& scene) {
   double square = 0.0;
   for (const double g : scene.gravity) square += g * g;
   return square > 0.0;
+}
+
+/// Loads, supports that move and gravity follow the same histories, in their order.
+bool same_histories(const Scene& a, const Scene& b) {
+  const auto same_load = [](const Load& x, const Load& y) { return x.history == y.history; };
+  const auto same_support = [](const Support& x, const Support& y) {
+    return x.moves() == y.moves() && (!x.moves() || x.history == y.history);
+  };
+  return has_gravity(a) == has_gravity(b) &&
+         (!has_gravity(a) || a.gravity_history == b.gravity_history) &&
+         std::equal(a.loads.begin(), a.loads.end(), b.loads.begin(), b.loads.end(), same_load) &&
+         std::equal(a.supports.begin(), a.supports.end(), b.supports.begin(), b.supports.end(),
+                    same_support);
 }
 
 }  // namespace
@@ -110,8 +114,7 @@ bool same_shape(const ChainModel& a, const ChainModel& b) {
 }
 
 bool same_times(const ChainModel& a, const ChainModel& b) {
-  return a.stops == b.stops && a.recorded == b.recorded &&
-         has_gravity(a.scene) == has_gravity(b.scene) && same_histories(a.scene, b.scene);
+  return a.stops == b.stops && a.recorded == b.recorded && same_histories(a.scene, b.scene);
 }
 
 }  // namespace plastica

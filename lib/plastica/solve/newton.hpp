@@ -80,8 +80,9 @@ NewtonOutcome<typename L::Scalar> equilibrate(const chain::Chain<L>& chain,
       going = going & (early | (imbalance <= constant<S>(0.1) * before));
     }
     // A value that is there gets its derivatives from one more step.
-    const bool polishes = (kCarriesDerivatives<S> || options.polishes) && !any(going) &&
-                          any(outcome.converged & !out) && !polished;
+    const mask_t<S> worth = kIsDouble<S> ? outcome.converged & !out : !out;
+    const bool polishes =
+        (kCarriesDerivatives<S> || options.polishes) && !any(going) && any(worth) && !polished;
     if ((!any(going) && !polishes) || is_raised(options.stop)) break;
     polished = polishes;
     if constexpr (kHasLanes<S>) lost = lost | (!(going | outcome.converged));

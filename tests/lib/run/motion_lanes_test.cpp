@@ -232,6 +232,22 @@ TEST(MotionLanes, HaveTheBitsOfLoneBeamsThatAreDamped) {
   }
 }
 
+/// A clamp that turns has no corner, one that moves as well has.
+TEST(MotionLanes, FitVelocitiesOfThoseAloneWhoseSupportsMove) {
+  for (const Scheme scheme : kSchemes) {
+    std::vector<BatchCase> cases;
+    for (std::size_t i = 0; i < 8; ++i) {
+      Scene scene = moved_and_stopped(i);
+      Support& hand = scene.supports[1];
+      hand.hold = HeldFreedoms{true, true, false, true, true, true};
+      if (i % 2 == 0) hand.translation = {};
+      cases.push_back(motion_case(i, std::move(scene), scheme, InstructionSet::Auto));
+    }
+    expect_bits_of_alone(cases);
+    EXPECT_EQ(left_of(cases), 4U);
+  }
+}
+
 /// Steps that fail, joints that break, supports that hold twice: those leave, the others stay.
 TEST(MotionLanes, LeaveTheOthersAloneWhenOneLeaves) {
   for (const Scheme scheme : kSchemes) {
