@@ -1,12 +1,14 @@
 #pragma once
 
 #include <cstddef>
+#include <tuple>
 #include <vector>
 
 #include "plastica/chain/chain.hpp"
 #include "plastica/chain/section_joints.hpp"
 #include "plastica/chain/state.hpp"
 #include "plastica/law/per_axis.hpp"
+#include "plastica/law/uniaxial.hpp"
 
 /// Visits what a chain consists of, in one order for every scalar: so the numbers of a lone
 /// chain come to a lane of a chain of packs, whichever instruction set that is compiled for.
@@ -211,6 +213,13 @@ void visit_places(V& v, P& placement) {
   for (auto& frame : placement.frame) visit_frame(v, frame);
   for (auto& position : placement.position) visit_numbers(v, position);
 }
+
+/// The laws that lanes have, in the order of `solve::LaneLaw`.
+template <class S>
+using LaneLaws = std::tuple<law::ElasticSection<S>, law::PerAxisSection<S, law::IdealPlastic<S>>,
+                            law::PerAxisSection<S, law::LinearHardening<S>>,
+                            law::PerAxisSection<S, law::VoceChaboche<S>>,
+                            law::PerAxisSection<S, law::Multilinear<S>>>;
 
 /// The numbers of a law of each kind that lanes have, and of its states.
 template <class V, class Law>

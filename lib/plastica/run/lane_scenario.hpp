@@ -31,17 +31,8 @@ class LaneScenario {
     }
     case_ = one;
     if (laws_) std::swap(body_->joints, laws_);
-    body_->reset(*one.material);
     body_->record.shapes_on_demand();
-    Response& response = *one.response;
-    response.samples = 0;
-    clear_motion(response);
-    response.counters = {};
-    response.limit.reset();
-    response.axial.reset();
-    response.chain.events.clear();
-    body_->record.begin_frames(response);
-    chain::place<false>(body_->build.chain, body_->work.q, 0.0, body_->work.placement);
+    begin_motion(*one.material, *body_, *one.response);
     set_initial_motion(*body_, motion_);
     const Status status = fit_initial_motion();
     auto given =

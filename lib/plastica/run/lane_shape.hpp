@@ -1,11 +1,11 @@
 #pragma once
 
+#include <cstddef>
 #include <optional>
-#include <type_traits>
+#include <tuple>
 
 #include "plastica/chain/lane_fields.hpp"
 #include "plastica/chain/view.hpp"
-#include "plastica/law/uniaxial.hpp"
 #include "plastica/run/chain_model.hpp"
 #include "plastica/solve/lane_newton.hpp"
 
@@ -26,26 +26,11 @@ bool same_times(const ChainModel& a, const ChainModel& b);
 /// Calls `use` with a chain's joints as what they are.
 template <class L, class Use>
 void with_joints(solve::LaneLaw law, chain::SectionJointsBase<L, false>& joints, const Use& use) {
-  const auto as = [&](auto tag) {
-    using Law = typename decltype(tag)::type;
-    use(static_cast<chain::SectionJoints<L, false, Law>&>(joints));
-  };
-  using S = double;
-  switch (law) {
-    case solve::LaneLaw::Elastic: as(std::type_identity<law::ElasticSection<S>>{}); return;
-    case solve::LaneLaw::Ideal:
-      as(std::type_identity<law::PerAxisSection<S, law::IdealPlastic<S>>>{});
-      return;
-    case solve::LaneLaw::Linear:
-      as(std::type_identity<law::PerAxisSection<S, law::LinearHardening<S>>>{});
-      return;
-    case solve::LaneLaw::VoceChaboche:
-      as(std::type_identity<law::PerAxisSection<S, law::VoceChaboche<S>>>{});
-      return;
-    case solve::LaneLaw::Multilinear:
-      as(std::type_identity<law::PerAxisSection<S, law::Multilinear<S>>>{});
-      return;
-  }
+  [&]<class... Law>(std::tuple<Law...>*) {
+    std::size_t number = 0;
+    const auto is_it = [&] { return number++ == static_cast<std::size_t>(law); };
+    ((is_it() ? use(static_cast<chain::SectionJoints<L, false, Law>&>(joints)) : void()), ...);
+  }(static_cast<chain::LaneLaws<double>*>(nullptr));
 }
 
 /// A view of a model at a level in lanes.

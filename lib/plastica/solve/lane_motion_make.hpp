@@ -126,32 +126,8 @@ class LaneMotionOf final : public LaneMotion {
   bool has_axial_ = false;         ///< of the step that was taken
 };
 
-template <template <class> class Level, class Law>
-LaneMotion* make_lane_motion() {
-  return new LaneMotionOf<Level, Law>;
-}
-
-template <template <class> class Level>
-struct MotionOfLevel {
-  using S = LaneScalar;
-  static constexpr LaneMotionTable::Make kElastic = make_lane_motion<Level, law::ElasticSection<S>>;
-  static constexpr LaneMotionTable::Make kIdeal =
-      make_lane_motion<Level, law::PerAxisSection<S, law::IdealPlastic<S>>>;
-  static constexpr LaneMotionTable::Make kLinear =
-      make_lane_motion<Level, law::PerAxisSection<S, law::LinearHardening<S>>>;
-  static constexpr LaneMotionTable::Make kVoceChaboche =
-      make_lane_motion<Level, law::PerAxisSection<S, law::VoceChaboche<S>>>;
-  static constexpr LaneMotionTable::Make kMultilinear =
-      make_lane_motion<Level, law::PerAxisSection<S, law::Multilinear<S>>>;
-};
-
 constexpr LaneMotionTable motion_table() {
-  using InPlane = MotionOfLevel<chain::Planar>;
-  using InSpace = MotionOfLevel<chain::Spatial>;
-  return {{InPlane::kElastic, InPlane::kIdeal, InPlane::kLinear, InPlane::kVoceChaboche,
-           InPlane::kMultilinear},
-          {InSpace::kElastic, InSpace::kIdeal, InSpace::kLinear, InSpace::kVoceChaboche,
-           InSpace::kMultilinear}};
+  return lane_table<LaneMotionTable, LaneMotion, LaneMotionOf>();
 }
 
 PLASTICA_KERNELS_END

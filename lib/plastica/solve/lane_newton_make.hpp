@@ -1,7 +1,7 @@
 #pragma once
 
 #include <cstddef>
-#include <optional>
+#include <tuple>
 
 #include "plastica/base/pack.hpp"
 #include "plastica/chain/lane_fields.hpp"
@@ -135,32 +135,22 @@ class LaneNewtonOf final : public LaneNewton {
   NewtonWork<L, false> work_;
 };
 
-template <template <class> class Level, class Law>
-LaneNewton* make_lane_newton() {
-  return new LaneNewtonOf<Level, Law>;
+template <class Base, class Of>
+Base* make_lanes() {
+  return new Of;
 }
 
-template <template <class> class Level>
-struct NewtonOfLevel {
-  using S = LaneScalar;
-  static constexpr LaneNewtonTable::Make kElastic = make_lane_newton<Level, law::ElasticSection<S>>;
-  static constexpr LaneNewtonTable::Make kIdeal =
-      make_lane_newton<Level, law::PerAxisSection<S, law::IdealPlastic<S>>>;
-  static constexpr LaneNewtonTable::Make kLinear =
-      make_lane_newton<Level, law::PerAxisSection<S, law::LinearHardening<S>>>;
-  static constexpr LaneNewtonTable::Make kVoceChaboche =
-      make_lane_newton<Level, law::PerAxisSection<S, law::VoceChaboche<S>>>;
-  static constexpr LaneNewtonTable::Make kMultilinear =
-      make_lane_newton<Level, law::PerAxisSection<S, law::Multilinear<S>>>;
-};
+/// What makes each law's lanes, in the plane and in space.
+template <class Table, class Base, template <template <class> class, class> class Of>
+constexpr Table lane_table() {
+  return []<class... Law>(std::tuple<Law...>*) {
+    return Table{{make_lanes<Base, Of<chain::Planar, Law>>...},
+                 {make_lanes<Base, Of<chain::Spatial, Law>>...}};
+  }(static_cast<chain::LaneLaws<LaneScalar>*>(nullptr));
+}
 
 constexpr LaneNewtonTable newton_table() {
-  using InPlane = NewtonOfLevel<chain::Planar>;
-  using InSpace = NewtonOfLevel<chain::Spatial>;
-  return {{InPlane::kElastic, InPlane::kIdeal, InPlane::kLinear, InPlane::kVoceChaboche,
-           InPlane::kMultilinear},
-          {InSpace::kElastic, InSpace::kIdeal, InSpace::kLinear, InSpace::kVoceChaboche,
-           InSpace::kMultilinear}};
+  return lane_table<LaneNewtonTable, LaneNewton, LaneNewtonOf>();
 }
 
 PLASTICA_KERNELS_END
