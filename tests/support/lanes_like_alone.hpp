@@ -6,11 +6,18 @@
 
 #include "plastica/run/batch.hpp"
 #include "tests/support/response_bits.hpp"
+#include "tests/support/sanitized.hpp"
 
 namespace plastica::testing {
 
-inline constexpr InstructionSet kInstructionSets[] = {InstructionSet::Baseline,
-                                                      InstructionSet::Avx2, InstructionSet::Avx512};
+/// Those that this processor has; under sanitizers, which see the same code in each, the first alone.
+inline std::vector<InstructionSet> instruction_sets() {
+  std::vector<InstructionSet> sets{InstructionSet::Baseline};
+  for (const InstructionSet isa : {InstructionSet::Avx2, InstructionSet::Avx512}) {
+    if (!kSanitized && has_instruction_set(isa)) sets.push_back(isa);
+  }
+  return sets;
+}
 
 /// A batch gives each case the bits that it has alone.
 inline void expect_bits_of_alone(const std::vector<BatchCase>& cases, int threads = 1) {

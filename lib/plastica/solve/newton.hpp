@@ -44,7 +44,8 @@ NewtonOutcome<typename L::Scalar> equilibrate(const chain::Chain<L>& chain,
     const S enough = constant<S>(reachable<S>(options.tolerance, iteration));
     // Waiting for others to be polished, a lane may see more iterations than it takes.
     const auto note = [&](const S& imbalance) {
-      outcome.imbalance[static_cast<std::size_t>(std::min(iteration, kMaxIterations))] = imbalance;
+      const std::size_t last = outcome.imbalance.size() - 1;
+      outcome.imbalance[std::min(static_cast<std::size_t>(iteration), last)] = imbalance;
     };
     // What may be the end of one solve is looked at without slopes; but not where contacts are
     // decided, which is done once an iteration.

@@ -11,6 +11,7 @@
 #include "calibrate/fit/scene_fit.hpp"
 #include "tests/calibrate/fit/bent_bar.hpp"
 #include "tests/support/has.hpp"
+#include "tests/support/sanitized.hpp"
 
 namespace plastica::calibrate {
 namespace {
@@ -44,6 +45,7 @@ TEST(UnboundedYield, OfABeamThatStaysElasticIsNotIdentified) {
   // slopes alone took for a yield stress with these seeds, and with 20 of the first 40.
   const plastica::Setup setup = bend_test(6);
   for (const std::uint32_t seed : {5U, 6U, 10U, 12U}) {
+    if (plastica::testing::kSanitized && seed != 5U) continue;
     const SceneFitResult fit = bar_fit(setup, noisy_bar(setup, 0.0098, seed));
     const FittedParameter& yield = fit.parameter("yield_stress");
     EXPECT_EQ(yield.verdict(), Verdict::NotIdentified) << seed << ": " << yield.value;
@@ -59,7 +61,7 @@ TEST(UnboundedYield, OfABeamThatStaysElasticIsNotIdentified) {
 
 TEST(UnboundedYield, OfABeamThatYieldsByMoreThanTheNoiseStaysIdentified) {
   const plastica::Setup setup = bend_test(6);
-  for (std::uint32_t seed = 1; seed <= 2; ++seed) {
+  for (std::uint32_t seed = 1; seed <= (plastica::testing::kSanitized ? 1U : 2U); ++seed) {
     const SceneFitResult fit = bar_fit(setup, noisy_bar(setup, 0.016, seed));
     const FittedParameter& yield = fit.parameter("yield_stress");
     EXPECT_EQ(yield.verdict(), Verdict::Identified) << seed << ": " << yield.value;

@@ -99,8 +99,7 @@ std::vector<BatchCase> eleven_motions(const MakeScene& make, Scheme scheme, Inst
 
 template <class MakeScene>
 void expect_motions_like_alone(const MakeScene& make) {
-  for (const InstructionSet isa : testing::kInstructionSets) {
-    if (!has_instruction_set(isa)) continue;
+  for (const InstructionSet isa : testing::instruction_sets()) {
     for (const Scheme scheme : kSchemes) expect_bits_of_alone(eleven_motions(make, scheme, isa));
   }
 }
