@@ -43,6 +43,7 @@ struct AdviseArguments {
   std::string output;
   std::string json;
   std::string plot;
+  std::optional<double> width;  ///< of the plot [mm]
   sweeps::AdviceOptions options;
   bool force = false;
   bool quiet = false;
@@ -110,6 +111,7 @@ void take_wish(AdviseArguments& arguments) {
 }
 
 void check_outputs_of(const AdviseArguments& arguments) {
+  check_width(arguments.width, arguments.plot);
   const std::array<std::pair<std::string_view, const std::string*>, 3> outputs{
       {{"-o", &arguments.output}, {"--json", &arguments.json}, {"--plot", &arguments.plot}}};
   for (std::size_t i = 0; i < outputs.size(); ++i) {
@@ -133,7 +135,8 @@ void write_reports(const AdviseArguments& arguments, const sweeps::Advice& advic
     tell("wrote {}\n", arguments.json);
   }
   if (arguments.plot.empty()) return;
-  sweeps::draw_advice(advice, arguments.options, name, arguments.plot, std::cout, overwrite);
+  sweeps::draw_advice(advice, arguments.options, name, arguments.plot, std::cout, overwrite,
+                      arguments.width);
   if (arguments.plot != "-") tell("wrote {}\n", arguments.plot);
 }
 
@@ -145,6 +148,7 @@ EngineAdviceRequest engine_request(const AdviseArguments& arguments) {
   refuse_option(!arguments.budget.empty(), "--budget",
                 "does not go with --for: what a step takes is the engine's affair");
   refuse_option(!arguments.plot.empty(), "--plot", "does not go with --for");
+  refuse_option(arguments.width.has_value(), "--width", "does not go with --for");
   return request;
 }
 
@@ -199,6 +203,7 @@ void add_advise(CLI::App& app, Action& action) {
   sub->add_option("--plot", arguments->plot,
                   "Also draw error over cost of all runs: .svg, .png, .pdf, .gp, - (terminal)")
       ->option_text("FILE");
+  add_width_option(*sub, arguments->width);
   sub->add_option(
          "--max-runs", arguments->options.max_runs,
          fmt::format("Run the scene at most N times; default: {}", arguments->options.max_runs))
@@ -216,7 +221,7 @@ void add_advise(CLI::App& app, Action& action) {
   add_force_option(*sub, arguments->force, "a file that is there");
   add_quiet_option(*sub, arguments->quiet, "no progress");
   group_options(*sub, "Goal", {"--within", "--budget", "--for", "--of"});
-  group_options(*sub, "Results", {"--output", "--json", "--plot", "--force"});
+  group_options(*sub, "Results", {"--output", "--json", "--plot", "--width", "--force"});
   group_options(*sub, "Limits of the search", {"--max-runs", "--max-work", "--threads"});
   sub->footer(
       "Example:\n"

@@ -9,6 +9,7 @@
 
 #include "cli/tell.hpp"
 #include "plastica/base/check.hpp"
+#include "plastica/report/format.hpp"
 
 namespace plastica::cli {
 
@@ -33,6 +34,20 @@ void add_dry_run_option(CLI::App& sub, bool& dry_run) {
 
 void add_force_option(CLI::App& sub, bool& force, const std::string& what) {
   sub.add_flag("--force", force, "Overwrite " + what);
+}
+
+void add_width_option(CLI::App& sub, std::optional<double>& width) {
+  sub.add_option(
+         "--width", width,
+         "Draw for print: MM wide, 80 to 300, with letters of 8 points; columns and pages of "
+         "journals have 85 and 170")
+      ->check(CLI::Range(80.0, 300.0))
+      ->option_text("MM");
+}
+
+void check_width(const std::optional<double>& width, const std::string& output) {
+  if (!width || (!output.empty() && output != "-")) return;
+  throw InputError({}, "--width", report::brief(*width), "is of a picture in a file: name one");
 }
 
 void add_quiet_option(CLI::App& sub, bool& quiet, const std::string& what) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <initializer_list>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -26,6 +27,10 @@ void add_dry_run_option(CLI::App& sub, bool& dry_run);
 void add_force_option(CLI::App& sub, bool& force, const std::string& what);
 /// @param what  it leaves out
 void add_quiet_option(CLI::App& sub, bool& quiet, const std::string& what);
+/// Adds `--width`, of pictures for print [mm].
+void add_width_option(CLI::App& sub, std::optional<double>& width);
+/// @throws InputError if a width is given for a picture of characters
+void check_width(const std::optional<double>& width, const std::string& output);
 /// The words of a command line, the command first, with the new names of options and of their
 /// values that had others in the last version; says so on stderr.
 std::vector<std::string> with_new_names(std::vector<std::string> words);

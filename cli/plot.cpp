@@ -85,6 +85,7 @@ void draw_scenes(const PlotArguments& arguments) {
   for (const std::string& file : arguments.files) records.push_back(io::read_scene_store(file));
   report::ScenePlotRequest request{arguments.request.what, arguments.joint, arguments.probe,
                                    arguments.request.output, arguments.request.overwrite};
+  request.width = arguments.request.width;
   request.time = seconds_of("--time", arguments.time);
   request.film_frames = arguments.film_frames;
   request.film_from = seconds_of("--from", arguments.film_from);
@@ -100,10 +101,11 @@ void refuse_second_file(const PlotArguments& arguments, std::string_view why) {
 void draw_sweep(const PlotArguments& arguments) {
   refuse_second_file(arguments, "a sweep is drawn of one file");
   const auto record = sweeps::read_sweep_store(arguments.files.front());
-  sweeps::draw_sweep_plot(record,
-                          {arguments.request.what, arguments.request.specimen,
-                           arguments.request.output, arguments.request.overwrite},
-                          std::cout);
+  sweeps::draw_sweep_plot(
+      record,
+      {arguments.request.what, arguments.request.specimen, arguments.request.output,
+       arguments.request.overwrite, arguments.request.width},
+      std::cout);
 }
 
 int plot(const PlotArguments& arguments) {
@@ -115,6 +117,7 @@ int plot(const PlotArguments& arguments) {
   const ResultKind kind = kind_of_result(file);
   check_options(kind, arguments);
   const std::string& output = arguments.request.output;
+  check_width(arguments.request.width, output);
   if (output != "-") {
     for (const std::string& read : arguments.files) refuse_input("--output", output, read);
     io::check_output_path(output, arguments.force);
@@ -149,6 +152,7 @@ void add_plot(CLI::App& app, Action& action) {
   sub->add_option("-o,--output", arguments->request.output,
                   "Write .svg, .png or .pdf; .gp: script and data; - (the default): the terminal")
       ->option_text("FILE");
+  add_width_option(*sub, arguments->request.width);
   sub->add_option("--what", arguments->request.what, "Draw this picture; see --list")
       ->option_text("NAME");
   sub->add_flag("--list", arguments->list, "List the pictures there are");

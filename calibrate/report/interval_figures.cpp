@@ -1,8 +1,11 @@
 #include "calibrate/report/interval_figures.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <limits>
 #include <numbers>
+#include <numeric>
 #include <string>
 #include <vector>
 
@@ -155,6 +158,34 @@ FigurePanel histogram_panel(const ShownParameter& p, const BootstrapInterval& in
   return panel;
 }
 
+/// The ellipse within which this part of a normal distribution lies that has the values' means and
+/// covariance: with two numbers the squared distance is beyond r^2 with probability exp(-r^2/2).
+Points ellipse_about(const std::vector<double>& x, double x_scale, const std::vector<double>& y,
+                     double y_scale, double part) {
+  constexpr int kCorners = 120;
+  const auto n = static_cast<double>(x.size());
+  const double x_mean = std::accumulate(x.begin(), x.end(), 0.0) / n;
+  const double y_mean = std::accumulate(y.begin(), y.end(), 0.0) / n;
+  double xx = 0.0, xy = 0.0, yy = 0.0;
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    xx += (x[i] - x_mean) * (x[i] - x_mean) / (n - 1.0);
+    xy += (x[i] - x_mean) * (y[i] - y_mean) / (n - 1.0);
+    yy += (y[i] - y_mean) * (y[i] - y_mean) / (n - 1.0);
+  }
+  if (!(xx > 0.0 && yy > 0.0)) return {};
+  const double r = std::sqrt(-2.0 * std::log(1.0 - part));
+  // A circle through the factor of Cholesky.
+  const double along = xy / std::sqrt(xx);
+  const double across = std::sqrt(std::max(0.0, yy - along * along));
+  Points points;
+  for (int k = 0; k <= kCorners; ++k) {
+    const double t = 2.0 * std::numbers::pi * k / kCorners;
+    points.push_back({(x_mean + r * std::sqrt(xx) * std::cos(t)) / x_scale,
+                      (y_mean + r * (along * std::cos(t) + across * std::sin(t))) / y_scale});
+  }
+  return points;
+}
+
 FigurePanel pair_panel(const ShownParameter& a, const std::vector<double>& a_values,
                        const ShownParameter& b, const std::vector<double>& b_values) {
   const DisplayUnit a_unit = report::display_unit(a), b_unit = report::display_unit(b);
@@ -166,14 +197,27 @@ FigurePanel pair_panel(const ShownParameter& a, const std::vector<double>& a_val
   for (std::size_t i = 0; i < a_values.size(); ++i) {
     cloud.points.push_back({a_values[i] / a_unit.scale, b_values[i] / b_unit.scale});
   }
-  const auto range_of = [](const std::vector<double>& values, double scale) {
-    const auto [low, high] = std::ranges::minmax(values);
-    const double room = high > low ? 0.06 * (high - low) : 0.06 * std::fabs(high);
-    return std::array{(low - room) / scale, (high + room) / scale};
-  };
-  panel.x_range = range_of(a_values, a_unit.scale);
-  panel.y_range = range_of(b_values, b_unit.scale);
   panel.curves.push_back(std::move(cloud));
+  for (const double part : {0.5, 0.95}) {
+    Points ellipse = ellipse_about(a_values, a_unit.scale, b_values, b_unit.scale, part);
+    if (ellipse.empty()) continue;
+    panel.curves.push_back({std::move(ellipse),
+                            "50 and 95 % of a normal distribution with their covariance", kGrey,
+                            Stroke::Line});
+  }
+  const auto range_along = [&](std::size_t axis) {
+    double low = std::numeric_limits<double>::infinity(), high = -low;
+    for (const FigureCurve& curve : panel.curves) {
+      for (const auto& point : curve.points) {
+        low = std::min(low, point[axis]);
+        high = std::max(high, point[axis]);
+      }
+    }
+    const double room = high > low ? 0.06 * (high - low) : 0.06 * std::fabs(high);
+    return std::array{low - room, high + room};
+  };
+  panel.x_range = range_along(0);
+  panel.y_range = range_along(1);
   panel.curves.push_back({{{a.value / a_unit.scale, b.value / b_unit.scale}},
                           "fitted",
                           kVermillion,

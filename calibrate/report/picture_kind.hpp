@@ -10,11 +10,16 @@
 #include "calibrate/report/interval_figures.hpp"
 #include "calibrate/report/laws_figure.hpp"
 #include "calibrate/report/plot.hpp"
+#include "calibrate/report/quantile_figure.hpp"
 #include "plastica/base/check.hpp"
 #include "plastica/report/scene_figure.hpp"
 
 /// Lists of the pictures of results of fits; not installed.
 namespace plastica::calibrate::report {
+
+using plastica::report::drawn;
+using plastica::report::PlotScript;
+using plastica::report::Sheet;
 
 /// A kind of picture of a file of fits. One of the functions is set; what it draws is for a page,
 /// or for a terminal as characters.
@@ -22,11 +27,11 @@ template <typename Record>
 struct PictureKind {
   std::string_view name;  ///< "curve"
   std::string_view doc;   ///< one line for `--list`
-  plastica::report::PlotScript (*of_one)(const Record& record, bool terminal) = nullptr;
-  plastica::report::PlotScript (*of_all)(std::span<const Record> records, bool terminal) = nullptr;
+  PlotScript (*of_one)(const Record& record, const Sheet& sheet) = nullptr;
+  PlotScript (*of_all)(std::span<const Record> records, const Sheet& sheet) = nullptr;
   /// Of all laws that are compared; empty name: the first target's.
-  plastica::report::PlotScript (*of_laws)(std::span<const Record> records, const std::string& name,
-                                          bool terminal) = nullptr;
+  PlotScript (*of_laws)(std::span<const Record> records, const std::string& name,
+                        const Sheet& sheet) = nullptr;
 };
 
 /// @throws InputError naming all kinds
@@ -51,29 +56,29 @@ constexpr std::array<PlotKind, N> listed(const std::array<PictureKind<Record>, N
   return list;
 }
 
-using plastica::report::PlotScript;
-
-inline PlotScript drawn(const plastica::report::Figure& figure, bool terminal) {
-  return terminal ? plastica::report::figure_terminal(figure)
-                  : plastica::report::figure_page(figure);
+/// Residuals of one fit against those of a normal distribution.
+template <typename Record>
+PlotScript quantiles_picture(const Record& record, const Sheet& sheet) {
+  return drawn(quantiles_figure(record), sheet);
 }
 
 /// Likelihood intervals of one fit.
 template <typename Record>
-PlotScript profile_picture(const Record& record, bool terminal) {
-  return drawn(profile_figure(shown_intervals(record.result, name_of(record))), terminal);
+PlotScript profile_picture(const Record& record, const Sheet& sheet) {
+  return drawn(profile_figure(shown_intervals(record.result, name_of(record))), sheet);
 }
 
 /// Resampled values of one fit.
 template <typename Record>
-PlotScript bootstrap_picture(const Record& record, bool terminal) {
-  return drawn(bootstrap_figure(shown_intervals(record.result, name_of(record))), terminal);
+PlotScript bootstrap_picture(const Record& record, const Sheet& sheet) {
+  return drawn(bootstrap_figure(shown_intervals(record.result, name_of(record))), sheet);
 }
 
 /// What the laws that are compared make of one target, or fit.
 template <typename Record>
-PlotScript laws_picture(std::span<const Record> records, const std::string& name, bool terminal) {
-  return drawn(laws_figure(records, name), terminal);
+PlotScript laws_picture(std::span<const Record> records, const std::string& name,
+                        const Sheet& sheet) {
+  return drawn(laws_figure(records, name), sheet);
 }
 
 }  // namespace plastica::calibrate::report

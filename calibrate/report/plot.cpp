@@ -58,12 +58,12 @@ PlotScript make(std::span<const Record> all, PlotRequest request) {
     throw InputError({}, "plot", request.what,
                      fmt::format("there is no {} to draw", kNoun<Record>));
   }
-  const bool terminal = request.output == "-";
+  const auto sheet = plastica::report::sheet_of(request.output, request.width);
   if (!request.what.empty()) {
     const auto& picture = report::find_picture(pictures_of(all), request.what);
     if (picture.of_laws != nullptr) {
       report::refuse_law(request);
-      return picture.of_laws(all, request.specimen, terminal);
+      return picture.of_laws(all, request.specimen, sheet);
     }
   }
   split_label(all, request.specimen, request.law);
@@ -73,13 +73,13 @@ PlotScript make(std::span<const Record> all, PlotRequest request) {
   if (picture.of_one != nullptr) {
     Record record = find_named(records, request.specimen);
     set_name(record, label_of(record, compares_laws(all)));
-    return picture.of_one(record, terminal);
+    return picture.of_one(record, sheet);
   }
   if (!request.specimen.empty()) {
     throw InputError({}, "--case", request.specimen,
                      fmt::format("does not go with the picture '{}'", picture.name));
   }
-  return picture.of_all(records, terminal);
+  return picture.of_all(records, sheet);
 }
 
 template <typename Record>

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <iosfwd>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -17,11 +18,11 @@ struct PlotKind {
   std::string_view doc;   ///< one line for `--list`
 };
 
-/// All pictures of fits of curves: "curve", "residuals", "overview", "parameters", "profile",
-/// "bootstrap", "laws".
+/// All pictures of fits of curves: "curve", "residuals", "quantiles", "overview", "parameters",
+/// "profile", "bootstrap", "laws".
 std::span<const PlotKind> plot_kinds();
-/// All pictures of fits through scenes: "fit", "residuals", "starts", "correlation", "segments",
-/// "profile", "bootstrap", "laws", "population".
+/// All pictures of fits through scenes: "fit", "residuals", "quantiles", "starts", "correlation",
+/// "segments", "profile", "bootstrap", "laws", "population".
 std::span<const PlotKind> scene_fit_plot_kinds();
 
 /// Which picture, of what, and where to.
@@ -37,6 +38,7 @@ struct PlotRequest {
   /// of characters on standard output.
   std::string output = {};
   io::Overwrite overwrite = io::Overwrite::Allowed;
+  std::optional<double> width = {};  ///< as for `plastica::report::sheet_of` [mm]
 };
 
 /// The picture as a gnuplot script with its data, without terminal and output.

@@ -79,16 +79,16 @@ void set_common_range(PlotScript& script, std::span<const FitRecord> records) {
 
 }  // namespace
 
-PlotScript curve_plot(const FitRecord& record) {
+PlotScript curve_plot(const FitRecord& record, const Sheet& sheet) {
   const Target& target = record.target;
   const Curve& measured = measured_of(record);
   if (measured.size() == 0) {
     throw InputError({}, "--case", target.name, "has no curve to draw: " + reason_of(record));
   }
-  PlotScript script;
-  script.begin_panels(1, {}, 2);
+  PlotScript script(sheet);
+  script.begin_panels(1);
   script.command("set xlabel " + in_quotes(strain_label(target)));
-  script.command("set ylabel " + in_quotes(stress_label(target)));
+  script.set_y_label(stress_label(target));
   const bool cyclic = target.loading == Loading::Cyclic;
   if (cyclic) {
     script.command("set xzeroaxis linecolor rgb '#B8B8B8'");
@@ -98,7 +98,7 @@ PlotScript curve_plot(const FitRecord& record) {
   }
   std::string facts;
   for (const std::string& fact : facts_of(record)) facts += (facts.empty() ? "" : "    ") + fact;
-  script.begin_panel(in_quotes(target.name) + ".\"\\n\"." + in_quotes(cut(facts, 100)));
+  script.begin_panel({target.name, facts});
   const bool few = measured.size() < 80 && !cyclic;
   script.add_series(add_curve(script, measured),
                     few ? "using 1:2 with points pointtype 6 pointsize 0.6 linewidth 1.2 linecolor "
@@ -126,7 +126,7 @@ PlotScript curve_plot(const FitRecord& record) {
   return script;
 }
 
-PlotScript residuals_picture(const FitRecord& record, bool terminal) {
+PlotScript residuals_picture(const FitRecord& record, const Sheet& sheet) {
   const Target& target = record.target;
   const Curve& measured = target.corrected;
   const Curve& fitted = record.result.fitted;
@@ -147,7 +147,7 @@ PlotScript residuals_picture(const FitRecord& record, bool terminal) {
   FigurePanel panel;
   std::string facts;
   for (const std::string& fact : facts_of(record)) facts += (facts.empty() ? "" : "   ") + fact;
-  panel.title = cut(facts, terminal ? 36 : 100);
+  panel.title = sheet.terminal ? cut(facts, 36) : facts;
   panel.x_label = strain_label(target);
   panel.y_label = fmt::format("stress, measured - fitted [{}]", unit.name);
   const auto [low, high] = std::ranges::minmax(measured.strain);
@@ -163,24 +163,24 @@ PlotScript residuals_picture(const FitRecord& record, bool terminal) {
     panel.marks = {yield->front()};
     panel.mark_name = "yield, fitted";
   }
-  return drawn({target.name, {std::move(panel)}}, terminal);
+  return drawn({target.name, {std::move(panel)}}, sheet);
 }
 
-PlotScript curve_picture(const FitRecord& record, bool terminal) {
-  return terminal ? curve_terminal(record) : curve_plot(record);
+PlotScript curve_picture(const FitRecord& record, const Sheet& sheet) {
+  return sheet.terminal ? curve_terminal(record) : curve_plot(record, sheet);
 }
 
-PlotScript overview_picture(std::span<const FitRecord> records, bool terminal) {
-  return terminal ? overview_terminal(records) : overview_plot(records);
+PlotScript overview_picture(std::span<const FitRecord> records, const Sheet& sheet) {
+  return sheet.terminal ? overview_terminal(records) : overview_plot(records, sheet);
 }
 
-PlotScript parameters_picture(std::span<const FitRecord> records, bool terminal) {
-  return terminal ? parameters_terminal(records) : parameters_plot(records);
+PlotScript parameters_picture(std::span<const FitRecord> records, const Sheet& sheet) {
+  return sheet.terminal ? parameters_terminal(records) : parameters_plot(records, sheet);
 }
 
-PlotScript overview_plot(std::span<const FitRecord> records) {
+PlotScript overview_plot(std::span<const FitRecord> records, const Sheet& sheet) {
   std::vector<std::vector<std::size_t>> groups = drawable_groups(records);
-  PlotScript script;
+  PlotScript script(sheet);
   const std::size_t all = groups.size();
   groups.resize(std::min(all, kMaxPanels));
   script.begin_panels(groups.size(), all > groups.size() ? fmt::format("the first {} of {} groups",
@@ -191,9 +191,9 @@ PlotScript overview_plot(std::span<const FitRecord> records) {
   for (const std::vector<std::size_t>& members : groups) {
     const Panel panel = panel_of(records, members);
     script.command("set xlabel " + in_quotes(script.at_bottom() ? strain_label(first) : ""));
-    script.command("set ylabel " + in_quotes(script.at_left() ? stress_label(first) : ""));
-    script.begin_panel(in_quotes(
-        panel_title(records, members, panel.measured.size(), groups.size() == 1 ? 70 : 34)));
+    script.set_y_label(script.at_left() ? stress_label(first) : "");
+    const std::size_t letters = std::min<std::size_t>(script.title_letters(), 70);
+    script.begin_panel({panel_title(records, members, panel.measured.size(), letters)});
     const bool few = panel.measured.size() <= kMaxFalls;
     if (!panel.measured.empty()) {
       script.add_series(add_curves(script, panel.measured),

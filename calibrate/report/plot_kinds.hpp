@@ -14,29 +14,29 @@ namespace plastica::calibrate::report {
 
 /// One specimen: measured and fitted curve, yield and break marked, parameters in the title.
 /// @throws InputError if it has no curve
-PlotScript curve_plot(const FitRecord& record);
+PlotScript curve_plot(const FitRecord& record, const Sheet& sheet);
 /// The same as characters, for a terminal of 80 columns and 24 lines.
 PlotScript curve_terminal(const FitRecord& record);
-PlotScript curve_picture(const FitRecord& record, bool terminal);
+PlotScript curve_picture(const FitRecord& record, const Sheet& sheet);
 
 /// One specimen: measured minus fitted stress over strain, the rms misfit (or the stated noise) on
 /// both sides of zero, the fitted yield stress reached marked.
 /// @throws InputError if it was not fitted
-PlotScript residuals_picture(const FitRecord& record, bool terminal);
+PlotScript residuals_picture(const FitRecord& record, const Sheet& sheet);
 
 /// The batch: a panel per group with all its curves, their mean, the fits and the breaks.
 /// @throws InputError if no specimen has a curve that can be drawn
-PlotScript overview_plot(std::span<const FitRecord> records);
+PlotScript overview_plot(std::span<const FitRecord> records, const Sheet& sheet);
 /// The same as characters: the mean of each group, of a single one the mean of the fits, too.
 PlotScript overview_terminal(std::span<const FitRecord> records);
-PlotScript overview_picture(std::span<const FitRecord> records, bool terminal);
+PlotScript overview_picture(std::span<const FitRecord> records, const Sheet& sheet);
 
 /// The free parameters: a panel each, every specimen a point above its group, with mean and
 /// standard deviation. @throws InputError if nothing was fitted
-PlotScript parameters_plot(std::span<const FitRecord> records);
+PlotScript parameters_plot(std::span<const FitRecord> records, const Sheet& sheet);
 /// The same as characters, without the errors; the panels one below the other.
 PlotScript parameters_terminal(std::span<const FitRecord> records);
-PlotScript parameters_picture(std::span<const FitRecord> records, bool terminal);
+PlotScript parameters_picture(std::span<const FitRecord> records, const Sheet& sheet);
 
 using FitPicture = PictureKind<FitRecord>;
 /// All kinds, as `--list` has them: a new one is a line here, its function above, and what that
@@ -49,6 +49,10 @@ inline constexpr std::array kFitPictures{
     FitPicture{.name = "residuals",
                .doc = "measured minus fitted stress of one specimen, and the rms misfit (--case)",
                .of_one = residuals_picture},
+    FitPicture{.name = "quantiles",
+               .doc = "residuals of one specimen against normal quantiles, whether they are noise "
+                      "(--case)",
+               .of_one = quantiles_picture<FitRecord>},
     FitPicture{.name = "overview",
                .doc = "all curves by group, with their mean, the fits and the breaks",
                .of_all = overview_picture},

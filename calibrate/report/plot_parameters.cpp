@@ -41,16 +41,16 @@ GroupAxis axis_of(std::span<const FitRecord> records,
 
 }  // namespace
 
-PlotScript parameters_plot(std::span<const FitRecord> records) {
+PlotScript parameters_plot(std::span<const FitRecord> records, const Sheet& sheet) {
   const std::vector<std::vector<std::size_t>> groups = group_indices(records);
   const std::vector<FittedParameter> shown = free_parameters(records);
-  PlotScript script;
+  PlotScript script(sheet);
   const GroupAxis axis = axis_of(records, groups);
   // Labels that would run into each other are turned; very many are left out.
   const bool crowded = axis.letters * std::min<std::size_t>(shown.size(), 3) > 90;
   const bool many = groups.size() > 40;
   const bool rotated = crowded && !many;
-  script.begin_panels(shown.size(), {}, 1, rotated ? 3.0 * static_cast<double>(axis.longest) : 0.0);
+  script.begin_panels(shown.size(), {}, rotated ? 3.0 * static_cast<double>(axis.longest) : 0.0);
   script.command(
       many ? "unset xtics"
            : fmt::format("set xtics {}({})", rotated ? "rotate by 35 right " : "", axis.tics));
@@ -60,9 +60,8 @@ PlotScript parameters_plot(std::span<const FitRecord> records) {
   for (const FittedParameter& parameter : shown) {
     const DisplayUnit unit = display_unit(parameter);
     const auto [points, means] = values_of(records, groups, parameter);
-    script.begin_panel(in_quotes(unit.name.empty()
-                                     ? parameter.name()
-                                     : fmt::format("{} [{}]", parameter.name(), unit.name)));
+    script.begin_panel({unit.name.empty() ? parameter.name()
+                                          : fmt::format("{} [{}]", parameter.name(), unit.name)});
     if (!points.empty()) {
       script.add_series(script.add_points(points),
                         fmt::format("using 1:2:3 with yerrorbars pointtype 7 pointsize {} "

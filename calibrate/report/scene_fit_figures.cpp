@@ -251,19 +251,22 @@ Figure population_figure(std::span<const SceneFitRecord> records) {
   return figure;
 }
 
-PlotScript correlation_plot(const SceneFitRecord& record, bool terminal) {
+PlotScript correlation_plot(const SceneFitRecord& record, const Sheet& sheet) {
   const SceneFitResult& result = record.result;
   const std::size_t n = result.free_count();
   if (n == 0 || result.correlation.size() != n * n) {
     throw InputError({}, "--what", "correlation", record.name + " has no correlations");
   }
-  PlotScript script;
+  PlotScript script(sheet);
+  const bool terminal = sheet.terminal;
+  const bool narrow = sheet.width < 600.0;
+  const bool turned = !terminal && (narrow || n > 4);
   std::string x_tics, y_tics;
   std::vector<std::vector<double>> cells;
   std::string labels;
   for (std::size_t i = 0; i < n; ++i) {
     const std::string name = plastica::report::quoted_tic(
-        cut(short_name(result.parameters[i].path), terminal ? 12 : 24));
+        cut(short_name(result.parameters[i].path), terminal || narrow ? 12 : 24));
     x_tics += fmt::format("{}{} {}", i == 0 ? "" : ", ", name, i + 1);
     y_tics += fmt::format("{}{} {}", i == 0 ? "" : ", ", name, n - i);
     for (std::size_t j = 0; j < n; ++j) {
@@ -279,7 +282,7 @@ PlotScript correlation_plot(const SceneFitRecord& record, bool terminal) {
     plastica::report::begin_terminal(script);
   } else {
     // Names as long as they may be need room at the left and, where they are turned, below.
-    script.begin_panels(1, {}, 2, n > 4 ? 90.0 : 20.0);
+    script.begin_panels(1, {}, turned ? 90.0 : 0.0);
     script.command("unset grid\nset tics scale 0");
     script.command(
         fmt::format("set palette defined (-1 '{}', 0 '#FFFFFF', 1 '{}')\n"
@@ -287,17 +290,17 @@ PlotScript correlation_plot(const SceneFitRecord& record, bool terminal) {
                     kBlue, kVermillion));
   }
   script.command(fmt::format("set xtics {}({})\nset ytics ({})",
-                             n > 4 && !terminal ? "rotate by 35 right " : "", x_tics, y_tics));
+                             turned ? "rotate by 35 right " : "", x_tics, y_tics));
   const double end = static_cast<double>(n) + 0.5;
   script.command(fmt::format("set xrange [0.5:{0}]\nset yrange [0.5:{0}]", end));
   script.command(labels);
-  const std::string title = plastica::report::in_quotes(cut(record.name + ": correlations", 70));
+  const std::string title = record.name + ": correlations";
   if (terminal) {
-    script.command("set title " + title + "\nplot NaN notitle");
+    script.command("set title " + plastica::report::in_quotes({title}, 70) + "\nplot NaN notitle");
     return script;
   }
-  script.begin_panel(title);
-  script.command("set lmargin at screen 0.25");
+  script.begin_panel({title});
+  script.command(narrow ? "set lmargin at screen 0.35" : "set lmargin at screen 0.25");
   script.add_unnamed(script.add_points(cells), "using 1:2:3 with image");
   script.end_panel();
   return script;

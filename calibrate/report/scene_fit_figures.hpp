@@ -31,11 +31,11 @@ Figure population_figure(std::span<const SceneFitRecord> records);
 
 /// The correlations of a fit's parameters as a map with their numbers; for a terminal the numbers.
 /// @throws InputError if it has none
-PlotScript correlation_plot(const SceneFitRecord& record, bool terminal);
+PlotScript correlation_plot(const SceneFitRecord& record, const Sheet& sheet);
 
 template <auto figure>
-PlotScript draw_one(const SceneFitRecord& record, bool terminal) {
-  return drawn(figure(record), terminal);
+PlotScript draw_one(const SceneFitRecord& record, const Sheet& sheet) {
+  return drawn(figure(record), sheet);
 }
 
 using SceneFitPicture = PictureKind<SceneFitRecord>;
@@ -45,11 +45,16 @@ inline constexpr std::array kSceneFitPictures{
     SceneFitPicture{
         .name = "fit",
         .doc = "one fit: curves of each target, bands of 95 %, the break (choose it with --case)",
-        .of_one = [](const SceneFitRecord& record,
-                     bool terminal) { return drawn(fit_figure(record, terminal), terminal); }},
+        .of_one =
+            [](const SceneFitRecord& record, const Sheet& sheet) {
+              return drawn(fit_figure(record, sheet.terminal), sheet);
+            }},
     SceneFitPicture{.name = "residuals",
                     .doc = "measured minus fitted of each target, and the noise (--case)",
                     .of_one = draw_one<residuals_figure>},
+    SceneFitPicture{.name = "quantiles",
+                    .doc = "residuals of each target against normal quantiles (--case)",
+                    .of_one = quantiles_picture<SceneFitRecord>},
     SceneFitPicture{.name = "starts",
                     .doc = "what the searches found, in rising order of their costs (--case)",
                     .of_one = draw_one<starts_figure>},
@@ -74,7 +79,7 @@ inline constexpr std::array kSceneFitPictures{
         .name = "population",
         .doc = "values and intervals of all fits, with mean and deviation of the specimens",
         .of_all = [](std::span<const SceneFitRecord> records,
-                     bool terminal) { return drawn(population_figure(records), terminal); }},
+                     const Sheet& sheet) { return drawn(population_figure(records), sheet); }},
 };
 
 }  // namespace plastica::calibrate::report

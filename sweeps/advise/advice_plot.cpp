@@ -101,11 +101,12 @@ std::string advice_plot_script(const Advice& advice, const AdviceOptions& option
 }
 
 void draw_advice(const Advice& advice, const AdviceOptions& options, const std::string& name,
-                 const std::string& output, std::ostream& standard_output,
-                 io::Overwrite overwrite) {
+                 const std::string& output, std::ostream& standard_output, io::Overwrite overwrite,
+                 std::optional<double> width) {
   report::check_picture_output(output);
   const Chart chart = chart_of(advice, options, name);
-  report::draw_picture(output == "-" ? chart_terminal(chart) : chart_page(chart), output,
+  const report::Sheet sheet = report::sheet_of(output, width);
+  report::draw_picture(sheet.terminal ? chart_terminal(chart) : chart_page(chart, sheet), output,
                        standard_output, overwrite);
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <iosfwd>
+#include <optional>
 #include <string>
 
 #include "plastica/io/output_file.hpp"
@@ -15,10 +16,13 @@ namespace plastica::sweeps {
 std::string advice_plot_script(const Advice& advice, const AdviceOptions& options,
                                const std::string& name);
 
-/// Draws and writes that picture. @param output  as for `report::draw_picture`
+/// Draws and writes that picture.
+/// @param output  as for `report::draw_picture`
+/// @param width   as for `report::sheet_of` [mm]
 /// @throws InputError as above; else as `report::draw_picture`
 void draw_advice(const Advice& advice, const AdviceOptions& options, const std::string& name,
                  const std::string& output, std::ostream& standard_output,
-                 io::Overwrite overwrite = io::Overwrite::Allowed);
+                 io::Overwrite overwrite = io::Overwrite::Allowed,
+                 std::optional<double> width = {});
 
 }  // namespace plastica::sweeps

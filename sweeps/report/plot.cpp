@@ -62,10 +62,10 @@ PlotScript make(const SweepRecord& record, const SweepPlotRequest& request) {
   if (!request.cases.empty()) {
     for (const std::size_t i : select_cases(record, request.cases)) cases.picked[i] = true;
   }
-  const bool terminal = request.output == "-";
-  if (kind.chart == nullptr) return terminal ? map_terminal(cases) : map_page(cases);
+  const report::Sheet sheet = report::sheet_of(request.output, request.width);
+  if (kind.chart == nullptr) return sheet.terminal ? map_terminal(cases) : map_page(cases, sheet);
   const Chart chart = kind.chart(cases);
-  return terminal ? chart_terminal(chart) : chart_page(chart);
+  return sheet.terminal ? chart_terminal(chart) : chart_page(chart, sheet);
 }
 
 }  // namespace

@@ -28,6 +28,7 @@ struct SweepPlotRequest {
   std::string cases = {};   ///< as for `select_cases`; empty: all
   std::string output = {};  ///< as for `report::draw_picture`
   io::Overwrite overwrite = io::Overwrite::Allowed;
+  std::optional<double> width = {};  ///< as for `report::sheet_of` [mm]
 };
 
 /// The picture as a gnuplot script with its data, without terminal and output.

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <limits>
 #include <map>
 #include <string_view>
 
@@ -18,9 +19,6 @@ using report::in_quotes;
 using report::PlotScript;
 
 constexpr std::string_view kLetters = "#ox+*%@&";
-/// Left of a panel, for "-0.00025" and the label.
-constexpr std::string_view kRoomForNumbers = "set lmargin at screen 0.115";
-constexpr std::size_t kTitleWidth = 90;
 constexpr std::size_t kTerminalWidth = 76;
 constexpr std::size_t kNameWidth = 60;
 constexpr double kTickRoom = 0.055;  ///< least distance of labels [fraction of the axis]
@@ -53,6 +51,13 @@ std::array<double, 2> range_around(double low, double high, bool logarithmic) {
   return {low - room, high + room};
 }
 
+/// As a fraction of the axis.
+double place_along(const ChartAxis& axis, double value) {
+  const auto [low, high] = axis.range;
+  return axis.logarithmic ? std::log(value / low) / std::log(high / low)
+                          : (value - low) / (high - low);
+}
+
 std::string style_of(const ChartLook& look) {
   const std::string color = fmt::format("linecolor rgb '{}'", look.color);
   const std::string dash = look.dashed ? " dashtype 2" : report::dash_type(look.dashes);
@@ -64,16 +69,6 @@ std::string style_of(const ChartLook& look) {
   }
   return fmt::format("using 1:2 with linespoints linewidth {}{} pointtype {} pointsize 0.8 {}",
                      look.width, dash, look.symbol, color);
-}
-
-std::vector<std::string> names_of(const Chart& chart) {
-  std::vector<std::string> names;
-  for (const auto* all : {&chart.series, &chart.entries}) {
-    for (const ChartSeries& series : *all) {
-      if (!series.name.empty()) names.push_back(report::cut(series.name, kNameWidth));
-    }
-  }
-  return names;
 }
 
 /// The part of a style from "with" on.
@@ -120,11 +115,7 @@ ChartAxis axis_at_values(std::string label, std::vector<double> values, bool log
   values.erase(std::unique(values.begin(), values.end()), values.end());
   ChartAxis axis{
       std::move(label), logarithmic, range_around(values.front(), values.back(), logarithmic), {}};
-  const auto place = [&](double value) {
-    const auto [low, high] = axis.range;
-    return logarithmic ? std::log(value / low) / std::log(high / low)
-                       : (value - low) / (high - low);
-  };
+  const auto place = [&](double value) { return place_along(axis, value); };
   for (const double value : values) {
     const std::string text = fmt::format("{:.5g}", value);
     if (!axis.ticks.empty()) {
@@ -159,7 +150,27 @@ std::string ramp_color(double fraction) {
   return color;
 }
 
-std::string axis_commands(const ChartAxis& axis, char letter) {
+namespace {
+
+/// Along x, those that have room side by side.
+std::vector<ChartTick> ticks_with_room(const ChartAxis& axis, double wide) {
+  constexpr double kLetter = 8.2;
+  constexpr double kGap = 8.0;
+  std::vector<ChartTick> kept;
+  double end = -std::numeric_limits<double>::infinity();
+  for (const ChartTick& tick : axis.ticks) {
+    const double half = 0.5 * kLetter * static_cast<double>(report::width_of(tick.text));
+    const double at = wide * place_along(axis, tick.at);
+    if (at - half < end + kGap) continue;
+    kept.push_back(tick);
+    end = at + half;
+  }
+  return kept;
+}
+
+}  // namespace
+
+std::string axis_commands(const ChartAxis& axis, char letter, double wide) {
   std::string text = fmt::format("set {}label {}\n", letter, in_quotes(axis.label));
   if (axis.logarithmic) text += fmt::format("set logscale {}\n", letter);
   if (axis.range[0] != axis.range[1]) {
@@ -167,34 +178,25 @@ std::string axis_commands(const ChartAxis& axis, char letter) {
   }
   if (axis.ticks.empty()) return text;
   std::string ticks;
-  for (const ChartTick& tick : axis.ticks) {
+  for (const ChartTick& tick : wide > 0.0 ? ticks_with_room(axis, wide) : axis.ticks) {
     ticks += fmt::format("{}{} {:.9g}", ticks.empty() ? "" : ", ", report::quoted_tic(tick.text),
                          tick.at);
   }
   return text + fmt::format("set {}tics ({})\n", letter, ticks);
 }
 
-double room_for_legend(const std::vector<std::string>& names) {
-  const std::size_t rows = report::legend_rows(names, 1);
-  return rows > 1 ? 20.0 * static_cast<double>(rows - 1) : 0.0;
-}
-
-PlotScript chart_page(const Chart& chart) {
-  PlotScript script;
-  script.begin_panels(1, {}, 2, room_for_legend(names_of(chart)));
-  if (const double room = room_for_legend(names_of(chart)); room > 60.0) {
-    script.set_plot_height(390.0);
-  }
-  script.command(axis_commands(chart.x, 'x') + axis_commands(chart.y, 'y'));
+PlotScript chart_page(const Chart& chart, const report::Sheet& sheet) {
+  PlotScript script(sheet);
+  script.begin_panels(1);
+  script.command(axis_commands(chart.x, 'x', script.panel_width()) + axis_commands(chart.y, 'y'));
   for (const double y : chart.guides) {
     script.command(fmt::format(
         "set arrow from graph 0, first {0:.9g} to graph 1, first {0:.9g} nohead back linewidth 1 "
         "dashtype 3 linecolor rgb '{1}'",
         y, report::kGrey));
   }
-  script.begin_panel(in_quotes(report::cut(chart.title, kTitleWidth)) + ".\"\\n\"." +
-                     in_quotes(report::cut(chart.subtitle, kTitleWidth)));
-  script.command(kRoomForNumbers);
+  script.set_y_label(chart.y.label);
+  script.begin_panel({chart.title, chart.subtitle});
   for (const ChartSeries& series : chart.series) {
     const std::string name = report::cut(series.name, kNameWidth);
     if (!series.points.empty()) {
@@ -227,8 +229,8 @@ PlotScript chart_terminal(const Chart& chart) {
       "samplen 3");
   script.terminal_rows = 25;
   script.command(axis_commands(chart.x, 'x') + axis_commands(chart.y, 'y') + "unset ylabel");
-  script.command("set title " + in_quotes(report::cut(chart.title, kTerminalWidth)) + ".\"\\n\"." +
-                 in_quotes(report::cut(chart.subtitle + ": " + chart.y.label, kTerminalWidth)));
+  script.command("set title " +
+                 in_quotes({chart.title, chart.subtitle + ": " + chart.y.label}, kTerminalWidth));
   std::string plot;
   std::map<std::string, char> letter_of;  // of a colour
   // Letters hide what is behind them: lines without symbols come last.

@@ -67,14 +67,13 @@ ChartLook chart_look(std::size_t number);
 /// The colour of a place on a scale. @param fraction  0 … 1
 std::string ramp_color(double fraction);
 
-report::PlotScript chart_page(const Chart& chart);
+report::PlotScript chart_page(const Chart& chart, const report::Sheet& sheet = {});
 /// The same as characters, a letter a series.
 report::PlotScript chart_terminal(const Chart& chart);
 
-/// The commands of an axis. @param letter  'x' or 'y'
-std::string axis_commands(const ChartAxis& axis, char letter);
-
-/// Room that a legend takes below a picture beyond a line [pixels of 900 in a row].
-double room_for_legend(const std::vector<std::string>& names);
+/// The commands of an axis. Labels that would meet are left out.
+/// @param letter  'x' or 'y'
+/// @param wide    of the panel [units of a page]; 0: every label is kept
+std::string axis_commands(const ChartAxis& axis, char letter, double wide = 0.0);
 
 }  // namespace plastica::sweeps

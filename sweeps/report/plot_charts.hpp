@@ -32,7 +32,7 @@ Chart curve_chart(const PlotCases& cases);
 
 /// The error, the value or the status over two axes of numbers, as coloured fields; a panel for
 /// each of the other axes' values. @throws InputError if these are too many
-report::PlotScript map_page(const PlotCases& cases);
+report::PlotScript map_page(const PlotCases& cases, const report::Sheet& sheet = {});
 report::PlotScript map_terminal(const PlotCases& cases);
 
 }  // namespace plastica::sweeps

@@ -18,7 +18,6 @@ using report::in_quotes;
 using report::PlotScript;
 
 constexpr std::size_t kMaxPanels = 9;
-constexpr std::size_t kMaxNumbers = 80;  ///< of fields whose numbers can be read
 constexpr double kLogarithmicMap = 3.0;  ///< ratio of values from which an axis is logarithmic
 
 /// What is drawn of a sweep: its axes and colours.
@@ -190,6 +189,18 @@ void add_numbers(PlotScript& script, const SweepRecord& record, const Map& map,
   }
 }
 
+/// @param wide  of the panel [units of a page]
+bool numbers_have_room(const Map& map, const std::vector<std::size_t>& members, const Edges& x,
+                       double wide) {
+  constexpr double kLetter = 6.0;  // of their size
+  std::size_t longest = 0;
+  for (const std::size_t i : members) {
+    longest = std::max(longest, report::width_of(map.colors.number[i]));
+  }
+  const double narrowest = wide / static_cast<double>(x.edges.size() - 1);
+  return kLetter * static_cast<double>(longest + 1) <= narrowest;
+}
+
 void add_fields(PlotScript& script, const SweepRecord& record, const Map& map,
                 const std::vector<std::size_t>& members, const Edges& x, const Edges& y) {
   for (std::size_t c = 0; c < map.colors.classes.size(); ++c) {
@@ -215,35 +226,33 @@ void add_fields(PlotScript& script, const SweepRecord& record, const Map& map,
 
 bool has_map(const SweepRecord& record) { return axes_of_map(record).size() == 2; }
 
-PlotScript map_page(const PlotCases& cases) {
+PlotScript map_page(const PlotCases& cases, const report::Sheet& sheet) {
   const SweepRecord& record = cases.record;
   const Map map = map_of(cases);
   const auto panels = panels_of(cases, map);
   const Edges x = edges_of(cases, map.x);
   const Edges y = edges_of(cases, map.y);
-  std::vector<std::string> names;
-  for (const CaseClass& one : map.colors.classes) names.push_back(one.name);
-  PlotScript script;
+  PlotScript script(sheet);
   const bool single = panels.size() == 1;
-  std::string title = report::cut(title_of(record, map), 90);
+  std::string title = title_of(record, map);
   const std::string limits = map.colors.of_errors ? error_limits(record) : std::string();
   if (!single && limits.starts_with("error of")) {
-    title = report::cut(report::printable(record.name) + ": " + limits, 90);
+    title = report::printable(record.name) + ": " + limits;
   }
-  script.begin_panels(panels.size(), single ? std::string() : title, single ? 2 : 1,
-                      room_for_legend(names));
+  script.begin_panels(panels.size(), single ? std::string() : title);
   script.command("unset grid");
   for (std::size_t p = 0; p < panels.size(); ++p) {
     ChartAxis x_axis = axis_of(record, map.x, x);
     ChartAxis y_axis = axis_of(record, map.y, y);
     if (!single && !script.at_left()) y_axis.label.clear();
     if (!single && !script.at_bottom()) x_axis.label.clear();
-    script.command(axis_commands(x_axis, 'x') + axis_commands(y_axis, 'y') + "unset label");
+    script.command(axis_commands(x_axis, 'x', script.panel_width()) + axis_commands(y_axis, 'y') +
+                   "unset label");
+    script.set_y_label(y_axis.label);
     const std::string name = panel_title(record, map, panels[p]);
     const std::string below = single && !limits.empty() ? limits : name;
-    script.begin_panel(single ? in_quotes(title) + ".\"\\n\"." + in_quotes(below)
-                              : in_quotes(name));
-    if (panels[p].size() * panels.size() <= kMaxNumbers) {
+    script.begin_panel(single ? std::vector{title, below} : std::vector{name});
+    if (numbers_have_room(map, panels[p], x, script.panel_width())) {
       add_numbers(script, record, map, panels[p]);
     }
     add_fields(script, record, map, panels[p], x, y);
@@ -278,9 +287,7 @@ PlotScript map_terminal(const PlotCases& cases) {
     std::string below = fmt::format("{}{}over {}", name, name.empty() ? "" : "; ", y_label);
     const std::string limits = map.colors.of_errors ? error_limits(record) : std::string();
     if (!limits.empty() && name.empty()) below = fmt::format("{}, over {}", limits, y_label);
-    script.command(fmt::format("set title {}.\"\\n\".{}",
-                               in_quotes(report::cut(title_of(record, map), 76)),
-                               in_quotes(report::cut(below, 76))));
+    script.command("set title " + in_quotes({title_of(record, map), below}, 76));
     std::string plot;
     for (std::size_t c = 0; c < map.colors.classes.size(); ++c) {
       Points points;

@@ -97,8 +97,7 @@ report::PlotScript pair_map(std::span<const StabilityRow> rows, const Setup& set
   const auto place = [](double value) { return std::log10(std::fabs(value)); };
   const auto label = [](const Field& field) {
     const std::string_view unit = si_unit(field.dimension);
-    return report::in_quotes("lg " + std::string(field.path) +
-                             (unit == "1" ? "" : " [" + std::string(unit) + "]"));
+    return "lg " + std::string(field.path) + (unit == "1" ? "" : " [" + std::string(unit) + "]");
   };
   std::array<std::vector<std::vector<double>>, 4> points;
   for (const StabilityRow& row : rows) {
@@ -106,10 +105,10 @@ report::PlotScript pair_map(std::span<const StabilityRow> rows, const Setup& set
         {place(row.at[0].value), place(row.at[1].value)});
   }
   report::PlotScript script;
-  script.begin_panels(1, "each point a run");
-  script.begin_panel(report::in_quotes(""));
-  script.command("set xlabel " + label(first));
-  script.command("set ylabel " + label(second));
+  script.begin_panels(1);
+  script.set_y_label(label(second));
+  script.begin_panel({"each point a run"});
+  script.command("set xlabel " + report::in_quotes(label(first)));
   script.command("set offsets graph 0.06, graph 0.06, graph 0.06, graph 0.06");
   for (std::size_t k = 0; k < points.size(); ++k) {
     if (points[k].empty()) continue;

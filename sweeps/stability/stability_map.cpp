@@ -87,7 +87,7 @@ void add_axis(const Axis& axis, std::span<const StabilityRow> rows, const Lines&
          lines.height[static_cast<std::size_t>(line - lines.scene.begin())]});
   }
   const std::string unit = axis.unit == "1" ? "" : " [" + std::string(axis.unit) + "]";
-  script.begin_panel(report::in_quotes(std::string(axis.name) + unit));
+  script.begin_panel({std::string(axis.name) + unit});
   const bool linear = axis.values.front() < 0.0 || axis.name == "scheme";
   script.command(linear ? "set format x '%g'" : "set format x '1e%g'");
   script.command("set xtics " + report::brief(linear ? 0.5 : tic_decades(axis)));
@@ -127,7 +127,7 @@ report::PlotScript stability_map(std::span<const StabilityRow> rows) {
     });
     if (any) scanned.push_back(&axis);
   }
-  script.begin_panels(scanned.size(), "each row a scene, (t) in motion; each point a run", 1);
+  script.begin_panels(scanned.size(), "each row a scene, (t) in motion; each point a run");
   for (const Axis* axis : scanned) add_axis(*axis, rows, lines, script);
   return script;
 }

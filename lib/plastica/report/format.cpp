@@ -124,6 +124,15 @@ std::size_t width_of(std::string_view text) {
       std::count_if(text.begin(), text.end(), [](char c) { return !continues(c); }));
 }
 
+double round_step(double range, int most) {
+  const double least = range / std::max(most, 2);
+  const double power = std::pow(10.0, std::floor(std::log10(least)));
+  for (const double factor : {1.0, 2.0, 5.0}) {
+    if (factor * power >= least * (1.0 - 1e-12)) return factor * power;
+  }
+  return 10.0 * power;
+}
+
 std::string wrapped(std::string_view first, std::string_view text, std::size_t width) {
   const std::size_t indent = width_of(first);
   const std::size_t room = width > indent + 20 ? width - indent : 20;

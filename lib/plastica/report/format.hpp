@@ -29,6 +29,9 @@ std::string brief(double value);
 std::string with_error(double value, double error);
 /// Decimals with which an error shows `digits` digits, and its value at most seven.
 int decimals_for(double value, double error, int digits = 2);
+/// The distance of labels along an axis: 1, 2 or 5 times a power of ten, at most `most` of which
+/// lie within `range`. @param range  > 0 @param most  taken for 2 if below
+double round_step(double range, int most);
 /// A number and its unit: "281.23 MPa", "0.2 %".
 std::string quantity(std::string_view number, std::string_view unit);
 /// "1 sample", "3 samples".

@@ -23,12 +23,19 @@ int terminal_columns() {
   return number > 0 ? std::clamp(number, 40, 80) - 1 : 79;
 }
 
+/// Letters of 14 units are of 8 points.
+constexpr double kMillimetres = 25.4 / 72.0 * 8.0 / 14.0;  ///< in a unit, on paper
+constexpr int kFont = 15;                                  ///< others are given beside it
+constexpr double kDotsOnPaper = 300.0;                     ///< of a PNG [1/inch]
+
+bool is_for_paper(const PlotScript& script) { return script.width() != kUsualWidth; }
+
 /// `set terminal` for an output; empty for a script.
 std::string terminal_of(const std::string& output, const PlotScript& script,
                         std::string_view option = "--output") {
-  const auto height = [&](double usual) {
-    return static_cast<int>(std::lround(usual * script.relative_height()));
-  };
+  const double wide = script.width();
+  const double high = script.height();
+  const bool paper = is_for_paper(script);
   if (output == "-") {
     return fmt::format("set terminal dumb noenhanced mono size {},{}\n", terminal_columns(),
                        script.terminal_rows);
@@ -37,21 +44,37 @@ std::string terminal_of(const std::string& output, const PlotScript& script,
   if (ending == ".gp") return {};
   if (ending == ".svg") {
     return fmt::format(
-        "set terminal svg noenhanced size 900,{} font 'Helvetica,Arial,sans-serif,14' "
+        "set terminal svg noenhanced size {:.0f},{:.0f} font 'Helvetica,Arial,sans-serif,14' "
         "background rgb 'white'\n",
-        height(560));
+        wide, high);
   }
   if (ending == ".png") {
+    const double dots = paper ? kDotsOnPaper * kMillimetres / 25.4 : 1.5;  // of a unit
+    // The terminal's points are of 96 dots an inch.
+    const double scale = paper ? 14.0 * dots * 72.0 / 96.0 / kFont : 1.0;
     return fmt::format(
-        "set terminal pngcairo noenhanced size 1350,{} font 'sans,15' "
-        "linewidth 1.5\n",
-        height(840));
+        "set terminal pngcairo noenhanced size {:.0f},{:.0f} font 'sans,{}' fontscale {:.4g} "
+        "linewidth {:.3g} pointscale {:.3g}\n",
+        dots * wide, dots * high, kFont, scale, dots, paper ? dots / 1.5 : 1.0);
   }
   if (ending == ".pdf") {
-    return fmt::format("set terminal pdfcairo noenhanced size 18cm,{}cm font 'sans,11'\n",
-                       0.01 * height(1120));
+    const double unit = paper ? 0.1 * kMillimetres : 0.02;  // [cm]
+    return fmt::format(
+        "set terminal pdfcairo noenhanced size {:.6g}cm,{:.6g}cm font 'sans,{}' fontscale {:.4g}\n",
+        unit * wide, unit * high, paper ? kFont : 11, paper ? 8.0 / kFont : 0.5);
   }
   throw InputError({}, option, output, "must end in .svg, .png, .pdf or .gp, or be -");
+}
+
+/// gnuplot gives the size of an SVG in pixels.
+void set_size_on_paper(const PlotScript& script, std::string& picture) {
+  const std::string size =
+      fmt::format("width=\"{:.0f}\" height=\"{:.0f}\"", script.width(), script.height());
+  const std::size_t at = picture.find(size);
+  if (at == picture.npos || !picture.starts_with("<?xml")) return;
+  picture.replace(at, size.size(),
+                  fmt::format("width=\"{:.2f}mm\" height=\"{:.2f}mm\"",
+                              script.width() * kMillimetres, script.height() * kMillimetres));
 }
 
 /// A picture of characters without the blanks at the ends of its lines and its empty lines at
@@ -70,8 +93,15 @@ std::string without_blank_ends(std::string_view picture) {
 
 }  // namespace
 
+Sheet sheet_of(const std::string& output, std::optional<double> width) {
+  Sheet sheet;
+  sheet.terminal = output == "-";
+  if (width) sheet.width = *width / kMillimetres;
+  return sheet;
+}
+
 void check_picture_output(const std::string& output, std::string_view option) {
-  terminal_of(output, {}, option);
+  terminal_of(output, PlotScript(), option);
 }
 
 void draw_picture(const PlotScript& script, const std::string& output,
@@ -85,7 +115,8 @@ void draw_picture(const PlotScript& script, const std::string& output,
         overwrite);
     return;
   }
-  const std::string picture = io::run_gnuplot(terminal + script.text());
+  std::string picture = io::run_gnuplot(terminal + script.text());
+  if (is_for_paper(script)) set_size_on_paper(script, picture);
   if (output == "-") {
     standard_output << without_blank_ends(picture);
     if (!standard_output.flush()) throw io::StorageError("standard output", "cannot be written");

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <iosfwd>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -11,6 +12,11 @@ namespace plastica::report {
 
 /// Refuses an output of no kind before any work is done. @throws InputError that names the option
 void check_picture_output(const std::string& output, std::string_view option = "--output");
+
+/// What a picture is drawn on.
+/// @param output  as for `draw_picture`
+/// @param width   of the page, whose letters are of 8 points then [mm]; none: one for screens
+Sheet sheet_of(const std::string& output, std::optional<double> width);
 
 /// Draws and writes a picture; a file is replaced as a whole or left alone.
 /// @param output  a path that ends in .svg, .png, .pdf, or .gp for the script with its data; "-"

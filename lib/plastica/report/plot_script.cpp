@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <iterator>
+#include <sstream>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -11,13 +13,27 @@
 namespace plastica::report {
 namespace {
 
-/// In pixels of a picture 900 wide.
+/// Height of a picture of one panel, 900 wide.
 constexpr double kHeight = 560.0;
-/// Below the panels: labels and the legend.
+/// Below the panels: labels and a legend of one row.
 constexpr double kBottom = 106.0;
 /// Left of a panel: numbers of five letters and the label, which gnuplot leaves out, without a
 /// word, where it has no room.
-constexpr double kLeft = 98.0;
+constexpr double kLeft = 104.0;
+constexpr double kRight = 22.0;
+/// gnuplot's number of the label of y.
+constexpr int kLabelTag = 899;
+/// Between panels side by side, and one above the other.
+constexpr double kBetween = 84.0;
+constexpr double kAbove = 92.0;
+/// Of a row of panels among others.
+constexpr double kRow = 264.0;
+/// A panel side by side with others is at least so wide.
+constexpr double kNarrowest = 180.0;
+constexpr double kLine = 20.0;  ///< of a title
+constexpr double kLegendLine = 19.0;
+/// Of a letter of fonts that are wide.
+constexpr double kLetter = 8.2;
 
 void put_rows(std::string& block, const std::vector<std::vector<double>>& rows) {
   for (const std::vector<double>& row : rows) {
@@ -26,16 +42,27 @@ void put_rows(std::string& block, const std::vector<std::vector<double>>& rows) 
   }
 }
 
+/// @param letters  in a line
+std::vector<std::string> lines_of(const std::string& text, std::size_t letters) {
+  if (width_of(text) <= letters) return {text};
+  std::vector<std::string> lines;
+  std::istringstream all(wrapped("", text, letters));
+  for (std::string line; std::getline(all, line);) lines.push_back(line);
+  return lines;
+}
+
+std::size_t letters_in(double width) { return static_cast<std::size_t>(width / kLetter); }
+
 }  // namespace
 
-PlotScript::PlotScript() {
-  commands_ =
+PlotScript::PlotScript(const Sheet& sheet) : width_(sheet.width) {
+  command(
       "set encoding utf8\n"
       "set termoption noenhanced\n"
       "set border 3 linewidth 0.8 linecolor rgb '#333333'\n"
       "set tics nomirror out scale 0.6 textcolor rgb '#333333'\n"
       "set grid ytics linecolor rgb '#E4E4E4' linewidth 0.6 linetype 1\n"
-      "set errorbars 0\n";
+      "set errorbars 0");
 }
 
 std::string PlotScript::next_name() { return fmt::format("$data{}", ++count_); }
@@ -55,47 +82,123 @@ std::string PlotScript::add_lists(const std::vector<std::vector<std::vector<doub
   return name;
 }
 
-void PlotScript::command(std::string_view line) { commands_.append(line).append("\n"); }
+void PlotScript::command(std::string_view line) { pieces_.back().append(line).append("\n"); }
 
-void PlotScript::begin_panels(std::size_t count, std::string_view title, int head, double below) {
+void PlotScript::begin_panels(std::size_t count, std::string_view title, double below) {
   below_ = below;
   count_of_panels_ = count;
-  columns_ = count <= 3 ? count : (count == 4 ? 2 : 3);
-  const std::size_t rows = (count + columns_ - 1) / columns_;
-  relative_height_ = count == 1 ? 1.0 : 0.3 + 0.45 * static_cast<double>(rows);
-  head_ = 26.0 + 20.0 * head + (title.empty() ? 0.0 : 26.0);
+  const std::size_t usual = count <= 3 ? count : (count == 4 ? 2 : 3);
+  const double room = (width_ - kLeft - kRight + kBetween) / (kNarrowest + kBetween);
+  columns_ = std::clamp<std::size_t>(static_cast<std::size_t>(room), 1, usual);
+  title_ = title;
   command(
       "set key at screen 0.5, screen 0.015 center bottom horizontal reverse Left samplen 2 "
-      "width 1 textcolor rgb '#333333'");
-  if (count > 1) {
-    command("set multiplot" + (title.empty() ? std::string() : " title " + in_quotes(title)));
-  }
+      "width 1 textcolor rgb '#333333'\n"
+      // Both stand far off.
+      "set xlabel offset 0,0.3\nset title offset 0,-0.5");
+  if (count == 1) return;
+  title_piece_ = pieces_.size();
+  pieces_.insert(pieces_.end(), 2, "");
 }
 
-void PlotScript::set_plot_height(double pixels) {
-  relative_height_ = (pixels + head_ + kBottom + below_) / kHeight;
-}
-
-void PlotScript::begin_panel(std::string_view title) {
-  // In pixels of a picture 900 wide: room for labels, titles and the legend.
-  const double height = kHeight * relative_height_;
-  const double bottom = kBottom + below_;
-  const double between = 84.0;
-  const double above = 78.0 + below_;
-  const auto columns = static_cast<double>(columns_);
-  const std::size_t count_of_rows = (count_of_panels_ + columns_ - 1) / columns_;
-  const auto rows = static_cast<double>(count_of_rows);
-  const std::size_t row = panel_ / columns_;
-  const double wide = (900.0 - 22.0 - kLeft - between * (columns - 1.0)) / columns;
-  const double high = (height - head_ - bottom - above * (rows - 1.0)) / rows;
-  const double x = kLeft + static_cast<double>(panel_ % columns_) * (wide + between);
-  const double y = height - head_ - static_cast<double>(row) * (high + above);
-  command(
-      fmt::format("set lmargin at screen {:.4f}\nset rmargin at screen {:.4f}\n"
-                  "set tmargin at screen {:.4f}\nset bmargin at screen {:.4f}",
-                  x / 900.0, (x + wide) / 900.0, y / height, (y - high) / height));
-  command("set title " + std::string(title) + " textcolor rgb '#333333'");
+void PlotScript::begin_panel(std::vector<std::string> title) {
+  panels_.push_back({pieces_.size(), std::move(title), y_label_});
+  pieces_.insert(pieces_.end(), 2, "");
   plot_.clear();
+}
+
+double PlotScript::panel_width() const {
+  const auto columns = static_cast<double>(columns_);
+  return (width_ - kRight - kLeft - kBetween * (columns - 1.0)) / columns;
+}
+
+std::size_t PlotScript::title_letters() const {
+  // Titles stand above the middle of their panels.
+  const double wide = columns_ == 1 ? width_ - (kLeft - kRight) : panel_width() + kBetween;
+  return letters_in(wide);
+}
+
+std::vector<std::string> PlotScript::wrapped_title(const Panel& panel) const {
+  std::vector<std::string> lines;
+  for (const std::string& line : panel.title) {
+    if (line.empty()) continue;
+    if (count_of_panels_ > 1) {
+      lines.push_back(cut(line, title_letters()));
+    } else {
+      for (std::string& part : lines_of(line, title_letters())) lines.push_back(std::move(part));
+    }
+  }
+  return lines;
+}
+
+double PlotScript::room_of_titles() const {
+  std::size_t lines = 1;
+  for (const Panel& panel : panels_) lines = std::max(lines, wrapped_title(panel).size());
+  const std::size_t above =
+      title_.empty() || count_of_panels_ == 1 ? 0 : lines_of(title_, letters_in(width_)).size();
+  return 26.0 + kLine * static_cast<double>(lines) +
+         (above > 0 ? 6.0 + kLine * static_cast<double>(above) : 0.0);
+}
+
+/// Beyond one row. gnuplot's columns are 187, 245 and 295 units apart for names of 13, 19 and 22
+/// letters; the legend of one panel is as wide as its plot.
+double PlotScript::room_of_legend() const {
+  std::size_t longest = 0;
+  for (const std::string& name : names_) longest = std::max(longest, width_of(name));
+  const double wide = count_of_panels_ == 1 ? panel_width() : 0.96 * width_;
+  const auto across = static_cast<std::size_t>(wide) / (65 + 10 * longest);
+  const std::size_t columns = std::max<std::size_t>(1, across);
+  const std::size_t rows = (names_.size() + columns - 1) / columns;
+  return kLegendLine * static_cast<double>(std::max<std::size_t>(rows, 1) - 1);
+}
+
+double PlotScript::height() const {
+  const double frame = room_of_titles() + kBottom + below_ + room_of_legend();
+  const bool usual = width_ >= kUsualWidth;
+  if (count_of_panels_ > 1) {
+    const double panels = kRow * static_cast<double>(rows());
+    return usual ? 0.3 * kHeight + panels : frame - kAbove + panels;
+  }
+  if (plot_height_ > 0.0) return frame + plot_height_;
+  // A tall legend must not take the plot's room.
+  if (usual) return room_of_legend() > 60.0 ? frame + 390.0 : kHeight;
+  return frame + (width_ < 600.0 ? 0.72 : 0.5) * panel_width();
+}
+
+std::string PlotScript::place_of(std::size_t panel) const {
+  const double all = height();
+  const double above = kAbove + below_;
+  const auto count = static_cast<double>(rows());
+  const double bottom = kBottom + below_ + room_of_legend();
+  const double head = room_of_titles();
+  const double wide = panel_width();
+  const double high = (all - head - bottom - above * (count - 1.0)) / count;
+  const double x = kLeft + static_cast<double>(panel % columns_) * (wide + kBetween);
+  const double y = all - head - static_cast<double>(panel / columns_) * (high + above);
+  const double room_left = panel % columns_ == 0 ? kLeft : kBetween;
+  return fmt::format(
+      "set lmargin at screen {:.4f}\nset rmargin at screen {:.4f}\n"
+      "set tmargin at screen {:.4f}\nset bmargin at screen {:.4f}\n"
+      "set title {} textcolor rgb '#333333'\n"
+      "set ylabel ''\nset label {} {} at screen {:.4f}, graph 0.5 center rotate by 90\n",
+      x / width_, (x + wide) / width_, y / all, (y - high) / all,
+      in_quotes(wrapped_title(panels_[panel]), title_letters()), kLabelTag,
+      in_quotes(panels_[panel].y_label), (x - room_left + kLetter) / width_);
+}
+
+std::string PlotScript::overall_title() const {
+  if (title_.empty()) return "set multiplot\n";
+  const std::size_t letters = letters_in(width_);
+  return "set multiplot title " + in_quotes(lines_of(title_, letters), letters) + "\n";
+}
+
+std::string PlotScript::text() const {
+  std::vector<std::string> pieces = pieces_;
+  if (title_piece_ > 0) pieces[title_piece_] = overall_title();
+  for (std::size_t k = 0; k < panels_.size(); ++k) pieces[panels_[k].piece] = place_of(k);
+  std::string text = blocks_;
+  for (const std::string& piece : pieces) text += piece;
+  return text;
 }
 
 void PlotScript::add_series(std::string_view block, std::string_view style, std::string_view name) {
@@ -113,7 +216,8 @@ void PlotScript::add_series(std::string_view block, std::string_view style, std:
 void PlotScript::add_entry(std::string_view style, std::string_view name) {
   if (std::ranges::find(names_, name) != names_.end()) return;
   names_.emplace_back(name);
-  legend_ += fmt::format(", \\\n     keyentry {} title {}", style, in_quotes(name));
+  const std::string shown = cut(name, letters_in(width_ - 60.0));
+  legend_ += fmt::format(", \\\n     keyentry {} title {}", style, in_quotes(shown));
 }
 
 void PlotScript::add_unnamed(std::string_view block, std::string_view style) {
@@ -126,25 +230,16 @@ void PlotScript::end_panel() {
   } else {
     command(plot_.empty() ? "plot NaN notitle" : plot_);
   }
-  ++panel_;
-  if (panel_ < count_of_panels_ || count_of_panels_ == 1) return;
+  ++ended_;
+  if (ended_ < count_of_panels_ || count_of_panels_ == 1) return;
   // A legend is as wide as its plot: that of all panels belongs to an empty plot of full width.
   command(
       "set lmargin at screen 0.02\nset rmargin at screen 0.98\nunset border\nunset tics\nunset "
       "xzeroaxis\n"
-      "unset grid\nunset logscale\nunset title\nunset xlabel\nunset ylabel\nset xrange [0:1]\nset "
+      "unset grid\nunset logscale\nunset title\nunset xlabel\nunset label\nset xrange [0:1]\nset "
       "yrange [0:1]\n"
       "set offsets 0, 0, 0, 0");
   command("plot NaN notitle" + legend_ + "\nunset multiplot");
-}
-
-std::size_t legend_rows(const std::vector<std::string>& names, std::size_t panels) {
-  std::size_t longest = 0;
-  for (const std::string& name : names) longest = std::max(longest, width_of(name));
-  // Columns are 187, 245 and 295 pixels apart for names of 13, 19 and 22 letters.
-  const std::size_t wide = panels == 1 ? 780 : 864;
-  const std::size_t columns = std::max<std::size_t>(1, wide / (65 + 10 * longest));
-  return (names.size() + columns - 1) / columns;
 }
 
 std::string in_quotes(std::string_view text) {
@@ -154,6 +249,14 @@ std::string in_quotes(std::string_view text) {
     line.insert(at + 2, " ");
   }
   return io::gnuplot_string(line);
+}
+
+std::string in_quotes(const std::vector<std::string>& lines, std::size_t letters) {
+  std::string text;
+  for (const std::string& line : lines) {
+    text += (text.empty() ? "" : ".\"\\n\".") + in_quotes(cut(line, letters));
+  }
+  return text.empty() ? in_quotes("") : text;
 }
 
 std::string quoted_tic(std::string_view text) {

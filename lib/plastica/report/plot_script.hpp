@@ -14,10 +14,21 @@ inline constexpr std::string_view kVermillion = "#D55E00";
 inline constexpr std::string_view kDark = "#333333";
 inline constexpr std::string_view kGrey = "#8C8C8C";
 
-/// A script with its data blocks; commands are added as text, texts of users by `quoted`.
+/// Width of a page where none is asked for [units].
+inline constexpr double kUsualWidth = 900.0;
+
+/// What a picture is drawn on.
+struct Sheet {
+  bool terminal = false;       ///< characters in place of a page
+  double width = kUsualWidth;  ///< of a page, in units: its letters are 14 units high
+};
+
+/// A script with its data blocks; commands are added as text, texts of users by `quoted`. Panels
+/// are laid out once all is known that takes room: titles are wrapped, names in the legend are cut
+/// to the width. Lengths are in the units of `Sheet`.
 class PlotScript {
  public:
-  PlotScript();
+  explicit PlotScript(const Sheet& sheet = {});
 
   /// Adds a block of points. @return its name, "$data3"
   std::string add_points(const std::vector<std::vector<double>>& rows);
@@ -26,17 +37,17 @@ class PlotScript {
   std::string add_lists(const std::vector<std::vector<std::vector<double>>>& lists);
   void command(std::string_view line);
 
-  /// Lays out equal panels with one legend below all of them; the first call of a picture.
+  /// Equal panels with one legend below all of them; the first call of a picture of a page.
   /// @param title  above all panels; may be empty
-  /// @param head   lines that the title of a panel takes
-  /// @param below  room for labels below a panel beyond the usual [pixels of 900 in a row]
-  void begin_panels(std::size_t count, std::string_view title = {}, int head = 1,
-                    double below = 0.0);
-  /// Makes the one panel of a picture so high; before `begin_panel`. [pixels of 900 in a row]
-  void set_plot_height(double pixels);
-  /// What the next panel shows.
-  /// @param title  of the panel, as a gnuplot string expression
-  void begin_panel(std::string_view title);
+  /// @param below  room for labels below a panel beyond the usual
+  void begin_panels(std::size_t count, std::string_view title = {}, double below = 0.0);
+  /// Makes the one panel of a picture so high; before `begin_panel`.
+  void set_plot_height(double height) { plot_height_ = height; }
+  /// Of the panels from here on, at the left edge of the room for it: where gnuplot puts it depends
+  /// on the output, and what leaves the picture is dropped without a word.
+  void set_y_label(std::string_view label) { y_label_ = label; }
+  /// What the next panel shows. @param title  its lines, as users wrote them
+  void begin_panel(std::vector<std::string> title);
   /// Adds a series to the panel.
   /// @param block  its data: a name that `add_…` gave
   /// @param style  "using 1:2 with lines …"
@@ -49,40 +60,59 @@ class PlotScript {
   /// Draws the panel.
   void end_panel();
 
-  /// Whether the next panel stands at the left edge, and at the lower end of its column.
-  bool at_left() const { return panel_ % columns_ == 0; }
-  bool at_bottom() const { return panel_ + columns_ >= count_of_panels_; }
+  /// Whether the panel that is drawn, or is next, stands at the left edge, and at the lower end of
+  /// its column.
+  bool at_left() const { return ended_ % columns_ == 0; }
+  bool at_bottom() const { return ended_ + columns_ >= count_of_panels_; }
 
   /// Lines of a picture of characters.
   int terminal_rows = 23;
 
-  /// The picture's height relative to the usual 900 x 560.
-  double relative_height() const { return relative_height_; }
-  std::string text() const { return blocks_ + commands_; }
+  double width() const { return width_; }
+  double height() const;
+  /// Width of the panel's frame.
+  double panel_width() const;
+  /// Letters that have room above the panel, in a line.
+  std::size_t title_letters() const;
+  std::string text() const;
 
  private:
-  std::string next_name();
+  struct Panel {
+    std::size_t piece = 0;  ///< that says where it is, of `pieces_`
+    std::vector<std::string> title;
+    std::string y_label;
+  };
 
+  std::string next_name();
+  std::size_t rows() const { return (count_of_panels_ + columns_ - 1) / columns_; }
+  std::vector<std::string> wrapped_title(const Panel& panel) const;
+  double room_of_titles() const;
+  double room_of_legend() const;
+  std::string place_of(std::size_t panel) const;
+  std::string overall_title() const;
+
+  double width_;
   std::string blocks_;
-  std::string commands_;
+  std::vector<std::string> pieces_{""};  ///< commands, and empty ones that the layout fills
   int count_ = 0;
-  double relative_height_ = 1.0;
   std::size_t count_of_panels_ = 1;
   std::size_t columns_ = 1;
   double below_ = 0.0;
-  double head_ = 0.0;      ///< room above the panels, in pixels of a picture 900 wide
-  std::size_t panel_ = 0;  ///< the one being drawn, or next
-  std::string plot_;       ///< its series
+  double plot_height_ = 0.0;  ///< 0: the usual one
+  std::string title_;
+  std::string y_label_;
+  std::size_t title_piece_ = 0;
+  std::vector<Panel> panels_;
+  std::size_t ended_ = 0;  ///< of them
+  std::string plot_;       ///< series of the panel that is being drawn
   std::vector<std::string> names_;
   std::string legend_;
 };
 
-/// Rows that gnuplot makes of a legend below a picture 900 wide.
-/// @param panels  of the picture: the legend of one is as wide as its plot
-std::size_t legend_rows(const std::vector<std::string>& names, std::size_t panels);
-
 /// A user's text as a gnuplot string: printable, in quotes.
 std::string in_quotes(std::string_view text);
+/// Lines of a title, as a gnuplot string expression; longer ones are cut. @param letters  in a line
+std::string in_quotes(const std::vector<std::string>& lines, std::size_t letters);
 /// The same for a label of an axis, in which gnuplot would read % as a format.
 std::string quoted_tic(std::string_view text);
 

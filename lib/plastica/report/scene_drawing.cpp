@@ -279,13 +279,16 @@ void BeamPicture::put(PlotScript& script, bool lines_between, double head) const
   script.add_entry("with lines " + style, "force");
 }
 
-void add_color_bar(PlotScript& script, double strain) {
+void add_color_bar(PlotScript& script, double strain, double height) {
+  constexpr double kPart = 0.7;  // of the height
   script.command(strain_palette());
   script.command(fmt::format("set cbrange [0:{:.5g}]", 100.0 * strain));
-  script.command("set cbtics");
+  script.command(fmt::format("set cbtics {:.3g}",
+                             round_step(100.0 * strain, static_cast<int>(kPart * height / 24.0))));
   script.command("set cblabel 'plastic strain [%]' textcolor rgb '#333333'");
-  script.command(
-      "set colorbox user origin graph 0.9, graph 0.15 size graph 0.02, graph 0.7 noborder");
+  script.command(fmt::format(
+      "set colorbox user origin graph {:.4f}, graph 0.15 size graph {:.4f}, graph {} noborder",
+      1.0 - 92.0 / script.panel_width(), 16.0 / script.panel_width(), kPart));
 }
 
 void add_orientation(PlotScript& script, const Eye& eye, double meters_per_pixel, double height) {
@@ -302,7 +305,7 @@ void add_orientation(PlotScript& script, const Eye& eye, double meters_per_pixel
       "screen 0.005,90 linewidth 1.2 linecolor rgb '#333333'\n"
       "set label 901 '{2:.4g} m' at graph {3:.4f}, graph {1:.4f} offset 0,0.7 center textcolor rgb "
       "'#333333'",
-      0.99 - pixels / kPlotWidth, foot, bar, 0.99 - 0.5 * pixels / kPlotWidth));
+      0.99 - pixels / script.panel_width(), foot, bar, 0.99 - 0.5 * pixels / script.panel_width()));
   constexpr std::array<std::string_view, 3> kNames{"x", "y", "z"};
   for (std::size_t axis = 0; axis < 3; ++axis) {
     Point3 unit{};

@@ -11,8 +11,7 @@
 /// What the pictures of a beam's shape have in common; not installed.
 namespace plastica::report {
 
-inline constexpr double kPlotWidth = 800.0;  ///< of a picture 900 wide [pixels]
-inline constexpr double kBarWidth = 110.0;   ///< room for the bar of colours [pixels]
+inline constexpr double kBarWidth = 110.0;  ///< room for the bar of colours [units of a page]
 /// A plastic strain below this is what rounding leaves of an elastic one.
 inline constexpr double kNoStrain = 1e-12;
 
@@ -93,7 +92,8 @@ class BeamPicture {
 };
 
 /// Switches the bar of colours on. @param strain  of its upper end [1]
-void add_color_bar(PlotScript& script, double strain);
+/// @param height  of the panel [units of a page]
+void add_color_bar(PlotScript& script, double strain, double height);
 
 /// Draws a scale and the world's axes in place of labelled axes, at the lower edge.
 /// @param height  of the plot [pixels]

@@ -18,17 +18,6 @@ constexpr std::string_view kLetters = "#ox+*%@&";
 constexpr std::string_view kMarkStyle =
     "linewidth 1 dashtype 3 linecolor rgb '#333333'";  ///< of upright lines
 
-/// Names of all curves, each once.
-std::vector<std::string> names_in_legend(const Figure& figure) {
-  std::vector<std::string> names;
-  for (const FigurePanel& panel : figure.panels) {
-    for (const FigureCurve& curve : panel.curves) {
-      if (std::ranges::find(names, curve.name) == names.end()) names.push_back(curve.name);
-    }
-  }
-  return names;
-}
-
 std::string style_of(const FigureCurve& curve) {
   const std::string color = fmt::format("linecolor rgb '{}'", curve.color);
   switch (curve.stroke) {
@@ -79,16 +68,45 @@ std::string decades_of(const std::array<double, 2>& range) {
   return "set logscale y\nset ytics (" + tics + ")\n";
 }
 
-/// Numbers that differ in their last digits only are long: three or four of them along an axis.
-std::string tics_of(const std::array<double, 2>& range) {
+/// Numbers that differ in their last digits only are long, and so are all of a narrow panel: as
+/// many as have room. @param panel  its width [units of a page]
+std::string tics_of(const std::array<double, 2>& range, double panel) {
+  constexpr double kNarrow = 320.0;
   const double wide = range[1] - range[0];
-  if (!(wide > 0.0) || wide > 0.05 * std::max(std::fabs(range[0]), std::fabs(range[1]))) {
-    return "set xtics autofreq\n";
+  const double largest = std::max(std::fabs(range[0]), std::fabs(range[1]));
+  if (!(wide > 0.0) || (wide > 0.05 * largest && panel > kNarrow)) return "set xtics autofreq\n";
+  for (int most = 6; most > 2; --most) {
+    const double step = round_step(wide, most);
+    std::size_t letters = 0;
+    for (double at = std::ceil(range[0] / step) * step; at <= range[1]; at += step) {
+      letters = std::max(letters, fmt::format("{:.6g}", at).size());
+    }
+    if (10.0 * static_cast<double>(letters + 1) * wide / step > panel) continue;
+    return fmt::format("set xtics {:.7g}\n", step);
   }
-  const double power = std::pow(10.0, std::floor(std::log10(wide / 3.0)));
-  const double fraction = wide / (3.0 * power);
-  const double step = power * (fraction < 2.0 ? 1.0 : fraction < 5.0 ? 2.0 : 5.0);
-  return fmt::format("set xtics {:.7g}\n", wide / step > 4.5 ? 2.0 * step : step);
+  return fmt::format("set xtics {:.7g}\n", round_step(wide, 2));
+}
+
+/// Those that do not lie over one before them; the strongest come first.
+std::vector<FigureNote> notes_with_room(const FigurePanel& panel, double wide, double high) {
+  constexpr double kLetter = 8.2;
+  constexpr double kLine = 18.0;
+  const auto place = [](double at, const std::array<double, 2>& range, bool logarithmic) {
+    return logarithmic ? std::log(at / range[0]) / std::log(range[1] / range[0])
+                       : (at - range[0]) / (range[1] - range[0]);
+  };
+  std::vector<FigureNote> kept;
+  for (const FigureNote& note : panel.notes) {
+    const bool covered = std::ranges::any_of(kept, [&](const FigureNote& other) {
+      const double x = place(note.x, panel.x_range, false) - place(other.x, panel.x_range, false);
+      const double y = place(note.y, panel.y_range, panel.logarithmic) -
+                       place(other.y, panel.y_range, panel.logarithmic);
+      const auto letters = static_cast<double>(width_of(note.text) + width_of(other.text));
+      return std::fabs(x) * wide < 0.5 * kLetter * letters && std::fabs(y) * high < kLine;
+    });
+    if (!covered) kept.push_back(note);
+  }
+  return kept;
 }
 
 /// Names of users along an axis, slanted; of so many that they would meet, every second, third, …
@@ -113,7 +131,7 @@ double name_room(const Figure& figure) {
 }
 
 /// Ranges, scale, upright lines and texts of a panel.
-std::string frame_of(const FigurePanel& panel) {
+std::string frame_of(const FigurePanel& panel, const PlotScript& script) {
   std::string text = "unset arrow\nunset label\nunset logscale\n";
   if (panel.logarithmic) text += decades_of(panel.y_range);
   const auto range = [&](char axis, const std::array<double, 2>& ends) {
@@ -121,13 +139,15 @@ std::string frame_of(const FigurePanel& panel) {
     text += fmt::format("set {}range [{:.7g}:{:.7g}]\n", axis, ends[0], ends[1]);
   };
   range('x', panel.x_range);
-  text += panel.x_names.empty() ? tics_of(panel.x_range) : named_tics(panel.x_names);
+  text += panel.x_names.empty() ? tics_of(panel.x_range, script.panel_width())
+                                : named_tics(panel.x_names);
   range('y', panel.y_range);
   for (const double x : panel.marks) {
     text += fmt::format("set arrow from {0:.7g}, graph 0 to {0:.7g}, graph 1 nohead front {1}\n", x,
                         kMarkStyle);
   }
-  for (const FigureNote& note : panel.notes) {
+  for (const FigureNote& note :
+       notes_with_room(panel, script.panel_width(), 0.6 * script.height())) {
     text += fmt::format("set label {} at {:.7g}, {:.7g} offset 0,0.8 center textcolor rgb '{}'\n",
                         in_quotes(note.text), note.x, note.y, kDark);
   }
@@ -173,21 +193,18 @@ std::vector<std::vector<double>> thinned(const std::vector<std::vector<double>>&
   return kept;
 }
 
-PlotScript figure_page(const Figure& figure) {
-  PlotScript script;
+PlotScript figure_page(const Figure& figure, const Sheet& sheet) {
+  PlotScript script(sheet);
   const bool single = figure.panels.size() == 1;
-  const auto lines =
-      static_cast<double>(legend_rows(names_in_legend(figure), figure.panels.size()));
-  script.begin_panels(figure.panels.size(), single ? std::string() : figure.title, single ? 2 : 1,
-                      20.0 * std::max(0.0, lines - 1.0) + name_room(figure));
+  script.begin_panels(figure.panels.size(), single ? std::string() : figure.title,
+                      name_room(figure));
   script.command("set xzeroaxis linecolor rgb '#B8B8B8' linetype 1 linewidth 0.8");
   for (const FigurePanel& panel : figure.panels) {
     script.command("set xlabel " + in_quotes(panel.x_label));
-    script.command("set ylabel " + in_quotes(panel.y_label));
+    script.set_y_label(panel.y_label);
     script.command("set autoscale xfix\n" + offsets_of(panel));
-    script.command(frame_of(panel));
-    script.begin_panel(single ? in_quotes(figure.title) + ".\"\\n\"." + in_quotes(panel.title)
-                              : in_quotes(panel.title));
+    script.command(frame_of(panel, script));
+    script.begin_panel(single ? std::vector{figure.title, panel.title} : std::vector{panel.title});
     for (const FigureCurve& curve : panel.curves) {
       script.add_series(script.add_points(thinned(curve.points)), style_of(curve), curve.name);
     }
@@ -197,6 +214,10 @@ PlotScript figure_page(const Figure& figure) {
     script.end_panel();
   }
   return script;
+}
+
+PlotScript drawn(const Figure& figure, const Sheet& sheet) {
+  return sheet.terminal ? figure_terminal(figure) : figure_page(figure, sheet);
 }
 
 void begin_terminal(PlotScript& script) {
@@ -245,8 +266,7 @@ PlotScript figure_terminal(const Figure& figure) {
     }
     const std::string title =
         panel.y_label.empty() ? panel.title : panel.title + ": " + panel.y_label;
-    script.command("set title " + in_quotes(cut(figure.title, kTitleWidth)) + ".\"\\n\"." +
-                   in_quotes(cut(title, kTitleWidth)));
+    script.command("set title " + in_quotes({figure.title, title}, kTitleWidth));
     script.command("set xlabel " + in_quotes(panel.x_label));
     const auto [first, last] = panel.x_range;
     script.command(first == last ? "set autoscale x"

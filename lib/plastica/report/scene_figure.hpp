@@ -64,9 +64,12 @@ FigureCurve curve_of_record(std::size_t number, std::size_t count, const std::st
 /// shows as one, the lowest and the highest point.
 std::vector<std::vector<double>> thinned(const std::vector<std::vector<double>>& points);
 
-PlotScript figure_page(const Figure& figure);
+PlotScript figure_page(const Figure& figure, const Sheet& sheet = {});
 /// The same as characters, a letter a curve, the panels one below the other.
 PlotScript figure_terminal(const Figure& figure);
+
+/// For a page or for a terminal.
+PlotScript drawn(const Figure& figure, const Sheet& sheet);
 
 /// Switches off what a picture of characters has no room for.
 void begin_terminal(PlotScript& script);

@@ -84,11 +84,10 @@ std::string label_of(const io::SceneRecord& record, std::size_t frame, double la
   return time_text(time, last) + (fragments > 1 ? ", " + counted(fragments, "fragment") : "");
 }
 
-std::string title_of(const io::SceneRecord& record, double thickness, std::size_t width) {
-  std::string title = in_quotes(cut(record.setup.scene.name, width));
+std::vector<std::string> titles_of(const io::SceneRecord& record, double thickness) {
   std::string facts = outcome_line(record);
   if (thickness > 1.0) facts += fmt::format("; section drawn {:.0f} times as thick", thickness);
-  return title + ".\"\\n\"." + in_quotes(cut(facts, width));
+  return {record.setup.scene.name, std::move(facts)};
 }
 
 /// Where the frames of a grid lie: their lower left corners are multiples of the frame's size, the
@@ -121,7 +120,10 @@ class Strip {
 
 }  // namespace
 
-PlotScript film_page(const io::SceneRecord& record, const FilmRequest& request) {
+PlotScript film_page(const io::SceneRecord& record, const FilmRequest& request,
+                     const Sheet& sheet) {
+  PlotScript script(sheet);
+  script.begin_panels(1);
   const Eye eye = eye_of(record);
   const std::vector<std::size_t> frames = frames_of_film(record, request);
   Extent extent = extent_of(record, frames, eye);
@@ -141,18 +143,17 @@ PlotScript film_page(const io::SceneRecord& record, const FilmRequest& request) 
     }
   }
   const bool colored = strain > kNoStrain;
-  const double width = kPlotWidth - (colored ? kBarWidth : 0.0);
+  const double width = script.panel_width() - (colored ? kBarWidth : 0.0);
   const Grid grid = grid_of(extent, frames.size(), width, kMaxStripHeight, kLabelHeight, kPad);
   const Strip strip(grid, extent, kPad);
 
-  PlotScript script;
-  script.begin_panels(1, {}, 2);
   const double height = static_cast<double>(grid.rows) * grid.high + kFootHeight;
   script.set_plot_height(height);
   script.command(fmt::format("set xrange [0:{:.7g}]\nset yrange [{:.7g}:{:.7g}]",
-                             kPlotWidth * grid.scale, -kFootHeight * grid.scale, strip.height()));
+                             script.panel_width() * grid.scale, -kFootHeight * grid.scale,
+                             strip.height()));
   add_orientation(script, eye, grid.scale, height);
-  if (colored) add_color_bar(script, strain);
+  if (colored) add_color_bar(script, strain, height);
   const double last = record.response.chain.time[record.response.chain.frame_sample[frames.back()]];
   BeamPicture picture(record, eye, thickness, colored ? strain : 0.0);
   std::vector<std::vector<std::vector<double>>> borders;
@@ -172,7 +173,7 @@ PlotScript film_page(const io::SceneRecord& record, const FilmRequest& request) 
     }
     picture.add_frame(BeamPose(record, frames[k]), shift, kArrow * size, size);
   }
-  script.begin_panel(title_of(record, thickness, 110));
+  script.begin_panel(titles_of(record, thickness));
   script.add_unnamed(script.add_lists(borders),
                      "using 1:2 with lines linewidth 0.6 linecolor rgb '#D8D8D8'");
   script.add_series(script.add_lists(undeformed),
@@ -208,7 +209,7 @@ PlotScript film_terminal(const io::SceneRecord& record, const FilmRequest& reque
       6 + static_cast<int>(std::ceil(0.5 * grid.high * static_cast<double>(grid.rows)));
   script.command(fmt::format("set xrange [0:{:.6g}]\nset yrange [0:{:.6g}]", kColumns * grid.scale,
                              strip.height()));
-  script.command("set title " + title_of(record, 1.0, 76));
+  script.command("set title " + in_quotes(titles_of(record, 1.0), 76));
   const double last = record.response.chain.time[record.response.chain.frame_sample[frames.back()]];
   std::vector<std::vector<std::vector<double>>> lists;
   for (std::size_t k = 0; k < frames.size(); ++k) {

@@ -18,7 +18,8 @@ struct FilmRequest {
 /// Frames at even times beside and below each other, all at the same scale and from the same place,
 /// positions as they are, coloured by plastic strain, with supports and loads; fragments apart.
 /// @throws InputError if it ends before it begins
-PlotScript film_page(const io::SceneRecord& record, const FilmRequest& request);
+PlotScript film_page(const io::SceneRecord& record, const FilmRequest& request,
+                     const Sheet& sheet = {});
 /// The axes of the frames, as characters.
 PlotScript film_terminal(const io::SceneRecord& record, const FilmRequest& request);
 

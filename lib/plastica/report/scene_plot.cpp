@@ -91,15 +91,16 @@ PlotScript make(std::span<const io::SceneRecord> records, const ScenePlotRequest
   if (records.size() > 1 && (what == "shape" || what == "film" || what == "energy")) {
     throw InputError({}, "--what", what, "is drawn of one file at a time");
   }
-  const bool terminal = request.output == "-";
+  const Sheet sheet = sheet_of(request.output, request.width);
+  const bool terminal = sheet.terminal;
   const io::SceneRecord& first = records.front();
   if (what == "shape") {
-    return terminal ? shape_terminal(first, request.time) : shape_page(first, request.time);
+    return terminal ? shape_terminal(first, request.time) : shape_page(first, request.time, sheet);
   }
   if (what == "film") {
     const FilmRequest film{request.film_frames.value_or(FilmRequest{}.frames), request.film_from,
                            request.film_to};
-    return terminal ? film_terminal(first, film) : film_page(first, film);
+    return terminal ? film_terminal(first, film) : film_page(first, film, sheet);
   }
   Figure figure;
   if (what == "moment") figure = moment_figure(records, request.time);
@@ -108,7 +109,7 @@ PlotScript make(std::span<const io::SceneRecord> records, const ScenePlotRequest
   if (what == "history") figure = history_figure(records, request.probe);
   if (what == "energy") figure = energy_figure(first, !terminal);
   if (what == "spectrum") figure = spectrum_figure(records, request.probe, terminal);
-  return terminal ? figure_terminal(figure) : figure_page(figure);
+  return drawn(figure, sheet);
 }
 
 }  // namespace

@@ -33,6 +33,7 @@ struct ScenePlotRequest {
   std::string probe = {};
   std::string output = {};  ///< as for `draw_picture`
   io::Overwrite overwrite = io::Overwrite::Allowed;
+  std::optional<double> width = {};      ///< as for `sheet_of` [mm]
   std::optional<double> time = {};       ///< of "shape" and "moment" [s]; empty: the last frame
   std::optional<int> film_frames = {};   ///< of "film", >= 1; empty: 8
   std::optional<double> film_from = {};  ///< of "film" [s]; empty: the beginning

@@ -75,13 +75,11 @@ std::vector<std::string> facts_of(const io::SceneRecord& record, std::size_t sho
   return {outcome, facts};
 }
 
-std::string title_of(const io::SceneRecord& record, std::size_t shown, double thickness,
-                     std::size_t width) {
-  std::string title = in_quotes(cut(record.setup.scene.name, width));
-  for (const std::string& line : facts_of(record, shown, thickness)) {
-    title += ".\"\\n\"." + in_quotes(cut(line, width));
-  }
-  return title;
+std::vector<std::string> titles_of(const io::SceneRecord& record, std::size_t shown,
+                                   double thickness) {
+  std::vector<std::string> lines{record.setup.scene.name};
+  for (std::string& line : facts_of(record, shown, thickness)) lines.push_back(std::move(line));
+  return lines;
 }
 
 /// Where the picture begins and ends, and its scale: one on both axes.
@@ -108,7 +106,10 @@ Window window_of(const Extent& extent, double size, double width) {
 
 }  // namespace
 
-PlotScript shape_page(const io::SceneRecord& record, std::optional<double> time) {
+PlotScript shape_page(const io::SceneRecord& record, std::optional<double> time,
+                      const Sheet& sheet) {
+  PlotScript script(sheet);
+  script.begin_panels(1);
   const Eye eye = eye_of(record);
   const std::size_t shown = frame_at(record, time);
   const bool space = in_space(record);
@@ -139,24 +140,20 @@ PlotScript shape_page(const io::SceneRecord& record, std::optional<double> time)
 
   const double strain = largest_strain(record, shown);
   const bool colored = strain > kNoStrain;
-  const Window window = window_of(extent, size, kPlotWidth - (colored ? kBarWidth : 0.0));
-  PlotScript script;
-  constexpr double second_line = 20.0;  // of the legend
-  script.begin_panels(1, {}, static_cast<int>(1 + facts_of(record, shown, thickness).size()),
-                      second_line);
+  const Window window = window_of(extent, size, script.panel_width() - (colored ? kBarWidth : 0.0));
   script.set_plot_height(window.height);
   script.command(fmt::format("set xrange [{:.7g}:{:.7g}]\nset yrange [{:.7g}:{:.7g}]", window.left,
-                             window.left + kPlotWidth * window.scale, window.low,
+                             window.left + script.panel_width() * window.scale, window.low,
                              window.low + window.height * window.scale));
   if (space) {
     add_orientation(script, eye, window.scale, window.height);
   } else {
     script.command("set xlabel " + in_quotes("z [m]"));
-    script.command("set ylabel " + in_quotes(eye.up[0] == 1.0 ? "x [m]" : "y [m]"));
+    script.set_y_label(eye.up[0] == 1.0 ? "x [m]" : "y [m]");
     script.command("set ytics autofreq");
   }
-  if (colored) add_color_bar(script, strain);
-  script.begin_panel(title_of(record, shown, thickness, 110));
+  if (colored) add_color_bar(script, strain, window.height);
+  script.begin_panel(titles_of(record, shown, thickness));
 
   script.add_series(script.add_lists(lists_of(undeformed.axes(eye))),
                     "using 1:2 with lines dashtype 2 linewidth 1.2 linecolor rgb '#8C8C8C'",
@@ -195,7 +192,7 @@ PlotScript shape_terminal(const io::SceneRecord& record, std::optional<double> t
   script.command(fmt::format("set xrange [{:.6g}:{:.6g}]\nset yrange [{:.6g}:{:.6g}]",
                              x - 34.0 * scale, x + 34.0 * scale, y - 18.0 * scale,
                              y + 18.0 * scale));
-  script.command("set title " + title_of(record, shown, 1.0, 76));
+  script.command("set title " + in_quotes(titles_of(record, shown, 1.0), 76));
   const auto dense = [&](const Lines& lines) {
     std::vector<std::vector<std::vector<double>>> lists;
     for (const auto& line : lines) {

