@@ -77,6 +77,47 @@ void set_common_range(PlotScript& script, std::span<const FitRecord> records) {
                              1.08e-6 * max_stress));
 }
 
+/// From 0 on, or from the lowest; measured and fitted [1].
+std::pair<double, double> strains_of(const FitRecord& record) {
+  double low = 0.0;
+  double high = 0.0;
+  for (const Curve* curve : {&measured_of(record), &record.result.fitted}) {
+    for (const double strain : curve->strain) {
+      if (!std::isfinite(strain)) continue;
+      low = std::min(low, strain);
+      high = std::max(high, strain);
+    }
+  }
+  if (record.target.loading == Loading::Monotonic) low = 0.0;
+  return {low, high};
+}
+
+/// The strip of residuals below a curve.
+void add_residuals(PlotScript& script, const FitRecord& record) {
+  std::vector<std::vector<double>> points;
+  const Curve& measured = record.target.corrected;
+  const Curve& fitted = record.result.fitted;
+  double low = 0.0;
+  double high = 0.0;
+  for (std::size_t i = 0; i < std::min(measured.size(), fitted.size()); ++i) {
+    points.push_back({100.0 * measured.strain[i], 1e-6 * (measured.stress[i] - fitted.stress[i])});
+    low = std::min(low, points.back()[1]);
+    high = std::max(high, points.back()[1]);
+  }
+  script.command("set format x\nset xlabel " + in_quotes(strain_label(record.target)));
+  script.command("set yrange [*:*]\nset offsets graph 0, graph 0, graph 0.08, graph 0.08");
+  script.command("set xzeroaxis linecolor rgb '#B8B8B8'");
+  if (high > low) {
+    script.command(fmt::format("set ytics {:.7g}", plastica::report::round_step(high - low, 3)));
+  }
+  script.set_y_label("residual [MPa]");
+  script.begin_panel({});
+  script.add_series(script.add_points(points),
+                    with_color("using 1:2 with points pointtype 7 pointsize 0.3", kDark),
+                    "measured - fitted");
+  script.end_panel();
+}
+
 }  // namespace
 
 PlotScript curve_plot(const FitRecord& record, const Sheet& sheet) {
@@ -86,15 +127,26 @@ PlotScript curve_plot(const FitRecord& record, const Sheet& sheet) {
     throw InputError({}, "--case", target.name, "has no curve to draw: " + reason_of(record));
   }
   PlotScript script(sheet);
-  script.begin_panels(1);
-  script.command("set xlabel " + in_quotes(strain_label(target)));
+  const bool fitted = is_fitted(record) && target.corrected.size() > 0 &&
+                      record.result.fitted.size() >= target.corrected.size();
+  if (fitted) {
+    script.begin_panel_and_strip();
+    const auto [low, high] = strains_of(record);
+    const double room = 0.03 * (high - low);
+    script.command(fmt::format("set format x ''\nset xrange [{:.6g}:{:.6g}]",
+                               100.0 * (low < 0.0 ? low - room : low), 100.0 * (high + room)));
+  } else {
+    script.begin_panels(1);
+  }
+  script.command("set xlabel " + in_quotes(fitted ? "" : strain_label(target)));
   script.set_y_label(stress_label(target));
   const bool cyclic = target.loading == Loading::Cyclic;
   if (cyclic) {
     script.command("set xzeroaxis linecolor rgb '#B8B8B8'");
   } else {
-    script.command("set xrange [0:*]\nset yrange [0:*]");
-    script.command("set offsets graph 0, graph 0.03, graph 0.08, graph 0");
+    script.command(fitted ? "set yrange [0:*]" : "set xrange [0:*]\nset yrange [0:*]");
+    script.command(
+        fmt::format("set offsets graph 0, graph {}, graph 0.08, graph 0", fitted ? 0.0 : 0.03));
   }
   std::string facts;
   for (const std::string& fact : facts_of(record)) facts += (facts.empty() ? "" : "    ") + fact;
@@ -123,6 +175,7 @@ PlotScript curve_plot(const FitRecord& record, const Sheet& sheet) {
         "break, measured");
   }
   script.end_panel();
+  if (fitted) add_residuals(script, record);
   return script;
 }
 

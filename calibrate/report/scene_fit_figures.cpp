@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
@@ -161,6 +163,33 @@ Figure residuals_figure(const SceneFitRecord& record) {
     figure.panels.push_back(std::move(panel));
   }
   return figure;
+}
+
+PlotScript fit_picture(const SceneFitRecord& record, const Sheet& sheet) {
+  Figure figure = fit_figure(record, sheet.terminal);
+  const bool fitted = record.result.status == FitStatus::Fitted && has_target_fits(record);
+  if (sheet.terminal || figure.panels.size() != 1 || !fitted ||
+      record.result.targets[0].fitted.empty()) {
+    return drawn(figure, sheet);
+  }
+  FigurePanel residuals = std::move(residuals_figure(record).panels[0]);
+  residuals.y_label = "residual" + residuals.y_label.substr(residuals.y_label.rfind(" ["));
+  residuals.marks.clear();
+  figure.panels.push_back(std::move(residuals));
+  double low = std::numeric_limits<double>::infinity(), high = -low;
+  for (const FigurePanel& panel : figure.panels) {
+    for (const FigureCurve& curve : panel.curves) {
+      for (const auto& point : curve.points) {
+        low = std::min(low, point[0]);
+        high = std::max(high, point[0]);
+      }
+    }
+  }
+  for (FigurePanel& panel : figure.panels) {
+    panel.x_range = {std::min(low, 0.0), std::max(0.0, high) + 0.02 * (high - std::min(low, 0.0))};
+  }
+  figure.strip = true;
+  return drawn(figure, sheet);
 }
 
 Figure starts_figure(const SceneFitRecord& record) {

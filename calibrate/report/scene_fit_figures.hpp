@@ -17,6 +17,8 @@ using plastica::report::PlotScript;
 /// A panel per target: measured and fitted ordinate over the abscissa with bands of 95 % (not on a
 /// terminal), the break marked.
 Figure fit_figure(const SceneFitRecord& record, bool terminal);
+/// Of one target with its residuals in a strip below.
+PlotScript fit_picture(const SceneFitRecord& record, const Sheet& sheet);
 /// A panel per target: measured minus fitted ordinate, and the noise on both sides of zero.
 /// @throws InputError if nothing was fitted
 Figure residuals_figure(const SceneFitRecord& record);
@@ -45,10 +47,7 @@ inline constexpr std::array kSceneFitPictures{
     SceneFitPicture{
         .name = "fit",
         .doc = "one fit: curves of each target, bands of 95 %, the break (choose it with --case)",
-        .of_one =
-            [](const SceneFitRecord& record, const Sheet& sheet) {
-              return drawn(fit_figure(record, sheet.terminal), sheet);
-            }},
+        .of_one = fit_picture},
     SceneFitPicture{.name = "residuals",
                     .doc = "measured minus fitted of each target, and the noise (--case)",
                     .of_one = draw_one<residuals_figure>},

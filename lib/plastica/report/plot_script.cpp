@@ -30,6 +30,9 @@ constexpr double kAbove = 92.0;
 constexpr double kRow = 264.0;
 /// A panel side by side with others is at least so wide.
 constexpr double kNarrowest = 180.0;
+/// Height of a strip below a panel, and the room between.
+constexpr double kStrip = 116.0;
+constexpr double kAboveStrip = 26.0;
 constexpr double kLine = 20.0;  ///< of a title
 constexpr double kLegendLine = 19.0;
 /// Of a letter of fonts that are wide.
@@ -101,6 +104,12 @@ void PlotScript::begin_panels(std::size_t count, std::string_view title, double 
   pieces_.insert(pieces_.end(), 2, "");
 }
 
+void PlotScript::begin_panel_and_strip() {
+  strip_ = true;
+  begin_panels(2);
+  columns_ = 1;
+}
+
 void PlotScript::begin_panel(std::vector<std::string> title) {
   panels_.push_back({pieces_.size(), std::move(title), y_label_});
   pieces_.insert(pieces_.end(), 2, "");
@@ -122,7 +131,7 @@ std::vector<std::string> PlotScript::wrapped_title(const Panel& panel) const {
   std::vector<std::string> lines;
   for (const std::string& line : panel.title) {
     if (line.empty()) continue;
-    if (count_of_panels_ > 1) {
+    if (has_many()) {
       lines.push_back(cut(line, title_letters()));
     } else {
       for (std::string& part : lines_of(line, title_letters())) lines.push_back(std::move(part));
@@ -135,7 +144,7 @@ double PlotScript::room_of_titles() const {
   std::size_t lines = 1;
   for (const Panel& panel : panels_) lines = std::max(lines, wrapped_title(panel).size());
   const std::size_t above =
-      title_.empty() || count_of_panels_ == 1 ? 0 : lines_of(title_, letters_in(width_)).size();
+      title_.empty() || !has_many() ? 0 : lines_of(title_, letters_in(width_)).size();
   return 26.0 + kLine * static_cast<double>(lines) +
          (above > 0 ? 6.0 + kLine * static_cast<double>(above) : 0.0);
 }
@@ -155,14 +164,15 @@ double PlotScript::room_of_legend() const {
 double PlotScript::height() const {
   const double frame = room_of_titles() + kBottom + below_ + room_of_legend();
   const bool usual = width_ >= kUsualWidth;
-  if (count_of_panels_ > 1) {
+  const double strip = strip_ ? kStrip + kAboveStrip : 0.0;
+  if (has_many()) {
     const double panels = kRow * static_cast<double>(rows());
     return usual ? 0.3 * kHeight + panels : frame - kAbove + panels;
   }
   if (plot_height_ > 0.0) return frame + plot_height_;
   // A tall legend must not take the plot's room.
-  if (usual) return room_of_legend() > 60.0 ? frame + 390.0 : kHeight;
-  return frame + (width_ < 600.0 ? 0.72 : 0.5) * panel_width();
+  if (usual) return strip + (room_of_legend() > 60.0 ? frame + 390.0 : kHeight);
+  return strip + frame + (width_ < 600.0 ? 0.72 : 0.5) * panel_width();
 }
 
 std::string PlotScript::place_of(std::size_t panel) const {
@@ -172,9 +182,13 @@ std::string PlotScript::place_of(std::size_t panel) const {
   const double bottom = kBottom + below_ + room_of_legend();
   const double head = room_of_titles();
   const double wide = panel_width();
-  const double high = (all - head - bottom - above * (count - 1.0)) / count;
+  double high = (all - head - bottom - above * (count - 1.0)) / count;
   const double x = kLeft + static_cast<double>(panel % columns_) * (wide + kBetween);
-  const double y = all - head - static_cast<double>(panel / columns_) * (high + above);
+  double y = all - head - static_cast<double>(panel / columns_) * (high + above);
+  if (strip_) {
+    high = panel == 0 ? all - head - bottom - kStrip - kAboveStrip : kStrip;
+    y = panel == 0 ? all - head : bottom + kStrip;
+  }
   const double room_left = panel % columns_ == 0 ? kLeft : kBetween;
   return fmt::format(
       "set lmargin at screen {:.4f}\nset rmargin at screen {:.4f}\n"

@@ -41,6 +41,9 @@ class PlotScript {
   /// @param title  above all panels; may be empty
   /// @param below  room for labels below a panel beyond the usual
   void begin_panels(std::size_t count, std::string_view title = {}, double below = 0.0);
+  /// In its place: one panel, and a low one below it that has the same x; its numbers stand below
+  /// the low one, so callers give both panels one range.
+  void begin_panel_and_strip();
   /// Makes the one panel of a picture so high; before `begin_panel`.
   void set_plot_height(double height) { plot_height_ = height; }
   /// Of the panels from here on, at the left edge of the room for it: where gnuplot puts it depends
@@ -84,6 +87,8 @@ class PlotScript {
   };
 
   std::string next_name();
+  /// Or one plot, with or without a strip.
+  bool has_many() const { return count_of_panels_ > 1 && !strip_; }
   std::size_t rows() const { return (count_of_panels_ + columns_ - 1) / columns_; }
   std::vector<std::string> wrapped_title(const Panel& panel) const;
   double room_of_titles() const;
@@ -97,6 +102,7 @@ class PlotScript {
   int count_ = 0;
   std::size_t count_of_panels_ = 1;
   std::size_t columns_ = 1;
+  bool strip_ = false;
   double below_ = 0.0;
   double plot_height_ = 0.0;  ///< 0: the usual one
   std::string title_;

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstdlib>
+#include <limits>
 
 #include <fmt/format.h>
 
@@ -85,6 +86,20 @@ std::string tics_of(const std::array<double, 2>& range, double panel) {
     return fmt::format("set xtics {:.7g}\n", step);
   }
   return fmt::format("set xtics {:.7g}\n", round_step(wide, 2));
+}
+
+/// Of a low panel.
+std::string few_tics(const FigurePanel& panel) {
+  double low = std::numeric_limits<double>::infinity();
+  double high = -low;
+  for (const FigureCurve& curve : panel.curves) {
+    for (const auto& point : curve.points) {
+      low = std::min(low, point[1]);
+      high = std::max(high, point[1]);
+    }
+  }
+  if (!(high > low)) return "set ytics autofreq";
+  return fmt::format("set ytics {:.7g}", round_step(high - low, 3));
 }
 
 /// Those that do not lie over one before them; the strongest come first.
@@ -195,16 +210,26 @@ std::vector<std::vector<double>> thinned(const std::vector<std::vector<double>>&
 
 PlotScript figure_page(const Figure& figure, const Sheet& sheet) {
   PlotScript script(sheet);
-  const bool single = figure.panels.size() == 1;
-  script.begin_panels(figure.panels.size(), single ? std::string() : figure.title,
-                      name_room(figure));
+  const bool single = figure.panels.size() == 1 || figure.strip;
+  if (figure.strip) {
+    script.begin_panel_and_strip();
+  } else {
+    script.begin_panels(figure.panels.size(), single ? std::string() : figure.title,
+                        name_room(figure));
+  }
   script.command("set xzeroaxis linecolor rgb '#B8B8B8' linetype 1 linewidth 0.8");
   for (const FigurePanel& panel : figure.panels) {
-    script.command("set xlabel " + in_quotes(panel.x_label));
+    const bool above_strip = figure.strip && &panel == &figure.panels.front();
+    const bool is_strip = figure.strip && !above_strip;
+    script.command("set xlabel " + in_quotes(above_strip ? "" : panel.x_label));
+    if (above_strip) script.command("set format x ''");
+    if (is_strip) script.command("set format x\n" + few_tics(panel));
     script.set_y_label(panel.y_label);
     script.command("set autoscale xfix\n" + offsets_of(panel));
     script.command(frame_of(panel, script));
-    script.begin_panel(single ? std::vector{figure.title, panel.title} : std::vector{panel.title});
+    script.begin_panel(is_strip ? std::vector<std::string>{}
+                       : single ? std::vector{figure.title, panel.title}
+                                : std::vector{panel.title});
     for (const FigureCurve& curve : panel.curves) {
       script.add_series(script.add_points(thinned(curve.points)), style_of(curve), curve.name);
     }
