@@ -4,12 +4,13 @@
 const blockMakers = {
   text: (block) => make("section", {}, make("h2", {}, block.title), make("pre", {}, block.text)),
   notes: (block) => make("section", { className: block.tone },
-    make("h2", {}, block.title), make("ul", {}, ...block.notes.map((note) => make("li", {}, note)))),
+    block.title ? make("h2", {}, block.title) : null, make("ul", {}, ...block.notes.map((note) => make("li", {}, note)))),
   facts: (block) => make("section", {}, block.title ? make("h2", {}, block.title) : null,
     make("dl", {}, ...block.rows.flatMap(([name, what]) =>
       [make("dt", {}, name), make("dd", {}, what)]))),
   table: tableOnce,
   figure: (block) => figureBlock(block),
+  map: (block) => mapBlock(block),
   beam: (block) => beamBlock(block),
 };
 
