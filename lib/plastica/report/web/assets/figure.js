@@ -24,7 +24,7 @@ function datasetsOf(curve) {
     pointStyle: pointStyles[symbol + (symbol % 2 === 0 ? 1 : 0)] ?? "circle",
     pointRotation: symbol === 11 ? 180 : 0,
   };
-  const few = curve.points.n <= 60;
+  const few = curve.points.n <= (curve.labels ? 200 : 60);
   switch (curve.stroke) {
     case "area":
       return [

@@ -112,7 +112,8 @@ document.body.append(
     ...report.lines.map((line) => make("p", {}, line)), tabs),
   main,
   make("footer", {}, make("p", {},
-    "Made by Plastica. Curves are thinned and rounded to what a screen shows; all numbers are in the result file."),
+    "Made by Plastica. Curves are thinned and rounded to what a screen shows" +
+    (report.numbers_in ? `; all numbers are in ${report.numbers_in}.` : ".")),
     make("details", {}, make("summary", {}, "Licence of Chart.js, which draws the curves"),
       make("pre", {}, report.license))));
 document.addEventListener("keydown", (event) => {
