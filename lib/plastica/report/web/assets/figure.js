@@ -202,7 +202,8 @@ function drawAll() {
 }
 
 function panelElement(panel, onChart) {
-  const canvas = make("canvas", { role: "img", "aria-label": `${panel.title} ${panel.y} over ${panel.x}` });
+  const canvas = make("canvas", { role: "img",
+    "aria-label": [panel.title, panel.x ? `${panel.y} over ${panel.x}` : panel.y].filter(Boolean).join(": ") });
   const frame = make("div", { className: "canvas" }, canvas);
   const ends = panel.curves.some((curve) => ["area", "bars"].includes(curve.stroke));
   const heads = ["curve", panel.x, panel.y, ...(ends ? ["from", "to"] : [])];
