@@ -218,8 +218,8 @@ WebPage check_page(std::span<const CheckedFile> files, std::size_t asked, const 
         fmt::format("interrupted: {} of {} files were judged", files.size(), asked));
   }
   WebTab all{"Claims", Json::array()};
-  if (!warnings.empty()) all.blocks.push_back(report::web_notes("Warnings", warnings, "warning"));
   all.blocks.push_back(claims_block(claims));
+  if (!warnings.empty()) all.blocks.push_back(report::web_notes("Warnings", warnings, "warning"));
   page.tabs.push_back(std::move(all));
   WebTab whole{"Report", Json::array()};
   whole.blocks.push_back(report::web_text("Report", text));

@@ -65,35 +65,34 @@ Json points_block(const std::vector<const StabilityRow*>& rows) {
   const std::size_t fields = pairs ? 2 : 1;
   report::WebTable table("");
   table.add_words("point");
-  table.add_words("level");
-  table.add_words("analysis");
+  table.add_words("verdict");
+  table.add_words("reason");
+  table.add_numbers("deviation", "%", "from a finer run");
+  table.add_words("of");
   for (std::size_t k = 0; k < fields; ++k) {
     const std::string number = k == 0 ? "" : " 2";
     table.add_words("field" + number);
     table.add_numbers("value" + number);
     table.add_words("unit" + number);
   }
-  table.add_words("verdict");
-  table.add_words("reason");
-  table.add_numbers("deviation", "%", "from a finer run");
-  table.add_words("of");
+  table.add_words("level");
+  table.add_words("analysis");
   table.add_words("status");
   table.add_numbers("energy balance error", "", "", 3);
   table.add_numbers("segment steps", "", "segments times steps");
   table.add_numbers("time", "s", "", 3);
   for (const StabilityRow* row : rows) {
-    Json cells = {row->id, std::string(word_of(row->level)),
-                  row->analysis == Analysis::Dynamics ? "dynamics" : "statics"};
+    Json cells = {
+        row->id, kValidity[static_cast<std::size_t>(row->verdict.validity)], row->verdict.reason,
+        row->deviation ? report::number(100.0 * *row->deviation) : Json(nullptr), row->quantity};
     for (std::size_t k = 0; k < fields; ++k) {
       const bool there = k < row->at.size();
       cells.push_back(there ? Json(row->at[k].axis) : Json(nullptr));
       cells.push_back(there ? report::number(row->at[k].value) : Json(nullptr));
       cells.push_back(there ? Json(shown_unit(row->at[k].unit)) : Json(nullptr));
     }
-    cells.push_back(kValidity[static_cast<std::size_t>(row->verdict.validity)]);
-    cells.push_back(row->verdict.reason);
-    cells.push_back(row->deviation ? report::number(100.0 * *row->deviation) : Json(nullptr));
-    cells.push_back(row->quantity);
+    cells.push_back(std::string(word_of(row->level)));
+    cells.push_back(row->analysis == Analysis::Dynamics ? "dynamics" : "statics");
     cells.push_back(name_of(row->status));
     cells.push_back(report::number(row->energy_balance_error));
     cells.push_back(report::number(row->segment_steps));
