@@ -10,6 +10,7 @@ import json
 import os
 import signal
 import subprocess
+import time
 import unittest
 import xml.etree.ElementTree as ElementTree
 
@@ -206,6 +207,24 @@ class Scans(WrittenByCommands):
         told = sorted((float(point["value"]), float(point["value_2"])) for point in pairs)
         for (x, y), (a, b) in zip(sorted(values), told, strict=True):
             self.assertAlmostEqual(x / a, 1.0, delta=2e-3)
+
+    def test_an_interrupted_scan_has_its_points_and_says_so(self):
+        for delay in (1.0, 4.0, 16.0):  # one machine takes longer than another for the first point
+            run = subprocess.Popen([COMMAND, "stability", "cantilever.toml", "--max-work", "1e6",
+                                    "--report", "page.html", "--force"], cwd=self.scratch.name,
+                                   stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True)
+            time.sleep(delay)
+            run.send_signal(signal.SIGINT)
+            said = run.communicate()[1]
+            self.assertEqual(run.returncode, 130, said)
+            if os.path.exists(self.path("page.html")):
+                break
+        page = self.take(self.path("page.html"))
+        self.look_at_all(page)
+        self.assertEqual(self.data["lines"][2], "interrupted: fields were not followed to their ends")
+        self.assertEqual([tab["name"] for tab in self.data["tabs"]], ["Fields", "Points", "Provenance"])
+        self.assertIn(f"interrupted after {len(self.data['tabs'][1]['blocks'][0]['rows'])} point", said)
+        self.assertNotIn("lost", said)
 
     def test_a_scene_that_is_not_valid_has_a_page(self):
         self.change("cantilever.toml", "segments = 32", "segments = 2")

@@ -145,7 +145,7 @@ WebPage scan_page(const SceneScan& scan, std::span<const StabilityRow> pair,
   for (const StabilityRow& row : pair) rows.push_back(&row);
   WebPage page{report::printable(scan.scene),
                {fmt::format("own values {}", own_verdict_text(scan)), counts_text(rows)}};
-  page.numbers_in = "the CSV of --output";
+  page.numbers_in = "the table of points";
   if (!scan.complete) {
     page.lines.push_back("interrupted: fields were not followed to their ends");
   } else if (is_raised(options.stop)) {
