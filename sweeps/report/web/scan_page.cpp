@@ -147,9 +147,9 @@ WebPage scan_page(const SceneScan& scan, std::span<const StabilityRow> pair,
                {fmt::format("own values {}", own_verdict_text(scan)), counts_text(rows)}};
   page.numbers_in = "the table of points";
   if (!scan.complete) {
-    page.lines.push_back("interrupted: fields were not followed to their ends");
+    page.lines.emplace_back("interrupted: fields were not followed to their ends");
   } else if (is_raised(options.stop)) {
-    page.lines.push_back("interrupted: the map lacks points");
+    page.lines.emplace_back("interrupted: the map lacks points");
   }
   page.tabs.push_back(fields_tab(scan, options, file));
   WebTab pictures{"Pictures", Json::array()};
