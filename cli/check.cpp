@@ -2,6 +2,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <memory>
 #include <set>
@@ -14,6 +15,7 @@
 #include "cli/exit_code.hpp"
 #include "cli/input_kind.hpp"
 #include "cli/interrupt.hpp"
+#include "cli/page_output.hpp"
 #include "cli/progress_bar.hpp"
 #include "cli/result_kind.hpp"
 #include "cli/run_files.hpp"
@@ -23,19 +25,26 @@
 #include "plastica/report/format.hpp"
 #include "sweeps/check/report.hpp"
 #include "sweeps/check/run_check.hpp"
+#include "sweeps/report/web/check_page.hpp"
 
 namespace plastica::cli {
 namespace {
 
 struct CheckArguments {
+  std::string command_line;
   std::vector<std::string> files;
   std::string junit;
+  std::string report;
   std::string annotate;
   int threads = 0;
   bool dry_run = false;
   bool force = false;
   bool quiet = false;
 };
+
+double seconds_since(std::chrono::steady_clock::time_point begin) {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+}
 
 /// "1 sweep, 2 scenes".
 std::string subjects_of(const sweeps::CheckFile& file) {
@@ -96,8 +105,7 @@ bool run_file(sweeps::CheckFile file, const CheckArguments& arguments,
   result.verdicts = sweeps::run_check(result.file, options);
   bar.clear();
   if (result.verdicts.empty()) return false;
-  const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
-  result.seconds = took.count();
+  result.seconds = seconds_since(begin);
   using enum sweeps::CheckLines;
   fmt::print("{}", sweeps::check_report(result, arguments.quiet ? FailuresOnly : All));
   if (!arguments.annotate.empty()) say(sweeps::github_annotations(result));
@@ -106,7 +114,23 @@ bool run_file(sweeps::CheckFile file, const CheckArguments& arguments,
   return true;
 }
 
+/// Checks where the results are to go, before anything is run.
+void check_outputs_of(const std::vector<sweeps::CheckFile>& files,
+                      const CheckArguments& arguments) {
+  std::vector<std::string> read;
+  for (const sweeps::CheckFile& file : files) {
+    for (std::string& path : files_of(file)) read.push_back(std::move(path));
+  }
+  if (!arguments.junit.empty()) {
+    for (const std::string& path : read) refuse_input("--junit", arguments.junit, path);
+    io::check_output_path(arguments.junit, arguments.force);
+  }
+  check_report_option(arguments.report, arguments.force, read, std::array{arguments.junit});
+}
+
 int check(const CheckArguments& arguments) {
+  const auto begin = std::chrono::steady_clock::now();
+  io::RunMeta meta = io::begin_meta(arguments.command_line, arguments.threads);
   // All files are read before the first is run: a bad one loses nothing.
   std::vector<sweeps::CheckFile> files;
   for (const std::string& path : arguments.files) {
@@ -115,14 +139,7 @@ int check(const CheckArguments& arguments) {
   }
   for (const sweeps::CheckFile& file : files) tell_notes(file.notes);
   if (arguments.dry_run) return print_dry_run(files);
-  if (!arguments.junit.empty()) {
-    for (const sweeps::CheckFile& file : files) {
-      for (const std::string& read : files_of(file)) {
-        refuse_input("--junit", arguments.junit, read);
-      }
-    }
-    io::check_output_path(arguments.junit, arguments.force);
-  }
+  check_outputs_of(files, arguments);
   const InterruptGuard interrupt;
   std::vector<sweeps::CheckedFile> checked;
   bool complete = true;
@@ -132,6 +149,12 @@ int check(const CheckArguments& arguments) {
   if (!arguments.junit.empty()) {
     io::write_text_file(arguments.junit, sweeps::junit_xml(checked),
                         io::overwrite_if(arguments.force));
+  }
+  if (!arguments.report.empty()) {
+    meta.seconds = seconds_since(begin);
+    write_page(arguments.report, sweeps::check_page(checked, files.size(), meta),
+               io::overwrite_if(arguments.force));
+    if (!arguments.quiet) tell("wrote {}\n", arguments.report);
   }
   if (!complete) {
     tell("plastica: interrupted\n");
@@ -147,21 +170,23 @@ int check(const CheckArguments& arguments) {
 
 }  // namespace
 
-void add_check(CLI::App& app, Action& action) {
+void add_check(CLI::App& app, const Invocation& invocation, Action& action) {
   CLI::App* sub = app.add_subcommand("check", "Check named claims on sweeps, scenes and fits");
   auto arguments = std::make_shared<CheckArguments>();
+  arguments->command_line = invocation.command_line;
   sub->add_option("files", arguments->files, "Check files")
       ->required()
       ->option_text("CHECK.toml...");
   sub->add_option("--junit", arguments->junit, "Also write the verdicts as JUnit's XML")
       ->option_text("FILE");
+  add_report_option(*sub, arguments->report);
   sub->add_option("--annotate", arguments->annotate,
                   "Also print each claim that does not hold as this CI takes it: github")
       ->check(CLI::IsMember({"github"}))
       ->option_text("CI");
   add_threads_option(*sub, arguments->threads);
   add_dry_run_option(*sub, arguments->dry_run);
-  add_force_option(*sub, arguments->force, "the XML");
+  add_force_option(*sub, arguments->force, "the XML and the page");
   add_quiet_option(*sub, arguments->quiet, "nothing but claims that do not hold");
   sub->footer(
       "Example:\n"

@@ -55,10 +55,10 @@ void add_commands(CLI::App& app, const plastica::cli::Invocation& invocation,
   plastica::cli::add_simulate(app, invocation, action);
   plastica::cli::add_sweep(app, invocation, action);
   plastica::cli::add_merge(app, run, action);
-  plastica::cli::add_check(app, action);
+  plastica::cli::add_check(app, invocation, action);
   plastica::cli::add_advise(app, action);
   plastica::cli::add_recommend(app, action);
-  plastica::cli::add_stability(app, action);
+  plastica::cli::add_stability(app, invocation, action);
   plastica::cli::add_diff(app, action);
   plastica::cli::add_show(app, action);
   plastica::cli::add_plot(app, action);

@@ -7,6 +7,7 @@
 #include "cli/command.hpp"
 #include "cli/common_options.hpp"
 #include "cli/exit_code.hpp"
+#include "cli/page_output.hpp"
 #include "cli/result_kind.hpp"
 #include "cli/run_files.hpp"
 #include "cli/tell.hpp"
@@ -43,11 +44,7 @@ int write_report(const ReportArguments& arguments) {
       arguments.output.empty()
           ? std::filesystem::path(arguments.file).replace_extension(".html").string()
           : arguments.output;
-  if (!plastica::report::has_chart_library()) {
-    throw InputError({}, "report", "",
-                     "was left out of this build, which found no Chart.js (Debian: "
-                     "libjs-chart.js); build again where it is");
-  }
+  require_chart_library("report", "");
   refuse_input("--output", output, arguments.file);
   io::check_output_path(output, arguments.force);
   io::write_text_file(output, plastica::report::html_of(page_of(arguments.file)),

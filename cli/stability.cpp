@@ -2,6 +2,8 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <array>
+#include <chrono>
 #include <iostream>
 #include <memory>
 #include <string>
@@ -12,6 +14,7 @@
 #include "cli/exit_code.hpp"
 #include "cli/input_kind.hpp"
 #include "cli/interrupt.hpp"
+#include "cli/page_output.hpp"
 #include "cli/run_files.hpp"
 #include "cli/tell.hpp"
 #include "cli/terminal_line.hpp"
@@ -20,6 +23,7 @@
 #include "plastica/io/text_file.hpp"
 #include "plastica/report/format.hpp"
 #include "plastica/report/picture.hpp"
+#include "sweeps/report/web/scan_page.hpp"
 #include "sweeps/stability/scene_scan_text.hpp"
 #include "sweeps/stability/summary.hpp"
 
@@ -29,12 +33,14 @@ namespace {
 namespace stability = sweeps::stability;
 
 struct StabilityArguments {
+  std::string command_line;
   std::string file;
   std::vector<std::string> vary;
   std::string within = "5 %";
   stability::SceneScanOptions options;
   std::string output;
   std::string map;
+  std::string report;
   bool force = false;
   bool quiet = false;
 };
@@ -52,6 +58,9 @@ void check_stability_outputs(const StabilityArguments& arguments) {
   if (!arguments.output.empty() && !arguments.map.empty()) {
     refuse_own_files("--map", arguments.map, arguments.output);
   }
+  const std::string drawn = arguments.map == "-" ? "" : arguments.map;
+  check_report_option(arguments.report, arguments.force, std::array{arguments.file},
+                      std::array{arguments.output, drawn});
 }
 
 bool any_undetected(const std::vector<stability::StabilityRow>& rows) {
@@ -71,6 +80,9 @@ int scan_file(const StabilityArguments& arguments) {
     throw InputError({}, "--map", arguments.map, "is of two fields: name them by --vary");
   }
   check_stability_outputs(arguments);
+  const auto begin = std::chrono::steady_clock::now();
+  io::RunMeta meta = io::begin_meta(arguments.command_line, options.threads);
+  meta.instruction_set = name_of(resolved(file.setup.solver.isa));
   const InterruptGuard interrupt;
   options.stop = &interrupt.flag();
   TerminalLine line(arguments.quiet);
@@ -93,8 +105,13 @@ int scan_file(const StabilityArguments& arguments) {
     io::write_text_file(arguments.output, stability::rows_csv(all), overwrite);
     tell("wrote {}\n", arguments.output);
   }
+  if (!arguments.report.empty() && !all.empty()) {
+    meta.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    write_page(arguments.report, stability::scan_page(scan, grid, options, file, meta), overwrite);
+    tell("wrote {}\n", arguments.report);
+  }
   if (interrupt.flag()) {
-    const bool lost = arguments.output.empty() && !all.empty();
+    const bool lost = arguments.output.empty() && arguments.report.empty() && !all.empty();
     tell("plastica: interrupted after {}{}\n", report::counted(all.size(), "point"),
          lost ? ", which are lost: -o FILE keeps them" : "");
     return kInterrupted;
@@ -110,10 +127,11 @@ int scan_file(const StabilityArguments& arguments) {
 
 }  // namespace
 
-void add_stability(CLI::App& app, Action& action) {
+void add_stability(CLI::App& app, const Invocation& invocation, Action& action) {
   CLI::App* sub = app.add_subcommand(
       "stability", "Find how far the numbers of a scene may go until a result is not valid");
   auto arguments = std::make_shared<StabilityArguments>();
+  arguments->command_line = invocation.command_line;
   stability::SceneScanOptions& options = arguments->options;
   sub->add_option("file", arguments->file, "Scene file")->required()->option_text("SCENE.toml");
   sub->add_option("--vary", arguments->vary,
@@ -137,11 +155,12 @@ void add_stability(CLI::App& app, Action& action) {
   sub->add_option("--map", arguments->map,
                   "Draw the map of two fields: .svg, .png, .pdf or .gp, - for the terminal")
       ->option_text("FILE");
+  add_report_option(*sub, arguments->report);
   add_threads_option(*sub, options.threads);
   add_force_option(*sub, arguments->force, "files that are there");
   add_quiet_option(*sub, arguments->quiet, "no table, no progress");
   group_options(*sub, "What to vary, and how far", {"--vary", "--reach", "--within", "--max-work"});
-  group_options(*sub, "Results", {"--output", "--map", "--force"});
+  group_options(*sub, "Results", {"--output", "--map", "--report", "--force"});
   sub->footer(
       "Example:\n"
       "  plastica stability scene.toml --vary beam.segments,beam.length --map m.svg\n"

@@ -7,6 +7,7 @@
 #include <map>
 #include <utility>
 
+#include "calibrate/inference/out_of_line.hpp"
 #include "calibrate/result/usable.hpp"
 #include "calibrate/result/words.hpp"
 
@@ -60,20 +61,35 @@ struct Collector {
   struct Entry {
     GroupStatistic result;
     std::vector<double> values;
-    double squares = 0.0;  ///< of half the sampling intervals of breaks
+    std::vector<double> halves;          ///< of the sampling intervals of breaks (n_values)
+    std::vector<std::size_t> records{};  ///< whose they are (n_values)
   };
   std::vector<Entry> entries;
 
   /// @param half  half the interval between the samples that it lies between; 0: it is no break
-  void add(std::string_view name, Dimension dimension, double value, double half) {
+  void add(std::size_t record, std::string_view name, Dimension dimension, double value,
+           double half) {
     if (!std::isfinite(value)) return;
     auto entry = std::find_if(entries.begin(), entries.end(),
                               [&](const Entry& e) { return e.result.name == name; });
     if (entry == entries.end()) {
-      entry = entries.insert(entries.end(), Entry{{std::string(name), dimension, {}, {}}, {}, 0.0});
+      entry = entries.insert(entries.end(), Entry{{std::string(name), dimension, {}, {}}, {}, {}});
     }
     entry->values.push_back(value);
-    entry->squares += half * half;
+    entry->halves.push_back(half);
+    entry->records.push_back(record);
+  }
+
+  static std::vector<OutOfLine> out_of_line(const Entry& entry) {
+    const ModifiedZScores found = modified_z_scores(entry.values);
+    std::vector<OutOfLine> all;
+    for (std::size_t k = 0; k < found.scores.size(); ++k) {
+      const double off = std::fabs(entry.values[k] - found.median);
+      const double least = std::max(entry.halves[k], kLeastDifference * std::fabs(found.median));
+      if (std::fabs(found.scores[k]) <= kOutOfLine || off <= least) continue;
+      all.push_back({entry.records[k], entry.values[k], found.median, found.scores[k]});
+    }
+    return all;
   }
 
   std::vector<GroupStatistic> statistics(const SpecimenDraws& draws) && {
@@ -81,9 +97,11 @@ struct Collector {
     for (Entry& entry : entries) {
       if (entry.values.size() > 1) {
         const auto n = static_cast<double>(entry.values.size());
-        entry.result.mean_interval =
-            mean_interval(entry.values, draws, std::sqrt(entry.squares / n));
+        double squares = 0.0;
+        for (const double half : entry.halves) squares += half * half;
+        entry.result.mean_interval = mean_interval(entry.values, draws, std::sqrt(squares / n));
       }
+      entry.result.out_of_line = out_of_line(entry);
       entry.result.statistic = statistic_of(std::move(entry.values));
       all.push_back(std::move(entry.result));
     }
@@ -131,7 +149,7 @@ GroupSummary summarize(std::span<const FitRecord> records, const std::vector<std
       }
       const std::optional<double> value = shown(entry, target.characteristics);
       if (!value) continue;
-      characteristics.add(entry.name, entry.dimension, *value,
+      characteristics.add(i, entry.name, entry.dimension, *value,
                           half_of(entry, target.characteristics));
     }
   }
@@ -143,7 +161,7 @@ GroupSummary summarize(std::span<const FitRecord> records, const std::vector<std
     if (!is_usable(result)) continue;
     for (const FittedParameter& parameter : result.parameters) {
       if (parameter.role == ParameterRole::Fixed || !parameter.identified) continue;
-      parameters.add(parameter.name(), parameter.dimension, parameter.value,
+      parameters.add(i, parameter.name(), parameter.dimension, parameter.value,
                      std::sqrt(3.0) * parameter.sampling_error);
     }
   }

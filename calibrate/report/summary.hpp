@@ -41,12 +41,27 @@ std::optional<double> shown(const CharacteristicEntry& entry, const Characterist
 /// All of them, in the order in which they are shown.
 std::span<const CharacteristicEntry> characteristic_entries();
 
+/// A specimen whose value is out of line with those of its group (`modified_z_scores`).
+struct OutOfLine {
+  std::size_t record = 0;  ///< its number among all records
+  double value = 0.0;      ///< [SI], as the median
+  double median = 0.0;     ///< of the group
+  double score = 0.0;      ///< [1], its size above `kOutOfLine`
+};
+
+/// Differences from the median of less than this part of it are no scatter of specimens: reports
+/// do not show them [1].
+inline constexpr double kLeastDifference = 1e-5;
+
 /// One quantity over the specimens of a group.
 struct GroupStatistic {
   std::string name;  ///< of the characteristic or parameter
   Dimension dimension = Dimension::None;
   Statistic statistic;
   std::optional<MeanInterval> mean_interval;  ///< empty for n < 2
+  /// In the order of the records. Those are not among them whose difference from the median is at
+  /// most half the interval between samples that a break lies in, or below `kLeastDifference`.
+  std::vector<OutOfLine> out_of_line{};
 };
 
 /// What the specimens of one group have in common.

@@ -9,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include "calibrate/inference/out_of_line.hpp"
 #include "calibrate/report/format.hpp"
 #include "calibrate/report/summary.hpp"
 #include "plastica/report/table.hpp"
@@ -65,6 +66,24 @@ void add_statistic(Table& table, const GroupStatistic& entry, const std::string&
   table.add(std::move(cells));
 }
 
+/// A line for each specimen that is out of line with its group in a quantity.
+std::string out_of_line_text(const GroupStatistic& entry, const std::string& label,
+                             std::span<const FitRecord> records) {
+  std::string text;
+  for (const OutOfLine& one : entry.out_of_line) {
+    const bool modulus = entry.name.find("modulus") != std::string::npos;
+    const DisplayUnit unit = display_unit(entry.dimension, one.median, modulus);
+    text += wrapped(
+        "  out of line: ",
+        fmt::format("{}, {} {}, median of the group {}, score {}",
+                    printable(records[one.record].name()), label,
+                    plastica::report::quantity(significant(one.value / unit.scale), unit.name),
+                    significant(one.median / unit.scale), significant(one.score, 3)),
+        kWidth);
+  }
+  return text;
+}
+
 }  // namespace
 
 std::string proof_label(std::span<const FitRecord> records) {
@@ -108,6 +127,13 @@ std::string characteristic_label(std::string_view name, std::span<const FitRecor
   return label_of(name, modulus_label(records), proof_label(records));
 }
 
+std::string out_of_line_rule() {
+  return fmt::format(
+      "out of line: modified z-score beyond {} (Iglewicz and Hoaglin 1993), in groups of {} values "
+      "and more",
+      kOutOfLine, kFewestInLine);
+}
+
 std::string groups_text(std::span<const FitRecord> records, const ReportOptions& options,
                         const Ink& ink) {
   const SpecimenDraws draws{options.specimen_resamples, options.seed, options.confidence};
@@ -118,6 +144,7 @@ std::string groups_text(std::span<const FitRecord> records, const ReportOptions&
   const std::size_t shown =
       options.groups_shown == 0 ? groups.size() : std::min(groups.size(), options.groups_shown);
   std::string text;
+  bool any_out_of_line = false;
   for (std::size_t g = 0; g < shown; ++g) {
     const GroupSummary& group = groups[g];
     text +=
@@ -132,15 +159,22 @@ std::string groups_text(std::span<const FitRecord> records, const ReportOptions&
          {"std. dev."},
          {fmt::format("{:.4g} % of the mean", 100.0 * options.confidence), Table::Align::Range},
          {"", Table::Align::Left}});
+    std::string out_of_line;
     for (const GroupStatistic& entry : group.characteristics) {
-      add_statistic(table, entry, characteristic_label(entry.name, group, records));
+      const std::string label = characteristic_label(entry.name, group, records);
+      add_statistic(table, entry, label);
+      out_of_line += out_of_line_text(entry, label, records);
     }
     if (!group.parameters.empty()) table.add_line("fitted");
     for (const GroupStatistic& entry : group.parameters) {
       add_statistic(table, entry, printable(entry.name));
+      out_of_line += out_of_line_text(entry, printable(entry.name), records);
     }
     if (table.rows() > 0) text += table.text(2, kWidth);
+    text += out_of_line;
+    any_out_of_line = any_out_of_line || !out_of_line.empty();
   }
+  if (any_out_of_line) text += wrapped("  ", out_of_line_rule(), kWidth);
   const bool any =
       std::ranges::any_of(groups, [](const GroupSummary& group) { return group.specimens() > 1; });
   const auto shares_sampling = [](const GroupStatistic& entry) {

@@ -24,6 +24,9 @@ std::string characteristic_label(std::string_view name, const GroupSummary& grou
 /// The same over all specimens: "E, G" of tests of both kinds.
 std::string characteristic_label(std::string_view name, std::span<const FitRecord> records);
 
+/// When a specimen is out of line with its group, in a sentence without a full stop.
+std::string out_of_line_rule();
+
 /// Mean and deviation of the characteristics and parameters of each group, the intervals of the
 /// parameters' means if specimens are resampled.
 std::string groups_text(std::span<const FitRecord> records, const ReportOptions& options,

@@ -109,13 +109,18 @@ struct Claim {
 /// A file of claims, and what they are about, each sweep and fit once.
 struct CheckFile {
   std::string path;
-  std::vector<Sweep> sweeps;
+  std::vector<Sweep> sweeps{};
   /// Of claims on a scene, one each: sweeps without axes, whose one case is the scene.
   std::vector<Sweep> scenes{};
   std::vector<FitSubject> fits{};
-  std::vector<Claim> claims;
+  std::vector<Claim> claims{};
   std::vector<std::string> notes{};  ///< old names in it and its files, each with the new one
+  std::string text{};
 };
+
+/// The texts that a check file's verdicts depend on: its own, then those of its sweeps, scenes and
+/// fit files, each once. @throws InputError if a table of a fit file cannot be read
+std::vector<io::InputText> input_texts(const CheckFile& file);
 
 /// Reads a check file; see docs/file-formats.md for the keys.
 /// @param before_result  called with the path of each result file before it is read; may be empty

@@ -118,6 +118,12 @@ ClaimVerdict judge_count(const Claim& claim, const std::vector<JudgedFit>& fits)
   ClaimVerdict verdict = worst.verdict();
   const auto first = std::find_if(fits.begin(), fits.end(), is_bad);
   if (!verdict.holds && first != fits.end()) verdict.beside = first->name + " " + first->no_use;
+  verdict.worst.clear();
+  verdict.judged = bad;
+  for (const JudgedFit& fit : fits) {
+    if (!is_bad(fit) || verdict.worst.size() == kMostJudged) continue;
+    verdict.worst.push_back({fit.name, std::nullopt, fit.no_use});
+  }
   return verdict;
 }
 
@@ -146,7 +152,7 @@ ClaimVerdict judge(const Claim& claim, const FittedRecords& records) {
       worst.add(found.number, k, found.otherwise);
     }
   }
-  ClaimVerdict verdict = worst.verdict();
+  ClaimVerdict verdict = worst.verdict([&](std::size_t k) { return fits[k].name; });
   const JudgedFit& decisive = fits[worst.whose().value_or(0)];
   verdict.at = "of " + decisive.name;
   if (verdict.number && claim.kind == ClaimKind::Interval)

@@ -257,7 +257,31 @@ CheckFile read_check_file(const std::string& path,
   const std::vector<std::string>& own = document.root().notes();
   file.notes.insert(file.notes.end(), own.begin(), own.end());
   if (file.claims.empty()) throw InputError({path, 0}, "claim", "", "is missing: nothing to check");
+  file.text = document.text();
   return file;
+}
+
+std::vector<io::InputText> input_texts(const CheckFile& file) {
+  std::vector<io::InputText> all;
+  const auto name_of = [](const std::string& path) {
+    return std::filesystem::path(path).filename().string();
+  };
+  const auto add = [&](const std::vector<io::InputText>& texts) {
+    for (const io::InputText& text : texts) {
+      const auto is_same = [&](const io::InputText& one) {
+        return one.name == text.name && one.text == text.text;
+      };
+      if (std::ranges::none_of(all, is_same)) all.push_back(text);
+    }
+  };
+  add({{name_of(file.path), file.text}});
+  for (const Sweep& sweep : file.sweeps) add(sweep.inputs);
+  for (const Sweep& scene : file.scenes) add({{name_of(scene.scene.path), scene.scene.text}});
+  for (const FitSubject& fits : file.fits) {
+    if (fits.curves) add(input_texts(*fits.curves));
+    if (fits.scenes) add(fits.scenes->inputs);
+  }
+  return all;
 }
 
 }  // namespace plastica::sweeps

@@ -16,8 +16,8 @@ namespace {
 std::string found_text(const CheckFile& file, const Claim& claim, const ClaimVerdict& verdict) {
   std::string text(traits_of(claim.kind).word);
   std::replace(text.begin(), text.end(), '_', ' ');
-  if (!verdict.found.empty()) return text + " " + verdict.found;
-  return verdict.number ? text + " " + number_text(file, claim, *verdict.number) : text;
+  const std::string seen = seen_text(file, claim, verdict);
+  return seen.empty() ? text : text + " " + seen;
 }
 
 /// What was found of a claim that holds: "order 1.99997, 1.98 … 2.02".
@@ -50,6 +50,24 @@ std::string without_words(std::string text) {
   return text;
 }
 
+/// @param width  of all names
+std::string claim_line(const CheckedFile& checked, std::size_t k, std::size_t width) {
+  const Claim& claim = checked.file.claims[k];
+  const ClaimVerdict& verdict = checked.verdicts[k];
+  std::string name = without_words(report::printable(claim.name));
+  const std::size_t own = report::width_of(name);
+  if (own < width) name += std::string(width - own, ' ');
+  const std::string found = verdict.holds
+                                ? finding(checked.file, claim, verdict)
+                                : failing(checked.file, claim, verdict) + "; " + place_of(claim);
+  return fmt::format("  {}  {}  {}\n", verdict.holds ? "PASS" : "FAIL", name,
+                     without_words(report::printable(found)));
+}
+
+std::string warning_line(const std::string& warning) {
+  return "        warning: " + without_words(report::printable(warning)) + "\n";
+}
+
 std::size_t count_held(const CheckedFile& checked) {
   return static_cast<std::size_t>(std::count_if(checked.verdicts.begin(), checked.verdicts.end(),
                                                 [](const auto& v) { return v.holds; }));
@@ -67,23 +85,28 @@ std::string check_report(const CheckedFile& checked, CheckLines lines) {
   std::set<std::string> said;
   if (all) text = fmt::format("{}\n", without_words(report::printable(checked.file.path)));
   for (std::size_t k = 0; k < checked.file.claims.size(); ++k) {
-    const Claim& claim = checked.file.claims[k];
     const ClaimVerdict& verdict = checked.verdicts[k];
     if (verdict.holds && !all) continue;
-    std::string name = without_words(report::printable(claim.name));
-    if (all) name += std::string(width - report::width_of(name), ' ');
-    const std::string found = verdict.holds
-                                  ? finding(checked.file, claim, verdict)
-                                  : failing(checked.file, claim, verdict) + "; " + place_of(claim);
-    text += fmt::format("  {}  {}  {}\n", verdict.holds ? "PASS" : "FAIL", name,
-                        without_words(report::printable(found)));
+    text += claim_line(checked, k, width);
     for (const std::string& warning : verdict.warnings) {
       // Of several claims on a scene, or a sweep, once.
-      if (!said.insert(warning).second) continue;
-      text += "        warning: " + without_words(report::printable(warning)) + "\n";
+      if (said.insert(warning).second) text += warning_line(warning);
     }
   }
   return text;
+}
+
+std::string claim_report(const CheckedFile& checked, std::size_t claim) {
+  std::string text = claim_line(checked, claim, 0);
+  for (const std::string& warning : checked.verdicts[claim].warnings) {
+    text += warning_line(warning);
+  }
+  return text;
+}
+
+std::string seen_text(const CheckFile& file, const Claim& claim, const ClaimVerdict& verdict) {
+  if (!verdict.found.empty()) return verdict.found;
+  return verdict.number ? number_text(file, claim, *verdict.number) : std::string();
 }
 
 std::string check_summary(std::span<const CheckedFile> files) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <span>
 #include <string>
 #include <vector>
@@ -26,6 +27,13 @@ enum class CheckLines {
 /// not hold also the case, what was wanted, and where the claim stands. The two words stand nowhere
 /// else: what names have of them is written in lower case.
 std::string check_report(const CheckedFile& checked, CheckLines lines = CheckLines::All);
+
+/// What is printed of one claim: its line, then the warnings of what it is about.
+std::string claim_report(const CheckedFile& checked, std::size_t claim);
+
+/// What was found of a claim: "0.03047 %", "completed", "265 … 290 MPa"; empty where there is no
+/// number.
+std::string seen_text(const CheckFile& file, const Claim& claim, const ClaimVerdict& verdict);
 
 /// How many claims hold, of all files, in a line.
 std::string check_summary(std::span<const CheckedFile> files);

@@ -8,6 +8,7 @@
 
 #include "sweeps/check/worst.hpp"
 #include "sweeps/compare/convergence.hpp"
+#include "sweeps/plan/refining.hpp"
 #include "sweeps/trade/setting.hpp"
 
 namespace plastica::sweeps {
@@ -180,25 +181,38 @@ std::string made_of(const SweepRecord& record, std::size_t i) {
                      shown(record, *reference));
 }
 
+/// Has a verdict on a count name what was counted.
+template <typename Counted, typename NameOf>
+void name_counted(const Counted& counted, ClaimVerdict& verdict, const NameOf& name) {
+  verdict.worst.clear();
+  verdict.judged = counted.size();
+  for (const auto& one : counted) {
+    if (verdict.worst.size() == kMostJudged) return;
+    verdict.worst.push_back(name(one));
+  }
+}
+
 /// Of the chosen cases those that failed, the first of them with its reason.
 ClaimVerdict judge_failures(const Claim& claim, const SweepRecord& record,
                             const std::vector<RefinementGroup>& groups) {
-  std::optional<std::size_t> first;
-  std::optional<double> failed;
+  std::vector<std::size_t> failed;
+  bool any = false;
   for (const RefinementGroup& group : groups) {
     for (const std::size_t i : group.cases) {
-      const bool fails = !usable(record.results[i].status);
-      failed = failed.value_or(0.0) + (fails ? 1.0 : 0.0);
-      if (fails && !first) first = i;
+      any = true;
+      if (!usable(record.results[i].status)) failed.push_back(i);
     }
   }
   Worst worst(claim);
-  if (failed) worst.add(failed, 0, "");
+  if (any) worst.add(static_cast<double>(failed.size()), 0, "");
   ClaimVerdict verdict = worst.verdict();
-  if (!verdict.holds && first) {
-    const std::string of = setting_text(record, *first);
-    verdict.beside = (of.empty() ? "" : of + " ") + why(record, *first);
+  if (!verdict.holds && !failed.empty()) {
+    const std::string of = setting_text(record, failed.front());
+    verdict.beside = (of.empty() ? "" : of + " ") + why(record, failed.front());
   }
+  name_counted(failed, verdict, [&](std::size_t i) {
+    return JudgedNumber{setting_text(record, i), std::nullopt, why(record, i)};
+  });
   return verdict;
 }
 
@@ -207,20 +221,26 @@ ClaimVerdict judge_statuses(const Claim& claim, const SweepRecord& record,
                             const std::vector<RefinementGroup>& groups) {
   ClaimVerdict verdict;
   std::vector<Status> ended;
+  std::vector<std::size_t> others;  // that ended otherwise
   for (const RefinementGroup& group : groups) {
     for (const std::size_t i : group.cases) {
       const CaseResult& result = record.results[i];
       const auto allowed = [&](const std::vector<Status>& all) {
         return std::find(all.begin(), all.end(), result.status) != all.end();
       };
-      if (!allowed(claim.statuses)) {
-        verdict.found = name_of(result.status);
-        verdict.at = at(setting_text(record, i));
-        verdict.beside = result.reason;
-        return verdict;
-      }
+      if (!allowed(claim.statuses)) others.push_back(i);
       if (!allowed(ended)) ended.push_back(result.status);
     }
+  }
+  name_counted(others, verdict, [&](std::size_t i) {
+    return JudgedNumber{setting_text(record, i), std::nullopt, why(record, i)};
+  });
+  if (!others.empty()) {
+    const CaseResult& first = record.results[others.front()];
+    verdict.found = name_of(first.status);
+    verdict.at = at(setting_text(record, others.front()));
+    verdict.beside = first.reason;
+    return verdict;
   }
   if (ended.empty()) verdict.reason = "no case is chosen";
   verdict.holds = !ended.empty();
@@ -228,6 +248,21 @@ ClaimVerdict judge_statuses(const Claim& claim, const SweepRecord& record,
     verdict.found.append(verdict.found.empty() ? "" : ", ").append(name_of(status));
   }
   return verdict;
+}
+
+/// The errors of a group over what is refined in it.
+JudgedErrors errors_of(const SweepRecord& record, const RefinementGroup& group) {
+  const Field& field = *record.axes[*record.refined].field;
+  const std::string_view unit = si_unit(field.dimension);
+  JudgedErrors errors{std::string(field.path)};
+  if (unit != "1") errors.over += fmt::format(" [{}]", unit);
+  const bool count = refinement_of(field) == Refinement::Count;
+  for (std::size_t k = 0; k < group.cases.size(); ++k) {
+    const double error = std::abs(record.comparison.error[group.cases[k]].value_or(0.0));
+    if (!(error > 0.0) || !std::isfinite(error)) continue;
+    errors.points.push_back({count ? 1.0 / group.size[k] : group.size[k], error});
+  }
+  return errors;
 }
 
 bool is_of_groups(ClaimKind kind) {
@@ -252,10 +287,13 @@ ClaimVerdict judge(const Claim& claim, const SweepRecord& record) {
       for (const std::size_t i : groups[g].cases) add_case(claim, record, i, worst);
     }
   }
-  ClaimVerdict verdict = worst.verdict();
+  ClaimVerdict verdict = worst.verdict([&](std::size_t whose) {
+    return is_of_groups(claim.kind) ? groups[whose].label : setting_text(record, whose);
+  });
   if (!worst.whose()) return verdict;
   if (is_of_groups(claim.kind)) {
     verdict.at = at(groups[*worst.whose()].label);
+    if (claim.kind != ClaimKind::Spread) verdict.errors = errors_of(record, groups[*worst.whose()]);
   } else {
     verdict.at = at(setting_text(record, *worst.whose()));
     if (claim.kind == ClaimKind::Error && verdict.number) {
@@ -273,13 +311,20 @@ ClaimVerdict judge(const Claim& claim, std::span<const stability::StabilityRow> 
     return claim.kind == ClaimKind::Undetected ? validity == stability::Validity::Undetected
                                                : validity != stability::Validity::Valid;
   };
-  const auto count = std::count_if(rows.begin(), rows.end(), counts);
-  worst.add(static_cast<double>(count), 0, "");
-  ClaimVerdict verdict = worst.verdict();
-  const auto first = std::find_if(rows.begin(), rows.end(), counts);
-  if (!verdict.holds && first != rows.end()) {
-    verdict.beside = "the first: " + first->id + ": " + first->verdict.reason;
+  std::vector<const stability::StabilityRow*> counted;
+  for (const stability::StabilityRow& row : rows) {
+    if (counts(row)) counted.push_back(&row);
   }
+  worst.add(static_cast<double>(counted.size()), 0, "");
+  ClaimVerdict verdict = worst.verdict();
+  if (!verdict.holds && !counted.empty()) {
+    const stability::StabilityRow& first = *counted.front();
+    verdict.beside = "the first: " + first.id + ": " + first.verdict.reason;
+  }
+  name_counted(counted, verdict, [](const stability::StabilityRow* row) {
+    const auto word = stability::kValidity[static_cast<std::size_t>(row->verdict.validity)];
+    return JudgedNumber{row->id, std::nullopt, fmt::format("{}: {}", word, row->verdict.reason)};
+  });
   return verdict;
 }
 

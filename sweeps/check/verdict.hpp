@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <optional>
 #include <span>
 #include <string>
@@ -10,6 +12,22 @@
 
 namespace plastica::sweeps {
 
+/// One of the numbers that a claim is judged by.
+struct JudgedNumber {
+  std::string of;                  ///< whose: "beam.segments = 5", a fit, a point of a scan
+  std::optional<double> number{};  ///< [SI]; none: see the remark
+  std::string remark{};
+};
+
+/// So many of them a verdict names.
+inline constexpr std::size_t kMostJudged = 20;
+
+/// The errors of the group that decides a claim on an order.
+struct JudgedErrors {
+  std::string over;                             ///< what is refined: "solver.time_step [s]"
+  std::vector<std::array<double, 2>> points{};  ///< that [SI], size of the error [1], above 0
+};
+
 /// Whether a claim holds, and by which number.
 struct ClaimVerdict {
   bool holds = false;
@@ -19,6 +37,11 @@ struct ClaimVerdict {
   std::string found{};   ///< what was found that is no number: "completed", "265 … 290 MPa"
   std::string beside{};  ///< what else is to be said: "tip, end -0.75 m, reference -0.735 m"
   std::vector<std::string> warnings{};  ///< of the cases that it is about, see `case_warnings`
+  /// What it was judged by, the worst first, at most `kMostJudged`; of claims that count, what was
+  /// counted.
+  std::vector<JudgedNumber> worst{};
+  std::size_t judged = 0;  ///< how many of these there are
+  JudgedErrors errors{};
   /// What the claim took: the time of what it is about, shared by all claims about that [s].
   double seconds = 0.0;
 };

@@ -8,6 +8,7 @@
 
 #include "plastica/base/check.hpp"
 #include "plastica/report/picture.hpp"
+#include "sweeps/report/case_map.hpp"
 #include "sweeps/report/plot_charts.hpp"
 #include "sweeps/report/select.hpp"
 

@@ -11,7 +11,6 @@ bool has_convergence(const SweepRecord& record);
 bool has_values(const SweepRecord& record);
 bool has_trade(const SweepRecord& record);
 bool has_curves(const SweepRecord& record);
-bool has_map(const SweepRecord& record);
 
 /// The size of the error over what is refined, a line a group, its order in the legend; points at
 /// the round-off floor are open. @throws InputError if no picked case has an error

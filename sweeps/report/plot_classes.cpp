@@ -41,11 +41,12 @@ void classify_errors(const PlotCases& cases, CaseClasses& out) {
         (k == 0 ? "below " : bound_text(bounds[k]) + " … ") + bound_text(bounds[k + 1]) + " %";
     const double fraction =
         count == 1 ? 0.5 : static_cast<double>(k) / static_cast<double>(count - 1);
-    out.classes.push_back({name, ramp_color(fraction), kRampLetters[k]});
+    out.classes.push_back({name, ramp_color(fraction), kRampLetters[k], fraction});
   }
   for (std::size_t i = 0; i < record.cases(); ++i) {
     if (!cases.picked[i] || !record.comparison.error[i]) continue;
     out.number[i] = report::significant(percent_of(i), 2);
+    out.amount[i] = percent_of(i);
     const auto above = std::upper_bound(bounds.begin() + 1, bounds.end() - 1, percent_of(i));
     out.class_of[i] = static_cast<std::size_t>(above - bounds.begin()) - 1;
   }
@@ -69,16 +70,17 @@ void classify_values(const PlotCases& cases, CaseClasses& out) {
   const double step = (*high - *low) / static_cast<double>(count);
   for (std::size_t k = 0; k < count; ++k) {
     const double from = *low + step * static_cast<double>(k);
-    out.classes.push_back(
-        {count == 1
-             ? bound_text(*low / shown.scale)
-             : bound_text(from / shown.scale) + " … " + bound_text((from + step) / shown.scale),
-         ramp_color(static_cast<double>(k) / (kMaxClasses - 1)), kRampLetters[k]});
+    const double fraction = static_cast<double>(k) / (kMaxClasses - 1);
+    out.classes.push_back({count == 1 ? bound_text(*low / shown.scale)
+                                      : bound_text(from / shown.scale) + " … " +
+                                            bound_text((from + step) / shown.scale),
+                           ramp_color(fraction), kRampLetters[k], fraction});
   }
   for (std::size_t i = 0; i < record.cases(); ++i) {
     const auto& value = record.results[i].value;
     if (!cases.picked[i] || !value) continue;
-    out.number[i] = fmt::format("{:.3g}", *value / shown.scale);
+    out.amount[i] = *value / shown.scale;
+    out.number[i] = fmt::format("{:.3g}", *out.amount[i]);
     const double place = count == 1 ? 0.0 : (*value - *low) / step;
     out.class_of[i] = std::min(static_cast<std::size_t>(place), count - 1);
   }
@@ -137,6 +139,7 @@ CaseClasses classify(const PlotCases& cases) {
   CaseClasses out;
   out.class_of.resize(cases.record.cases());
   out.number.resize(cases.record.cases());
+  out.amount.resize(cases.record.cases());
   out.of_errors = cases.record.has_errors();
   if (out.of_errors) {
     classify_errors(cases, out);

@@ -15,6 +15,8 @@ struct CaseClass {
   std::string name;  ///< "0.1 … 0.2 %"
   std::string color;
   char letter = '?';  ///< on a terminal
+  /// Its place among those of numbers, of the smallest 0, of the largest 1; none: it is a status.
+  std::optional<double> fraction{};
 };
 
 struct CaseClasses {
@@ -22,7 +24,8 @@ struct CaseClasses {
   bool of_errors = false;  ///< whether errors are, else values
   std::vector<CaseClass> classes;
   std::vector<std::optional<std::size_t>> class_of;  ///< of picked cases (n_cases)
-  std::vector<std::string> number;  ///< of a case, empty where there is none (n_cases)
+  std::vector<std::string> number;            ///< of a case, empty where there is none (n_cases)
+  std::vector<std::optional<double>> amount;  ///< the same with all its digits (n_cases)
 };
 
 /// Bounds of classes by size: at 1, 2 and 5 times powers of ten, or at fewer, such that there are

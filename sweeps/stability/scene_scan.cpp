@@ -55,6 +55,10 @@ StabilityRow point_row(const std::string& scene, const Setup& setup, std::vector
   row.at = std::move(at);
   row.begun = true;
   row.verdict = run.verdict;
+  if (run.compared) {
+    row.deviation = run.deviation;
+    row.quantity = run.quantity;
+  }
   row.status = run.outcome.status;
   row.energy_balance_error = run.energy_balance_error;
   row.segment_steps = run.segment_steps;

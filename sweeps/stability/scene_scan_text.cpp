@@ -18,31 +18,8 @@ std::string_view word_of_class(const Verdict& verdict) {
   return kValidity[static_cast<std::size_t>(verdict.validity)];
 }
 
-/// Why a field is not followed further: "at 4 inaccurate: tip: history is off …".
-std::string end_text(const ScanLimit& limit, const SceneScanOptions& options) {
-  switch (limit.end) {
-    case ScanEnd::Verdict:
-      return fmt::format("at {} {}: {}", report::brief(limit.next), word_of_class(limit.verdict),
-                         limit.verdict.reason);
-    case ScanEnd::Range: return "up to the end of what is allowed";
-    case ScanEnd::Reach: return fmt::format("as far as it was followed, by {:g}", options.reach);
-    case ScanEnd::Work:
-      return fmt::format("then a run would take more than {:g} times the work", options.max_work);
-    case ScanEnd::Samples: return "longer steps are cut to the samples";
-    case ScanEnd::Whole: break;
-  }
-  return "there is no whole number within what it was followed by";
-}
-
 std::string own_text(const SceneScan& scan) {
-  std::string text = fmt::format("  own values  {}", word_of_class(scan.own));
-  if (!scan.own.reason.empty()) {
-    text += ": " + scan.own.reason;
-  } else if (scan.deviation) {
-    text += fmt::format(": {:.3g} % off a finer run", 100.0 * *scan.deviation);
-    if (!scan.quantity.empty()) text += " (" + scan.quantity + ")";
-  }
-  text += '\n';
+  std::string text = "  own values  " + own_verdict_text(scan) + '\n';
   for (const std::string& warning : scan.warnings) {
     text += report::wrapped("  warning     ", report::printable(warning), 100);
   }
@@ -59,6 +36,32 @@ void add_field(const ScannedField& one, const SceneScanOptions& options, report:
 }
 
 }  // namespace
+
+std::string end_text(const ScanLimit& limit, const SceneScanOptions& options) {
+  switch (limit.end) {
+    case ScanEnd::Verdict:
+      return fmt::format("at {} {}: {}", report::brief(limit.next), word_of_class(limit.verdict),
+                         limit.verdict.reason);
+    case ScanEnd::Range: return "up to the end of what is allowed";
+    case ScanEnd::Reach: return fmt::format("as far as it was followed, by {:g}", options.reach);
+    case ScanEnd::Work:
+      return fmt::format("then a run would take more than {:g} times the work", options.max_work);
+    case ScanEnd::Samples: return "longer steps are cut to the samples";
+    case ScanEnd::Whole: break;
+  }
+  return "there is no whole number within what it was followed by";
+}
+
+std::string own_verdict_text(const SceneScan& scan) {
+  std::string text(word_of_class(scan.own));
+  if (!scan.own.reason.empty()) {
+    text += ": " + scan.own.reason;
+  } else if (scan.deviation) {
+    text += fmt::format(": {:.3g} % off a finer run", 100.0 * *scan.deviation);
+    if (!scan.quantity.empty()) text += " (" + scan.quantity + ")";
+  }
+  return text;
+}
 
 std::string scene_scan_text(const SceneScan& scan, const SceneScanOptions& options) {
   std::string text = report::printable(scan.scene) +

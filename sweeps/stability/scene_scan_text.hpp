@@ -8,6 +8,12 @@
 
 namespace plastica::sweeps::stability {
 
+/// Why a field is not followed further: "at 4 inaccurate: tip: history is off …".
+std::string end_text(const ScanLimit& limit, const SceneScanOptions& options);
+
+/// What the scene as it is came to: "valid: 0.12 % off a finer run (tip: history)".
+std::string own_verdict_text(const SceneScan& scan);
+
 /// A table of the fields: value, from where to where a result is valid, and what comes beyond;
 /// then the fields on which no result depends.
 std::string scene_scan_text(const SceneScan& scan, const SceneScanOptions& options);

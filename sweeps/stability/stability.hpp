@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -30,6 +31,10 @@ struct StabilityRow {
   std::vector<ScannedValue> at;  ///< none (the normal point), one or two
   bool begun = false;            ///< false after a stop
   Verdict verdict{};
+  /// Of a scan of a user's scene: how far it is off a finer run [1], and of which quantity; none
+  /// where none was run.
+  std::optional<double> deviation{};
+  std::string quantity{};
   Status status = Status::NotRun;
   double energy_balance_error = 0.0;  ///< of a motion [1]
   double segment_steps = 0.0;         ///< segments times steps that were taken [1]

@@ -200,8 +200,9 @@ std::string rows_csv(std::span<const StabilityRow> rows) {
       "segment_steps,seconds\n";
   for (const StabilityRow& row : rows) {
     if (!row.begun) continue;
-    text += report::csv_cell(row.id) + ',' + row.scene + ',' + std::string(word_of(row.level)) +
-            ',' + (row.analysis == Analysis::Dynamics ? "dynamics" : "statics");
+    text += report::csv_cell(row.id) + ',' + report::csv_cell(row.scene) + ',' +
+            std::string(word_of(row.level)) + ',' +
+            (row.analysis == Analysis::Dynamics ? "dynamics" : "statics");
     for (std::size_t i = 0; i < 2; ++i) {
       text +=
           i < row.at.size() ? ',' + row.at[i].axis + ',' + report::brief(row.at[i].value) : ",,";

@@ -75,6 +75,42 @@ TEST_F(CheckCommand, WritesTimesAndLinesForJUnit) {
       << xml;
 }
 
+TEST_F(CheckCommand, RefusesABadPageInOneLineBeforeAnythingRuns) {
+  place_.write("there.html", "mine");
+  const auto before = place_.contents();
+  const auto refusal = [&](const std::vector<std::string>& words) {
+    std::vector<std::string> all{"check", "check.toml"};
+    all.insert(all.end(), words.begin(), words.end());
+    const CommandResult result = place_.run(all);
+    EXPECT_EQ(result.code, 2) << result.out;
+    EXPECT_EQ(result.out, "");
+    EXPECT_EQ(place_.contents(), before);
+    return result.err;
+  };
+  EXPECT_EQ(refusal({"--report", "page.txt"}),
+            "plastica: --report = page.txt: must end in .html: it is a page\n");
+  for (const std::string read : {"check.toml", "sweep.toml", "cantilever.toml"}) {
+    EXPECT_EQ(refusal({"--report", read, "--force"}),
+              "plastica: --report = " + read + ": is a file that this run reads\n");
+  }
+  EXPECT_EQ(refusal({"--junit", "new.html", "--report", "./new.html"}),
+            "plastica: --report = ./new.html: is the output, too\n");
+  EXPECT_EQ(refusal({"--report", "there.html"}),
+            "plastica: there.html: exists already: use --force to overwrite it\n");
+  EXPECT_TRUE(has(refusal({"--report", "none/page.html"}), "plastica: none/page.html: "));
+  EXPECT_EQ(place_.run({"check", "check.toml", "--report", "there.html", "--force"}).code, 0);
+  EXPECT_TRUE(has(place_.read("there.html"), "<!doctype html>"));
+}
+
+TEST_F(CheckCommand, WritesAPageOfClaimsThatDoNotHold) {
+  make_one_fail();
+  const CommandResult quiet =
+      place_.run({"check", "check.toml", "--quiet", "--report", "page.html"});
+  EXPECT_EQ(quiet.code, 1);
+  EXPECT_EQ(quiet.err, "");
+  EXPECT_TRUE(has(place_.read("page.html"), "\"does not hold\""));
+}
+
 TEST_F(CheckCommand, RefusesAnUnknownCi) {
   const CommandResult result = place_.run({"check", "check.toml", "--annotate", "gitlab"});
   EXPECT_EQ(result.code, 2);

@@ -5,68 +5,13 @@ show the numbers of the result's JSON summary.
 report_test.py COMMAND DATA
 """
 
-import html.parser
 import json
 import os
 import re
-import subprocess
 import sys
-import tempfile
 import unittest
 
-from browser import Browser
-
-COMMAND, DATA = sys.argv[1:3]
-HOSTILE = "a<script>alert(1)</script>\"'&<b>"
-# Points of curves that the axes leave out.
-POINTS_OUTSIDE = """(() => {
-  drawAll();
-  return [...charts].flatMap((chart) => {
-    const { left, right, top, bottom } = chart.chartArea;
-    return chart.data.datasets.flatMap((set) => set.data.filter((point) => {
-      if (point.x === null || point.y === null) return false;
-      const x = chart.scales.x.getPixelForValue(point.x);
-      const y = chart.scales.y.getPixelForValue(point.y);
-      return x < left - 1 || x > right + 1 || y < top - 1 || y > bottom + 1;
-    }).map((point) => [set.label, point.x, point.y])).slice(0, 3);
-  });
-})()"""
-browser = None
-
-
-def setUpModule():
-    global browser
-    browser = Browser()
-
-
-def tearDownModule():
-    browser.close()
-
-
-class Elements(html.parser.HTMLParser):
-    """The elements of a page before its scripts have run, and the data that it holds."""
-
-    def __init__(self, text):
-        super().__init__()
-        self.names = []
-        self.addresses = []
-        self.scripts = []
-        self.data = None
-        self.holds_data = False
-        self.feed(text)
-
-    def handle_starttag(self, tag, attrs):
-        attrs = dict(attrs)
-        self.names.append(tag)
-        self.addresses += [attrs[name] for name in ("src", "href") if name in attrs]
-        self.holds_data = attrs.get("id") == "data"
-
-    def handle_data(self, data):
-        if self.holds_data:
-            self.data = json.loads(data)
-
-    def handle_endtag(self, tag):
-        self.holds_data = False
+from web_report import DATA, HOSTILE, Report, browser
 
 
 def distance(point, line):
@@ -79,75 +24,6 @@ def distance(point, line):
         at = min(1.0, max(0.0, at))
         least = min(least, ((point[0] - ax - at * u) ** 2 + (point[1] - ay - at * v) ** 2) ** 0.5)
     return least
-
-
-class Report(unittest.TestCase):
-    def setUp(self):
-        self.scratch = tempfile.TemporaryDirectory()
-        self.addCleanup(self.scratch.cleanup)
-        browser.complaints.clear()
-
-    def path(self, name):
-        return os.path.join(self.scratch.name, name)
-
-    def run_command(self, *words, code=0):
-        done = subprocess.run([COMMAND, *words], capture_output=True, text=True)
-        self.assertEqual(done.returncode, code, done.stderr)
-        return done
-
-    def write(self, name, text):
-        with open(self.path(name), "w", encoding="utf-8") as file:
-            file.write(text)
-        return self.path(name)
-
-    def report(self, result, *words):
-        """Writes the page. @return its path"""
-        page = self.path("page.html")
-        self.run_command("report", result, "-o", page, "--force", *words)
-        with open(page, encoding="utf-8") as file:
-            elements = Elements(file.read())
-        self.assertEqual(elements.addresses, [])
-        self.assertEqual(elements.names.count("script"), 3)
-        self.data = elements.data
-        return page
-
-    def look_at_all(self, page):
-        """Opens each tab and the first details, wide and narrow, light and dark."""
-        for width, dark in ((1600, False), (400, True)):
-            browser.open(page, width, 900, dark)
-            hashes = [f"tab={i}" for i in range(len(self.data["tabs"]))]
-            hashes += [f"detail={i}" for i in range(min(3, len(self.data["details"])))]
-            for where in hashes:
-                browser.evaluate(f"location.hash = '{where}'")
-                browser.settle()
-                wide = browser.evaluate("document.documentElement.scrollWidth")
-                self.assertLessEqual(wide, width, where)  # nothing stands out at the side
-                self.assertGreater(browser.evaluate("document.querySelector('main').innerText.length"),
-                                   20, where)
-                self.assertEqual(browser.evaluate(POINTS_OUTSIDE), [], where)
-        self.assertEqual(browser.complaints, [])
-        others = [url for url in browser.requests if not url.startswith(("file://", "data:"))]
-        self.assertEqual(others, [])
-
-    def texts(self, selector):
-        return browser.evaluate("[...document.querySelectorAll(" + json.dumps(selector) +
-                                ")].map((element) => element.innerText)")
-
-    def drawn(self, selector):
-        """How many pixels of a canvas are not empty."""
-        return browser.evaluate(
-            "(() => { const c = document.querySelector(" + json.dumps(selector) + ");"
-            "const d = c.getContext('2d').getImageData(0, 0, c.width, c.height).data;"
-            "let n = 0; for (let i = 3; i < d.length; i += 4) n += d[i] > 0; return n; })()")
-
-
-    def blue(self, selector):
-        """How many pixels of a canvas have the colour of the first curve."""
-        return browser.evaluate(
-            "(() => { const c = document.querySelector(" + json.dumps(selector) + ");"
-            "const d = c.getContext('2d').getImageData(0, 0, c.width, c.height).data;"
-            "let n = 0; for (let i = 0; i < d.length; i += 4) n += d[i + 3] > 128 && d[i] < 60 &&"
-            "Math.abs(d[i + 1] - 114) < 40 && Math.abs(d[i + 2] - 178) < 40; return n; })()")
 
 
 class Fits(Report):

@@ -79,6 +79,10 @@ TEST_F(StabilityCommand, RefusesInOneLine) {
             "plastica: --map = map.svg: is of two fields: name them by --vary\n");
   EXPECT_EQ(refusal({"--vary", "beam.length", "-o", "cantilever.toml", "--force"}),
             "plastica: --output = cantilever.toml: is a file that this run reads\n");
+  EXPECT_EQ(refusal({"--vary", "beam.length", "--report", "page.txt"}),
+            "plastica: --report = page.txt: must end in .html: it is a page\n");
+  EXPECT_EQ(refusal({"--vary", "beam.length", "--report", "cantilever.toml", "--force"}),
+            "plastica: --report = cantilever.toml: is a file that this run reads\n");
   EXPECT_TRUE(has(refusal({"--reach", "1"}), "--reach"));
   EXPECT_TRUE(has(refusal({"--vary", "beam.length", "-o", "-"}), "plastica: -: is no file"));
   EXPECT_TRUE(has(refusal({"--vary", "beam.length", "-o", "p.svg"}),

@@ -74,6 +74,41 @@ void add_statistics(WebTable& table, const GroupSummary& group, std::span<const 
   }
 }
 
+void add_out_of_line(WebTable& table, const GroupSummary& group, std::span<const FitRecord> records,
+                     const std::vector<GroupStatistic>& all, bool measured) {
+  for (const GroupStatistic& entry : all) {
+    for (const OutOfLine& one : entry.out_of_line) {
+      const DisplayUnit unit = display_unit_of(entry.name, entry.dimension, one.median);
+      table.add_row(
+          {printable(records[one.record].name()), printable(group_label(group.group)),
+           measured ? characteristic_label(entry.name, group, records) : printable(entry.name),
+           measured ? "the curves" : "the fits", unit.name, in_unit(one.value, unit),
+           in_unit(one.median, unit), plastica::report::number(one.score)},
+          one.record);
+    }
+  }
+}
+
+/// The specimens that are out of line with their groups; each row opens its own.
+Json out_of_line_block(const std::vector<GroupSummary>& groups,
+                       std::span<const FitRecord> records) {
+  WebTable table("Specimens out of line");
+  table.open_details();
+  table.add_words("specimen");
+  table.add_words("group");
+  table.add_words("quantity");
+  table.add_words("of");
+  table.add_words("unit");
+  table.add_numbers("value");
+  table.add_numbers("median", "", "of the group");
+  table.add_numbers("score", "", "0.6745 (value - median)/MAD", 3);
+  for (const GroupSummary& group : groups) {
+    add_out_of_line(table, group, records, group.characteristics, true);
+    add_out_of_line(table, group, records, group.parameters, false);
+  }
+  return table.is_empty() ? Json(nullptr) : table.block();
+}
+
 }  // namespace
 
 void add_groups(Json& blocks, std::span<const FitRecord> records, const SpecimenDraws& draws) {
@@ -96,9 +131,14 @@ void add_groups(Json& blocks, std::span<const FitRecord> records, const Specimen
   table.add_numbers("mean, " + percent_from(draws.confidence), "",
                     "confidence interval of the mean");
   table.add_numbers("to");
-  for (const GroupSummary& group : summarize_groups(records, draws)) {
+  const std::vector<GroupSummary> groups = summarize_groups(records, draws);
+  for (const GroupSummary& group : groups) {
     add_statistics(table, group, records, group.characteristics, true);
     add_statistics(table, group, records, group.parameters, false);
+  }
+  if (Json outliers = out_of_line_block(groups, records); !outliers.is_null()) {
+    blocks.push_back(std::move(outliers));
+    blocks.push_back(plastica::report::web_notes("", {out_of_line_rule()}, "note"));
   }
   blocks.push_back(table.block());
 }

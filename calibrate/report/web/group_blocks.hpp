@@ -12,8 +12,8 @@
 namespace plastica::calibrate::report {
 
 /// Adds a picture of each parameter over the groups, every specimen a point beside mean and
-/// deviation, and a table of all groups' statistics.
-/// @param records  of one law
+/// deviation, the specimens that are out of line, and a table of all groups' statistics.
+/// @param records  of one law; the page's details are in their order
 /// @param draws    how intervals of means are found
 void add_groups(Json& blocks, std::span<const FitRecord> records, const SpecimenDraws& draws);
 

@@ -12,10 +12,12 @@
 #include "plastica/model/field.hpp"
 #include "plastica/report/format.hpp"
 #include "plastica/report/web/web_blocks.hpp"
+#include "sweeps/report/case_map.hpp"
 #include "sweeps/report/case_rows.hpp"
 #include "sweeps/report/plot_charts.hpp"
 #include "sweeps/report/text.hpp"
 #include "sweeps/report/web/web_chart.hpp"
+#include "sweeps/report/web/web_map.hpp"
 #include "sweeps/trade/setting.hpp"
 
 namespace plastica::sweeps {
@@ -119,8 +121,8 @@ Json left_out(const SweepRecord& record, std::size_t shown) {
       "the report of each case, of more than {}: plastica show --case has it", kMostReports)};
   if (shown < record.cases()) {
     notes.push_back(
-        fmt::format("{} of {} cases, and the picture of error against cost: plastica show "
-                    "--all and plastica plot --what trade have them",
+        fmt::format("{} of {} cases, the picture of error against cost and the map: plastica show "
+                    "--all and plastica plot --what trade and map have them",
                     record.cases() - shown, record.cases()));
   }
   return report::web_notes("Left out", notes, "note");
@@ -137,6 +139,17 @@ Json curves_block(const PlotCases& cases) {
   }
 }
 
+/// The same of maps.
+Json map_block(const PlotCases& cases) {
+  const bool opens = cases.record.cases() <= kMostReports;
+  try {
+    return web_map("Map", case_map(cases), cases.record, opens);
+  } catch (const InputError&) {
+    return report::web_notes(
+        "Map", {"there are too many: plastica plot --what map --case draws some"}, "note");
+  }
+}
+
 WebTab pictures_tab(const SweepRecord& record) {
   WebTab tab{"Pictures", Json::array()};
   const PlotCases cases{record, std::vector<bool>(record.cases(), true)};
@@ -146,6 +159,7 @@ WebTab pictures_tab(const SweepRecord& record) {
   if (has_convergence(record)) {
     tab.blocks.push_back(web_chart("Convergence", convergence_chart(cases)));
   }
+  if (has_map(record) && record.cases() <= kMostRows) tab.blocks.push_back(map_block(cases));
   if (has_values(record)) tab.blocks.push_back(web_chart("Values", value_chart(cases)));
   if (has_curves(record)) tab.blocks.push_back(curves_block(cases));
   return tab;

@@ -170,5 +170,50 @@ TEST(Summary, LeavesOpenWhereBreaksLieBetweenTheSameSamples) {
   EXPECT_EQ(half(find(group.parameters, "yield_stress")), 0.0);
 }
 
+/// Of 276, 278, 280, 282, 284 and 320 MPa the median is 281, that of the distances from it 3: the
+/// last one's score is 0.6745 * 39/3.
+TEST(Summary, NamesSpecimensOutOfLine) {
+  std::vector<FitRecord> records{fitted_record("far", 320e6)};
+  for (int i = 0; i < 5; ++i) {
+    records.push_back(fitted_record("bar-" + std::to_string(i), 276e6 + 2e6 * i));
+  }
+  const GroupSummary group = summarize_groups(records).front();
+  const GroupStatistic* yield = find(group.parameters, "yield_stress");
+  ASSERT_NE(yield, nullptr);
+  ASSERT_EQ(yield->out_of_line.size(), 1U);
+  EXPECT_EQ(yield->out_of_line[0].record, 0U);
+  EXPECT_DOUBLE_EQ(yield->out_of_line[0].value, 320e6);
+  EXPECT_DOUBLE_EQ(yield->out_of_line[0].median, 281e6);
+  EXPECT_NEAR(yield->out_of_line[0].score, 0.6745 * 13.0, 1e-9);
+  EXPECT_EQ(find(group.characteristics, "rp02")->out_of_line.size(), 1U);
+  // All have the same modulus.
+  EXPECT_TRUE(find(group.characteristics, "youngs_modulus")->out_of_line.empty());
+  // In a group of its own it is in line with itself.
+  records[0].target.group = {{"temperature", "200"}};
+  for (const GroupSummary& one : summarize_groups(records)) {
+    EXPECT_TRUE(find(one.parameters, "yield_stress")->out_of_line.empty());
+  }
+}
+
+TEST(Summary, TakesNoDifferenceBelowWhatIsKnownForOneOutOfLine) {
+  std::vector<FitRecord> records;
+  for (int i = 0; i < 6; ++i) {
+    records.push_back(fitted_record("bar-" + std::to_string(i), 280e6 + 0.1 * i));
+    parameter_of(records.back(), "break_strain").value = 0.1 + 1e-5 * i;
+  }
+  // By round-off, and by less than half the interval between two samples.
+  parameter_of(records[5], "yield_stress").value += 100.0;
+  parameter_of(records[5], "break_strain").value += 2e-4;
+  parameter_of(records[5], "break_strain").sampling_error = 0.00025 / std::sqrt(3.0);
+  GroupSummary group = summarize_groups(records).front();
+  EXPECT_TRUE(find(group.parameters, "yield_stress")->out_of_line.empty());
+  EXPECT_TRUE(find(group.parameters, "break_strain")->out_of_line.empty());
+  parameter_of(records[5], "yield_stress").value += 1e6;
+  parameter_of(records[5], "break_strain").value += 2e-4;
+  group = summarize_groups(records).front();
+  EXPECT_EQ(find(group.parameters, "yield_stress")->out_of_line.size(), 1U);
+  EXPECT_EQ(find(group.parameters, "break_strain")->out_of_line.size(), 1U);
+}
+
 }  // namespace
 }  // namespace plastica::calibrate

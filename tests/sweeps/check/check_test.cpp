@@ -115,6 +115,50 @@ TEST_F(CheckTest, SaysWhichCaseIsTheWorst) {
   EXPECT_EQ(order.at, "at rules.end_rule = equal");
 }
 
+TEST_F(CheckTest, KeepsWhatItWasJudgedByTheWorstFirst) {
+  const ClaimVerdict found = verdict(kHalf + "error = { at_most = '1 %' }\n");
+  EXPECT_EQ(found.judged, 3U);
+  ASSERT_EQ(found.worst.size(), 3U);
+  EXPECT_EQ("at " + found.worst[0].of, found.at);
+  EXPECT_EQ(found.worst[0].number, found.number);
+  EXPECT_GT(found.worst[0].number, found.worst[1].number);
+  EXPECT_GT(found.worst[1].number, found.worst[2].number);
+  const ClaimVerdict low = verdict(kHalf + "error = { at_least = '0.5 %' }\n");
+  EXPECT_EQ(low.worst[0].of, found.worst[2].of);
+  const ClaimVerdict order = verdict("order = { at_least = 1.98 }\n");
+  ASSERT_EQ(order.worst.size(), 2U);
+  EXPECT_EQ(order.worst[0].of, "rules.end_rule = equal");
+  EXPECT_EQ(order.errors.over, "beam.segments");
+  ASSERT_EQ(order.errors.points.size(), 3U);
+  EXPECT_DOUBLE_EQ(order.errors.points[2][0], 16.0);
+  EXPECT_TRUE(found.errors.points.empty());
+}
+
+TEST_F(CheckTest, KeepsNoMoreThanAFew) {
+  SweepRecord record;
+  constexpr std::size_t kCases = 100;
+  record.results.resize(kCases);
+  record.ids.resize(kCases);
+  for (std::size_t i = 0; i < kCases; ++i) {
+    record.results[i].status = Status::Completed;
+    record.results[i].value = static_cast<double>(i * 37 % kCases);
+  }
+  record.results[50].value.reset();
+  record.results[50].reason = "has none";
+  record.comparison.lacks.resize(kCases);
+  record.comparison.reason.resize(kCases);
+  Claim claim;
+  claim.kind = ClaimKind::Value;
+  claim.at_most = 2.0;
+  const ClaimVerdict found = judge(claim, record);
+  EXPECT_EQ(found.judged, kCases);
+  ASSERT_EQ(found.worst.size(), kMostJudged);
+  EXPECT_EQ(found.worst[0].remark, "has none");
+  for (std::size_t k = 1; k < kMostJudged; ++k) {
+    EXPECT_EQ(found.worst[k].number, 100.0 - static_cast<double>(k));
+  }
+}
+
 TEST_F(CheckTest, SharesTheTimeOfASweepAmongItsClaims) {
   write("check.toml",
         "[[claim]]\nname = 'a'\nsweep = 'sweep.toml'\nfailed = { at_most = 0 }\n"
@@ -158,6 +202,10 @@ TEST_F(CheckTest, SaysWhichCaseFailed) {
   EXPECT_EQ(failed.number, 1.0);
   EXPECT_EQ(failed.beside.substr(0, 52), "solver.max_iterations = 1 ended as not-converged: ta")
       << failed.beside;
+  ASSERT_EQ(failed.worst.size(), 1U);
+  EXPECT_EQ(failed.worst[0].of, "solver.max_iterations = 1");
+  EXPECT_TRUE(failed.worst[0].remark.starts_with("ended as not-converged"))
+      << failed.worst[0].remark;
   const ClaimVerdict value = verdict("value = { at_least = '-9 m' }\n");
   EXPECT_EQ(value.at, "at solver.max_iterations = 1");
   EXPECT_FALSE(value.number);

@@ -1,8 +1,12 @@
 #include <gtest/gtest.h>
 
+#include <cmath>
+
+#include "sweeps/report/case_map.hpp"
 #include "sweeps/report/plot.hpp"
 #include "sweeps/report/plot_charts.hpp"
 #include "sweeps/report/plot_classes.hpp"
+#include "sweeps/report/web/web_map.hpp"
 #include "tests/support/has.hpp"
 #include "tests/support/message.hpp"
 #include "tests/sweeps/run_record.hpp"
@@ -139,6 +143,26 @@ TEST(HasMap, NeedsTwoAxesOfNumbersThatAreCrossed) {
       has_map(record_of("[[axis]]\nfield = 'beam.segments'\nvalues = [4, 8]\nzip = 'a'\n"
                         "[[axis]]\nfield = 'scale.loads'\nvalues = [1, 2]\nzip = 'a'\n" +
                         kTipError)));
+}
+
+TEST(WebMap, HasACellForEachCaseWithItsClass) {
+  SweepRecord record = grid();
+  record.comparison.error[4].reset();
+  record.results[4].status = Status::NotConverged;
+  const report::Json json = web_map("Map", case_map(all_of(record)), record, true);
+  EXPECT_EQ(json["x_values"], report::Json({4.0, 8.0, 16.0}));
+  EXPECT_EQ(json["y_values"], report::Json({0.5, 1.0}));
+  ASSERT_EQ(json["maps"].size(), 1U);
+  const report::Json& cells = json["maps"][0]["cells"];
+  ASSERT_EQ(cells.size(), 6U);
+  for (std::size_t i = 0; i < 6; ++i) {
+    EXPECT_EQ(cells[i]["case"], i);
+    const report::Json& kind = json["classes"][cells[i]["class"].get<std::size_t>()];
+    EXPECT_EQ(kind.contains("fraction"), i != 4) << kind;
+    const auto& error = record.comparison.error[i];
+    EXPECT_EQ(cells[i]["amount"],
+              report::number(error ? std::optional(100.0 * std::abs(*error)) : std::nullopt));
+  }
 }
 
 }  // namespace

@@ -81,11 +81,13 @@ void WebTable::add_numbers(std::string name, std::string unit, std::string about
 }
 
 Json WebTable::block() const {
-  return {{"kind", "table"},
-          {"title", title_},
-          {"columns", columns_},
-          {"rows", rows_},
-          {"opens", opens_}};
+  Json json = {{"kind", "table"},
+               {"title", title_},
+               {"columns", columns_},
+               {"rows", rows_},
+               {"opens", opens_}};
+  if (!details_.empty()) json["details"] = details_;
+  return json;
 }
 
 Json web_figure(const Figure& figure, int spots) {

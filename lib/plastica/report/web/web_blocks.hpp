@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <string>
 #include <utility>
 #include <vector>
@@ -33,7 +34,12 @@ class WebTable {
   void add_numbers(std::string name, std::string unit = {}, std::string about = {}, int digits = 5);
   /// @param cells  as many as there are columns: texts, numbers or null
   void add_row(Json cells) { rows_.push_back(std::move(cells)); }
-  /// Row i opens the page's detail i.
+  /// @param detail  of the page, which the row opens; all rows of a table have one, or none
+  void add_row(Json cells, std::size_t detail) {
+    add_row(std::move(cells));
+    details_.push_back(detail);
+  }
+  /// Rows open the page's details: row i, unless it was added with another, detail i.
   void open_details() { opens_ = true; }
   bool is_empty() const { return rows_.empty(); }
 
@@ -43,6 +49,7 @@ class WebTable {
   std::string title_;
   Json columns_ = Json::array();
   Json rows_ = Json::array();
+  std::vector<std::size_t> details_;
   bool opens_ = false;
 };
 

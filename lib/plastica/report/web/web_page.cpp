@@ -61,8 +61,9 @@ std::string html_of(const WebPage& page) {
   html += "<script type=\"application/json\" id=\"data\">";
   std::vector<std::string> tabs;
   for (const WebTab& tab : page.tabs) tabs.push_back(part_text(tab));
-  html += fmt::format("{{\"title\":{},\"lines\":{},\"license\":{},\"tabs\":[", inert(page.title),
-                      inert(page.lines), inert(assets::chart_license()));
+  html += fmt::format("{{\"title\":{},\"lines\":{},\"numbers_in\":{},\"license\":{},\"tabs\":[",
+                      inert(page.title), inert(page.lines), inert(page.numbers_in),
+                      inert(assets::chart_license()));
   append_list(html, tabs);
   html += "],\"details\":[";
   append_list(html, page.details);

@@ -22,6 +22,7 @@ struct WebPage {
   /// What the rows of a table open, as `part_text` has it: of ten thousand specimens they would
   /// take a gigabyte otherwise.
   std::vector<std::string> details{};
+  std::string numbers_in = "the result file";  ///< where all numbers are; empty: nowhere else
 };
 
 /// A part of the page as JSON that HTML takes for no element.
@@ -35,6 +36,7 @@ bool has_chart_library();
 std::string html_of(const WebPage& page);
 
 /// How a result came about: time, command, versions, the files that the run was told by.
+/// @param file  the result's; empty: there is none
 WebTab provenance_tab(const std::string& file, const io::RunMeta& meta,
                       const std::vector<io::InputText>& inputs, const std::string& run = {});
 

@@ -24,7 +24,7 @@ function datasetsOf(curve) {
     pointStyle: pointStyles[symbol + (symbol % 2 === 0 ? 1 : 0)] ?? "circle",
     pointRotation: symbol === 11 ? 180 : 0,
   };
-  const few = curve.points.n <= 60;
+  const few = curve.points.n <= (curve.labels ? 200 : 60);
   switch (curve.stroke) {
     case "area":
       return [
@@ -202,7 +202,8 @@ function drawAll() {
 }
 
 function panelElement(panel, onChart) {
-  const canvas = make("canvas", { role: "img", "aria-label": `${panel.title} ${panel.y} over ${panel.x}` });
+  const canvas = make("canvas", { role: "img",
+    "aria-label": [panel.title, panel.x ? `${panel.y} over ${panel.x}` : panel.y].filter(Boolean).join(": ") });
   const frame = make("div", { className: "canvas" }, canvas);
   const ends = panel.curves.some((curve) => ["area", "bars"].includes(curve.stroke));
   const heads = ["curve", panel.x, panel.y, ...(ends ? ["from", "to"] : [])];

@@ -4,12 +4,13 @@
 const blockMakers = {
   text: (block) => make("section", {}, make("h2", {}, block.title), make("pre", {}, block.text)),
   notes: (block) => make("section", { className: block.tone },
-    make("h2", {}, block.title), make("ul", {}, ...block.notes.map((note) => make("li", {}, note)))),
+    block.title ? make("h2", {}, block.title) : null, make("ul", {}, ...block.notes.map((note) => make("li", {}, note)))),
   facts: (block) => make("section", {}, block.title ? make("h2", {}, block.title) : null,
     make("dl", {}, ...block.rows.flatMap(([name, what]) =>
       [make("dt", {}, name), make("dd", {}, what)]))),
   table: tableOnce,
   figure: (block) => figureBlock(block),
+  map: (block) => mapBlock(block),
   beam: (block) => beamBlock(block),
 };
 
@@ -22,18 +23,23 @@ function tableOnce(block) {
   return tables.get(block);
 }
 
-const main = make("main", { tabIndex: -1 });
+// The pattern "tabs" of the WAI-ARIA Authoring Practices: one panel, named by the tab that is chosen.
+const panel = make("div", { id: "panel", role: "tabpanel" });
+const main = make("main", { tabIndex: -1 }, panel);
 const tabButtons = report.tabs.map((tab, i) => {
-  const button = make("button", { type: "button", role: "tab" }, tab.name);
+  const button = make("button", { type: "button", id: `tab-${i}`, role: "tab", "aria-controls": "panel" },
+    tab.name);
   button.addEventListener("click", () => { location.hash = `tab=${i}`; });
   return button;
 });
 let lastTab = 0;
 
 function stepTab(event) {
-  const step = { ArrowRight: 1, ArrowLeft: -1 }[event.key];
-  if (!step) return;
-  const next = (lastTab + step + tabButtons.length) % tabButtons.length;
+  const last = tabButtons.length - 1;
+  const next = { ArrowRight: lastTab === last ? 0 : lastTab + 1, ArrowLeft: lastTab === 0 ? last : lastTab - 1,
+    Home: 0, End: last }[event.key];
+  if (next === undefined || event.ctrlKey || event.metaKey || event.altKey) return;
+  event.preventDefault();
   location.hash = `tab=${next}`;
   tabButtons[next].focus();
 }
@@ -71,7 +77,8 @@ function show() {
     button.setAttribute("aria-selected", String(k === lastTab));
     button.tabIndex = k === lastTab ? 0 : -1;
   });
-  main.replaceChildren(...(isDetail ? detailView(i) : blocksOf(report.tabs[lastTab])));
+  panel.setAttribute("aria-labelledby", tabButtons[lastTab].id);
+  panel.replaceChildren(...(isDetail ? detailView(i) : blocksOf(report.tabs[lastTab])));
   scrollTo(0, 0);
   if (isDetail) main.focus({ preventScroll: true });
 }
@@ -104,14 +111,16 @@ function themeButton() {
   return button;
 }
 
-const tabs = make("div", { role: "tablist", className: "tabs" }, ...tabButtons);
+const tabs = make("div", { role: "tablist", className: "tabs", "aria-label": "parts of the report" },
+  ...tabButtons);
 tabs.addEventListener("keydown", stepTab);
 document.body.append(
   make("header", {}, themeButton(), make("h1", {}, report.title),
     ...report.lines.map((line) => make("p", {}, line)), tabs),
   main,
   make("footer", {}, make("p", {},
-    "Made by Plastica. Curves are thinned and rounded to what a screen shows; all numbers are in the result file."),
+    "Made by Plastica. Curves are thinned and rounded to what a screen shows" +
+    (report.numbers_in ? `; all numbers are in ${report.numbers_in}.` : ".")),
     make("details", {}, make("summary", {}, "Licence of Chart.js, which draws the curves"),
       make("pre", {}, report.license))));
 document.addEventListener("keydown", (event) => {

@@ -1,7 +1,7 @@
 // Tables that sort by a click on a column's name and show the rows that a filter leaves.
 
 const rowsAtOnce = 100;
-let rowsInOrder = [];  // of the table whose rows open details, as it shows them
+let rowsInOrder = [];  // details that the table from which one was opened shows, in its order
 
 // "misfit > 2, material = S355": a column with a number or a word, or letters that any cell has; all of
 // them hold. @return for each what a row must fulfil, or, in place of it, what is wrong
@@ -60,15 +60,18 @@ function tableBlock(block, openDetail) {
   const body = make("tbody");
   const more = make("button", { type: "button", className: "more" }, "more rows");
   const order = block.rows.map((_, i) => i);
+  let rows = order;  // that the filter leaves
+  const detailOf = (i) => block.details?.[i] ?? i;
 
   const heads = block.columns.map((column, c) => {
     const button = make("button", { type: "button", title: column.about || "sort" },
       withUnit(column.name, column.unit));
-    const head = make("th", { scope: "col", className: column.numbers ? "number" : "" }, button);
+    const head = make("th", { scope: "col", className: column.numbers ? "number" : "", "aria-sort": "none" },
+      button);
     button.addEventListener("click", () => {
       falling = sortedBy === c ? !falling : false;
       sortedBy = c;
-      heads.forEach((other) => other.removeAttribute("aria-sort"));
+      heads.forEach((other) => other.setAttribute("aria-sort", "none"));
       head.setAttribute("aria-sort", falling ? "descending" : "ascending");
       order.sort((i, k) => {
         const a = block.rows[i][c];
@@ -85,11 +88,12 @@ function tableBlock(block, openDetail) {
     const cells = block.rows[i].map((cell, c) =>
       make("td", { className: classOf(block.columns[c], cell) }, shown(cell, block.columns[c].digits)));
     if (!block.opens) return make("tr", {}, ...cells);
-    const link = make("a", { href: `#detail=${i}` }, shown(block.rows[i][0]));
+    const link = make("a", { href: `#detail=${detailOf(i)}` }, shown(block.rows[i][0]));
     cells[0].replaceChildren(link);
     const row = make("tr", { className: "opens" }, ...cells);
     row.addEventListener("click", (event) => {
-      if (event.target !== link && String(getSelection()) === "") openDetail(i);
+      rowsInOrder = [...new Set(rows.map(detailOf))];
+      if (event.target !== link && String(getSelection()) === "") openDetail(detailOf(i));
     });
     return row;
   }
@@ -102,8 +106,7 @@ function tableBlock(block, openDetail) {
   function show() {
     const conditions = conditionsOf(input.value, block.columns);
     const wrong = conditions.find((condition) => typeof condition === "string");
-    const rows = wrong ? [] : left(conditions);
-    if (block.opens) rowsInOrder = rows;
+    rows = wrong ? [] : left(conditions);
     body.replaceChildren(...rows.slice(0, most).map(rowOf));
     count.textContent = wrong ?? (rows.length === block.rows.length
       ? `${rows.length} rows` : `${rows.length} of ${block.rows.length} rows`);
