@@ -66,6 +66,8 @@ class Runs(TestCase):
                             ("moment", (frames, 21, 3)), ("stress", (frames, 21)),
                             ("plastic_strain", (frames, 21)), ("reaction", (frames, 1, 6))):
             self.assertEqual(getattr(done, name).shape, shape, name)
+        for name in ("velocity", "spin"):
+            self.assertEqual(getattr(done, name).shape, (0, 20, 3), "a path at rest has none")
         self.assertEqual(done.energies["elastic"].shape, (9,))
         # The clamp carries the force and its moment about it.
         self.assertAlmostEqual(done.reaction[-1, 0, 1], 300.0, delta=1e-6)
