@@ -151,6 +151,22 @@ class Surface(Exported):
             self.assertEqual(len(steps), len(file["path/frame_sample"]))
             numpy.testing.assert_array_equal(steps, range(len(steps)))
 
+    def test_run_that_ends_before_its_first_frame_has_no_surface(self):
+        """A beam that its supports hold twice along its axis, and that is to move there."""
+        scene = self.path("held.toml")
+        clamps = "".join(f"[[support]]\nat = {at}\nkind = 'clamp'\n" for at in (0.0, 0.25, 0.5, 1.0))
+        with open(scene, "w", encoding="utf-8") as file:
+            file.write(FLIGHT.replace("segments = 6", "segments = 4").replace('"0.1 m/s"', '"3 m/s"'))
+            file.write(clamps)
+        said = run("simulate", scene, "-o", self.path("held.h5"), "--paraview", "--quiet", code=1)
+        self.assertIn("note: the run ended before the first frame: the result has nothing for ParaView\n", said)
+        self.assertIn("plastica: held-twice: ", said)
+        with h5py.File(self.path("held.h5")) as file:
+            self.assertEqual(len(file["path/frame_sample"]), 0)
+            self.assertNotIn("VTKHDF", file)
+            self.assertEqual(list(file["segments"]), ["rotation"])
+        self.assertIn("held-twice", run("show", self.path("held.h5")))
+
     def test_refuses_a_surface_before_any_work(self):
         crash = os.path.join(DATA, "scenes", "crash_bumper.toml")
         coupon = self.path("coupon2.toml")
