@@ -109,6 +109,7 @@ class VtkhdfWriter {
     }
     io::Hdf5Column fragment = column<std::int32_t>("CellData/fragment", mesh_.cells(), 1, "");
     std::vector<io::Hdf5Column> of_joints;
+    of_joints.reserve(kJointQuantities.size());
     for (const JointQuantity& quantity : kJointQuantities) {
       of_joints.push_back(column<float>("CellData/" + std::string(quantity.name), mesh_.cells(),
                                         quantity.components, quantity.unit));
