@@ -270,8 +270,9 @@ void add_simulate(CLI::App& app, const Invocation& invocation, Action& action) {
   add_isa_option(*sub, arguments->isa);
   add_dry_run_option(*sub, arguments->dry_run);
   sub->add_flag("--paraview", arguments->paraview,
-                "Put the beam's surface in each frame into the result file, which ParaView from "
-                "5.12 on then opens as it is, named .vtkhdf: 0.3 to 17 times the file's size");
+                "Put the beam's surface at each frame into the result file, too, which ParaView "
+                "from 5.12 on then opens by the ending .vtkhdf; the surface takes 0.3 to 17 times "
+                "the size of the rest");
   add_force_option(*sub, arguments->force, "the output");
   add_quiet_option(*sub, arguments->quiet, "no summary");
   sub->footer("Example:\n  plastica init scene && plastica simulate scene.toml -o scene.h5");
