@@ -110,8 +110,9 @@ void add_diff(CLI::App& app, Action& action) {
   sub->footer(
       "Example:\n"
       "  plastica diff before.h5 after.h5 --within 1e-6\n"
-      "Left out are times, threads, host and versions (/meta) and digests of who ran\n"
-      "what. Exit code 0 if the results are equal, 1 if they differ, 2 for bad input.");
+      "Left out are times, threads, host and versions (/meta), digests of who ran\n"
+      "what, and the surface for ParaView (/VTKHDF). Exit code 0 if the results are\n"
+      "equal, 1 if they differ, 2 for bad input.");
   sub->callback([&action, arguments] { action = [arguments] { return diff(*arguments); }; });
 }
 

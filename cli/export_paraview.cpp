@@ -5,6 +5,7 @@
 #include <system_error>
 
 #include "cli/exit_code.hpp"
+#include "cli/frame_progress.hpp"
 #include "cli/interrupt.hpp"
 #include "cli/run_files.hpp"
 #include "cli/tell.hpp"
@@ -12,6 +13,7 @@
 #include "plastica/io/output_file.hpp"
 #include "plastica/io/scene_store.hpp"
 #include "plastica/io/text_file.hpp"
+#include "plastica/report/scene_frames.hpp"
 #include "plastica/report/vtk/vtkhdf_file.hpp"
 
 namespace plastica::cli {
@@ -41,6 +43,11 @@ bool is_for_paraview(std::string_view format) {
          kParaviewFormats.end();
 }
 
+void tell_of_numbered_steps(const io::SceneRecord& record) {
+  if (report::has_rising_times(record)) return;
+  tell("note: the times of the frames fall, and readers would sort them: the steps are numbered\n");
+}
+
 int write_for_paraview(const std::string& file, std::string_view format, const std::string& output,
                        bool force) {
   if (output == "-") {
@@ -57,7 +64,11 @@ int write_for_paraview(const std::string& file, std::string_view format, const s
   const io::SceneRecord record = io::read_scene_store(file);
   const InterruptGuard interrupt;
   try {
-    if (!report::write_vtkhdf(numbers, record, io::overwrite_if(force), &interrupt.flag())) {
+    FrameProgress progress(report::frames_of(record), false);
+    const report::FrameHooks hooks{&interrupt.flag(),
+                                   [&](std::size_t done) { progress.update(done); }};
+    if (!report::write_vtkhdf(numbers, record, io::overwrite_if(force), hooks)) {
+      progress.clear();
       tell("interrupted: nothing is written\n");
       return kInterrupted;
     }
@@ -65,11 +76,7 @@ int write_for_paraview(const std::string& file, std::string_view format, const s
     if (!error.field().empty()) throw;
     throw InputError({file}, "", "", error.rule());
   }
-  if (!report::has_rising_times(record)) {
-    tell(
-        "note: the times of the frames fall, and readers would sort them: the steps are "
-        "numbered\n");
-  }
+  tell_of_numbered_steps(record);
   if (!text) return kDone;
   try {
     const std::string name = std::filesystem::path(numbers).filename().string();

@@ -4,7 +4,14 @@
 #include <string>
 #include <string_view>
 
+namespace plastica::io {
+struct SceneRecord;
+}
+
 namespace plastica::cli {
+
+/// Says so where the steps of a file for ParaView have numbers in the place of times.
+void tell_of_numbered_steps(const io::SceneRecord& record);
 
 /// Formats that ParaView reads, which go to files alone.
 inline constexpr std::array<std::string_view, 2> kParaviewFormats{"vtkhdf", "xdmf"};

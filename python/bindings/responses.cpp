@@ -54,15 +54,18 @@ py::dict energies(const py::object& self) {
   return arrays;
 }
 
-/// What a chain records of each joint, segment or support, by frame.
+/// What a chain records of each joint, segment or support, by frame. Without a frame where it does
+/// not, as velocities of a path at rest.
 template <class Count>
 auto by_frame(std::vector<double> ChainHistory::*member, const Count& count, Size columns) {
   return [=](const py::object& self) {
     const ChainHistory& chain = self.cast<const ResponseView&>().response->chain;
-    const Size frames = size_of(chain.frame_sample.size());
-    std::vector<Size> shape{frames, size_of(count(chain))};
+    const std::vector<double>& values = chain.*member;
+    const Size rows = size_of(count(chain));
+    const bool recorded = rows == 0 || !values.empty();
+    std::vector<Size> shape{recorded ? size_of(chain.frame_sample.size()) : 0, rows};
     if (columns > 0) shape.push_back(columns);
-    return view_of(chain.*member, shape, self);
+    return view_of(values, shape, self);
   };
 }
 
@@ -227,6 +230,8 @@ void bind_responses(py::module_& core) {
       .def_property_readonly("angle", by_frame(&ChainHistory::angle, joints, 3))
       .def_property_readonly("plastic_angle", by_frame(&ChainHistory::plastic_angle, joints, 3))
       .def_property_readonly("rotation", by_frame(&ChainHistory::rotation, segments, 3))
+      .def_property_readonly("velocity", by_frame(&ChainHistory::velocity, segments, 3))
+      .def_property_readonly("spin", by_frame(&ChainHistory::spin, segments, 3))
       .def_property_readonly("plastic_strain", by_frame(&ChainHistory::plastic_strain, joints, 0))
       .def_property_readonly("stress", by_frame(&ChainHistory::stress, joints, 0))
       .def_property_readonly("reaction", by_frame(&ChainHistory::reaction, supports, 6))

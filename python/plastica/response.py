@@ -88,6 +88,18 @@ class Response:
         return self._view.rotation
 
     @property
+    def velocity(self) -> Floats:
+        """Of the inner end of each segment, world axes [m/s] (n_frames, N, 3); of a path at rest
+        (0, N, 3)."""
+        return self._view.velocity
+
+    @property
+    def spin(self) -> Floats:
+        """Angular velocity of each segment, world axes [rad/s] (n_frames, N, 3); of a path at rest
+        (0, N, 3)."""
+        return self._view.spin
+
+    @property
     def moment(self) -> Floats:
         """About x, y, z of each joint [N m] (n_frames, N + 1, 3)."""
         return self._view.moment

@@ -314,7 +314,8 @@ bool is_finite(const Setup& setup, const Response& response) {
   return std::isfinite(response.energy_balance_error) && std::isfinite(response.permanent_strain) &&
          all_finite(chain.position) && all_finite(chain.moment) && all_finite(chain.force) &&
          all_finite(chain.angle) && all_finite(chain.plastic_angle) && all_finite(chain.rotation) &&
-         all_finite(chain.plastic_strain) && all_finite(chain.stress) && all_finite(chain.reaction);
+         all_finite(chain.velocity) && all_finite(chain.spin) && all_finite(chain.plastic_strain) &&
+         all_finite(chain.stress) && all_finite(chain.reaction);
 }
 
 std::optional<std::string> audit(const Setup& setup, const Response& response) {

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "cli/frame_progress.hpp"
 #include "cli/motion_progress.hpp"
 
 namespace plastica::cli {
@@ -31,6 +32,13 @@ TEST(ProgressBar, IsFullAtTheEnd) {
             "fitting [########################] 8/8, 8 failed, 4/s");
   EXPECT_EQ(ProgressBar::line("fitting", 0, 0, 0, 0, 0.0),
             "fitting [########################] 0/0, 0 failed, 0/s");
+}
+
+TEST(FrameProgress, TellsDoneRemainingTimeAndRate) {
+  EXPECT_EQ(FrameProgress::line(50, 200, 10.0),
+            "frames [######..................] 50/200, 0:00:30 left, 5/s");
+  EXPECT_EQ(FrameProgress::line(0, 200, 2.0), "frames [........................] 0/200");
+  EXPECT_EQ(FrameProgress::line(200, 200, 10.0), "frames [########################] 200/200, 20/s");
 }
 
 TEST(MotionProgress, TellsPartRateAndRemainingTime) {

@@ -246,6 +246,7 @@ class ReadScene(unittest.TestCase):
         for path, units in SCENE_UNITS.items():
             self.assertEqual(self.file[path].attrs["units"], units, path)
         self.assertEqual(list(self.file["probes/value_units"].asstr()), ["m"])
+        self.assertEqual(list(self.file["segments"]), ["rotation"], "a path at rest has no velocity")
 
     def test_holds_what_a_cantilever_does(self):
         file = self.file
@@ -308,7 +309,8 @@ at = "end"
 MOTION_SHAPES = {
     "probes/values": (1, 41), "path/time": (41,), "path/frame_sample": (5,),
     "energy/kinetic": (41,), "joints/position": (5, 5, 3), "joints/plastic_strain": (5, 5),
-    "segments/rotation": (5, 4, 3), "reactions/wrench": (5, 1, 6), "events/time": (2,),
+    "segments/rotation": (5, 4, 3), "segments/velocity": (5, 4, 3), "segments/spin": (5, 4, 3),
+    "reactions/wrench": (5, 1, 6), "events/time": (2,),
     "events/joints/joint": (2,), "events/joints/moment": (2, 3), "events/fragments/first": (5,),
     "initial_motions/velocity": (1, 3), "cuts/time": (2,),
 }
@@ -332,6 +334,8 @@ class ReadMotion(unittest.TestCase):
     def test_has_arrays_of_the_documented_shapes(self):
         for path, shape in MOTION_SHAPES.items():
             self.assertEqual(self.file[path].shape, shape, path)
+        self.assertEqual(self.file["segments/velocity"].attrs["units"], "m/s")
+        self.assertEqual(self.file["segments/spin"].attrs["units"], "rad/s")
 
     def test_keeps_frames_apart_from_samples(self):
         file = self.file

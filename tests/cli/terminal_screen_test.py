@@ -111,6 +111,30 @@ class Terminal(unittest.TestCase):
                 self.assertLess(len(line.decode()), columns, line)
             self.assertIn(code, (0, 130))
 
+    def test_progress_of_an_export_fits_into_the_line(self):
+        """Frames that are written: it rises to all of them, and is wiped."""
+        scene = os.path.join(self.folder.name, "export.toml")
+        with open(os.path.join(DATA, "scenes/crash_bumper.toml"), encoding="utf-8") as file:
+            text = file.read()
+        with open(scene, "w", encoding="utf-8") as file:
+            file.write(re.sub(r"(?m)^frames *=.*$", "frames = 400", text))
+        result, shown = scene + ".h5", scene + ".vtkhdf"
+        subprocess.run([COMMAND, "simulate", scene, "-o", result], check=True, capture_output=True)
+        for columns in (60, 24):
+            written, code = on_terminal("export", result, "-o", shown, "--force", columns=columns,
+                                        LC_ALL="C")
+            self.assertEqual(code, 0)
+            drawn = re.findall(rb"\r([^\r\n]*)\x1b\[K", written)
+            self.assertEqual(drawn.pop(), b"", written)
+            self.assertGreater(len(drawn), 0)
+            for line in drawn:
+                self.assertLess(len(line), columns, line)
+                self.assertEqual([byte for byte in line if byte > 126], [])
+            self.assertTrue(drawn[0].startswith(b"frames ["), drawn[0])
+        piped = subprocess.run([COMMAND, "export", result, "-o", shown, "--force"], check=True,
+                               capture_output=True)
+        self.assertEqual(piped.stdout + piped.stderr, b"")
+
     def test_help_is_where_one_looks_for_it(self):
         alone = on_terminal()[0]
         self.assertIn(b"calibrate", alone)

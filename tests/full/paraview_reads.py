@@ -24,7 +24,8 @@ print("FACTS " + json.dumps({
     "times": times, "points": facts.GetNumberOfPoints(), "cells": facts.GetNumberOfCells(),
     "bounds": facts.GetBounds(),
     "ranges": {name: reader.CellData[name].GetRange() for name in reader.CellData.keys()},
-    "moved": reader.PointData["displacement"].GetNumberOfComponents()}))
+    "moved": reader.PointData["displacement"].GetNumberOfComponents(),
+    "speeds": reader.PointData["velocity"].GetRange(-1)}))
 view = CreateView("RenderView")
 view.ViewSize = [1200, 700]
 view.UseColorPaletteForBackground = 0
@@ -78,6 +79,7 @@ def main():
             points = root["Points"][-count:]
             cells = root["Polygons/NumberOfCells"][0]
             strains = root["CellData/plastic_strain"][-cells:]
+            speeds = (root["PointData/velocity"][-count:].astype(float) ** 2).sum(axis=1) ** 0.5
             times = list(root["Steps/Values"][:])
     faults = []
     expected = [x for k in range(3) for x in (points[:, k].min(), points[:, k].max())]
@@ -91,6 +93,8 @@ def main():
         faults.append(f"strain up to {facts['ranges']['plastic_strain'][1]}, not {strains.max()}")
     if facts["ranges"]["fragment"][1] < 1 or facts["moved"] != 3:
         faults.append("no fragments, or no displacement")
+    if abs(facts["speeds"][1] - speeds.max()) > 1e-5 * speeds.max():
+        faults.append(f"speeds up to {facts['speeds'][1]}, not {speeds.max()}")
     if not 0.01 < drawn < 0.5:
         faults.append(f"the beam fills {drawn:.3g} of the picture")
     if faults:

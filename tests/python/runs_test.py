@@ -66,11 +66,25 @@ class Runs(TestCase):
                             ("moment", (frames, 21, 3)), ("stress", (frames, 21)),
                             ("plastic_strain", (frames, 21)), ("reaction", (frames, 1, 6))):
             self.assertEqual(getattr(done, name).shape, shape, name)
+        for name in ("velocity", "spin"):
+            self.assertEqual(getattr(done, name).shape, (0, 20, 3), "a path at rest has none")
         self.assertEqual(done.energies["elastic"].shape, (9,))
         # The clamp carries the force and its moment about it.
         self.assertAlmostEqual(done.reaction[-1, 0, 1], 300.0, delta=1e-6)
         self.assertAlmostEqual(abs(done.moment[-1, 0, 0]), 300.0 * done.position[-1, -1, 2],
                                delta=1e-4)
+
+    def test_frames_of_a_motion_have_velocities(self):
+        solver = plastica.Solver(analysis="dynamics", duration=0.002, time_step=1e-4, steps=4)
+        done = plastica.simulate(cantilever(solver=solver))
+        for name in ("velocity", "spin"):
+            self.assertEqual(getattr(done, name).shape, (5, 20, 3))
+        # A segment's inner end moves as the one before it turns: v + omega x r.
+        arms = np.diff(done.position[-1], axis=0)[:-1]
+        ends = done.velocity[-1, :-1] + np.cross(done.spin[-1, :-1], arms)
+        fastest = abs(done.velocity).max()
+        self.assertGreater(fastest, 1e-3)
+        np.testing.assert_allclose(ends, done.velocity[-1, 1:], rtol=0, atol=1e-2 * fastest)
 
     def test_arrays_outlive_their_response_and_cannot_be_written_to(self):
         tip = plastica.simulate(cantilever()).probes["tip"]

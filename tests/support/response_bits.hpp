@@ -44,8 +44,8 @@ inline std::vector<std::uint64_t> bits_of(const Response& response) {
   const ChainHistory& chain = response.chain;
   for (const std::vector<double>* numbers :
        {&chain.time, &chain.factor, &chain.position, &chain.moment, &chain.force, &chain.angle,
-        &chain.plastic_angle, &chain.rotation, &chain.plastic_strain, &chain.stress,
-        &chain.reaction}) {
+        &chain.plastic_angle, &chain.rotation, &chain.velocity, &chain.spin, &chain.plastic_strain,
+        &chain.stress, &chain.reaction}) {
     add_all(*numbers);
   }
   for (const Energies& energy : chain.energy) {

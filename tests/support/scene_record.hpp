@@ -40,6 +40,15 @@ component = "x"
 )" + more;
 }
 
+/// The same in a motion of five samples that begins with a blow.
+inline std::string swinging_text() {
+  std::string text = cantilever_text(
+      "-1 N", "[[initial_motion]]\nfrom = 0.5\nvelocity = ['0 m/s', '-1 m/s', '0 m/s']\n");
+  const std::string steps = "steps = 5";
+  return text.replace(text.find(steps), steps.size(),
+                      steps + "\nanalysis = 'dynamics'\nduration = '1 ms'");
+}
+
 inline std::string coupon_text() {
   return R"([material]
 name = "S355"

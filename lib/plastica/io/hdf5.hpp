@@ -92,21 +92,28 @@ class Hdf5Column {
   Hdf5Column& operator=(Hdf5Column&&) = delete;
   ~Hdf5Column();
 
-  /// @throws StorageError; std::logic_error if these are more than the dataset takes
+  /// @throws StorageError; std::logic_error if these are more than the dataset takes, or of another
+  ///         type than its own
   void append(std::span<const double> values);
+  void append(std::span<const float> values);
+  void append(std::span<const std::int32_t> values);
   /// To be called once all values are there. @throws StorageError; std::logic_error if one lacks
   void finish();
 
  private:
   friend class Hdf5Group;
-  Hdf5Column(std::unique_ptr<h5::NewDataset> made, std::string file, std::string path);
+  Hdf5Column(std::unique_ptr<h5::NewDataset> made, std::int64_t type, std::string file,
+             std::string path);
+  template <Hdf5Number T>
+  void append_numbers(std::span<const T> values);
   void check(bool written) const;
 
   std::unique_ptr<h5::NewDataset> made_;
+  std::int64_t type_;
   std::string file_;
   std::string path_;
   std::size_t taken_ = 0;
-  std::vector<double> waiting_;  // of a dataset too short for chunks
+  std::vector<unsigned char> waiting_;  // of a dataset too short for chunks
 };
 
 /// A group of an open file. Paths are relative to it ("a/b"; "." is the group itself) or, with a
@@ -156,6 +163,10 @@ class Hdf5Group {
                    std::span<const std::size_t> shape, const DatasetOptions& options = {});
   /// Begins a dataset of so many numbers, which lacks its end until `Hdf5Column::finish` is called.
   Hdf5Column column(std::string_view path, std::size_t count, const DatasetOptions& options = {});
+  /// The same of another type, and of any shape, the last index running fastest.
+  template <Hdf5Number T>
+  Hdf5Column column(std::string_view path, std::span<const std::size_t> shape,
+                    const DatasetOptions& options = {});
   /// A group with the datasets `values` and `offsets`.
   template <Hdf5Number T>
   void write_ragged(std::string_view path, const Ragged<T>& rows,

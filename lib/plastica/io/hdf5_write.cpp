@@ -138,29 +138,41 @@ void Hdf5Group::write_raw(std::string_view path, std::int64_t type, const void* 
 Hdf5Column Hdf5Group::column(std::string_view path, std::size_t count,
                              const DatasetOptions& options) {
   const std::size_t shape[] = {count};
-  auto made =
-      std::make_unique<h5::NewDataset>(create_dataset(path, H5T_NATIVE_DOUBLE, shape, options));
-  return {std::move(made), file_, full_path(path)};
+  return column<double>(path, shape, options);
 }
 
-Hdf5Column::Hdf5Column(std::unique_ptr<h5::NewDataset> made, std::string file, std::string path)
-    : made_(std::move(made)), file_(std::move(file)), path_(std::move(path)) {}
+template <Hdf5Number T>
+Hdf5Column Hdf5Group::column(std::string_view path, std::span<const std::size_t> shape,
+                             const DatasetOptions& options) {
+  const std::int64_t type = h5::memory_type<T>();
+  auto made = std::make_unique<h5::NewDataset>(create_dataset(path, type, shape, options));
+  return {std::move(made), type, file_, full_path(path)};
+}
+
+Hdf5Column::Hdf5Column(std::unique_ptr<h5::NewDataset> made, std::int64_t type, std::string file,
+                       std::string path)
+    : made_(std::move(made)), type_(type), file_(std::move(file)), path_(std::move(path)) {}
 Hdf5Column::Hdf5Column(Hdf5Column&&) noexcept = default;
 Hdf5Column::~Hdf5Column() = default;
 
-void Hdf5Column::append(std::span<const double> values) {
+template <Hdf5Number T>
+void Hdf5Column::append_numbers(std::span<const T> values) {
+  if (type_ != h5::memory_type<T>()) {
+    throw std::logic_error("Hdf5Column::append: " + path_ + " is of another type");
+  }
   if (values.size() > made_->count - taken_) {
     throw std::logic_error("Hdf5Column::append: " + path_ + " is full");
   }
   taken_ += values.size();
-  if (!made_->chunks) {
-    waiting_.insert(waiting_.end(), values.begin(), values.end());
-    return;
-  }
-  const auto bytes = std::as_bytes(values);
-  check(
-      made_->chunks->append({reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size()}));
+  const std::span<const unsigned char> bytes{reinterpret_cast<const unsigned char*>(values.data()),
+                                             values.size_bytes()};
+  if (made_->chunks) return check(made_->chunks->append(bytes));
+  waiting_.insert(waiting_.end(), bytes.begin(), bytes.end());
 }
+
+void Hdf5Column::append(std::span<const double> values) { append_numbers(values); }
+void Hdf5Column::append(std::span<const float> values) { append_numbers(values); }
+void Hdf5Column::append(std::span<const std::int32_t> values) { append_numbers(values); }
 
 void Hdf5Column::finish() {
   if (taken_ != made_->count) {
@@ -168,9 +180,9 @@ void Hdf5Column::finish() {
   }
   if (made_->chunks) return check(made_->chunks->finish());
   if (waiting_.empty()) return;
-  const Hdf5Handle transfer(h5::new_transfer(waiting_.size(), H5T_NATIVE_DOUBLE));
-  check(H5Dwrite(made_->dataset.get(), H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, transfer.get(),
-                 waiting_.data()) >= 0);
+  const Hdf5Handle transfer(h5::new_transfer(taken_, type_));
+  check(H5Dwrite(made_->dataset.get(), type_, H5S_ALL, H5S_ALL, transfer.get(), waiting_.data()) >=
+        0);
 }
 
 void Hdf5Column::check(bool written) const {
@@ -305,6 +317,8 @@ void Hdf5Group::set_ascii_attribute(std::string_view path, const std::string& na
   template void Hdf5Group::write_array<T>(std::string_view, std::span<const T>,                   \
                                           std::span<const std::size_t>, const DatasetOptions&);   \
   template void Hdf5Group::write_ragged<T>(std::string_view, const Ragged<T>&,                    \
+                                           const DatasetOptions&);                                \
+  template Hdf5Column Hdf5Group::column<T>(std::string_view, std::span<const std::size_t>,        \
                                            const DatasetOptions&)
 PLASTICA_INSTANTIATE(double);
 PLASTICA_INSTANTIATE(float);

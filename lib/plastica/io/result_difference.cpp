@@ -95,8 +95,8 @@ class FileComparison {
  private:
   /// Whether a group or dataset, or an attribute ("/fits/cost @units"), is none of the result.
   bool is_left_out(const std::string& path) {
-    bool left_out =
-        path == "/" + std::string(kMetaGroup) || path == " @" + std::string(kRunAttribute);
+    bool left_out = path == "/" + std::string(kMetaGroup) || path == "/" + std::string(kVtkGroup) ||
+                    path == " @" + std::string(kRunAttribute);
     for (std::size_t k = 0; k < met_.size(); ++k) {
       const bool named = path == rule_.left_out[k] || path == " " + rule_.left_out[k];
       if (named) met_[k] = true;

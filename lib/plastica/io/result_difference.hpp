@@ -18,7 +18,7 @@ struct DifferenceRule {
   /// in either file: what rounding leaves of a zero [1].
   double floor = 0.0;
   /// Groups, datasets and attributes ("/fits/cost", "/inputs", "@version") that are left out,
-  /// besides /meta and the attribute `run`: each must be in one of the files.
+  /// besides /meta, /VTKHDF and the attribute `run`: each must be in one of the files.
   std::vector<std::string> left_out{};
   /// The same where they are there: digests of versions and inputs, which say who a row is.
   std::vector<std::string> identities{};

@@ -21,6 +21,8 @@ struct InputText {
 
 /// The group of all that may differ between two runs of the same.
 inline constexpr std::string_view kMetaGroup = "meta";
+/// The group of a scene's surface, by VTK's specification: it says for ParaView what the rest says.
+inline constexpr std::string_view kVtkGroup = "VTKHDF";
 /// The attribute of the root that says who the run is: see `write_run_id`.
 inline constexpr std::string_view kRunAttribute = "run";
 

@@ -144,6 +144,8 @@ void traverse_chain(Store& store, Chain& chain, std::size_t joints, std::size_t 
   store.array("joints/plastic_strain", chain.plastic_strain, {frames, joints}, "1");
   store.array("joints/stress", chain.stress, {frames, joints}, "Pa");
   store.array("segments/rotation", chain.rotation, {frames, segments, 3}, "rad");
+  store.array_since("segments/velocity", chain.velocity, {frames, segments, 3}, "m/s");
+  store.array_since("segments/spin", chain.spin, {frames, segments, 3}, "rad/s");
   store.array("reactions/wrench", chain.reaction, {frames, supports, 6}, "");
 }
 

@@ -66,6 +66,8 @@ void check_agreement(const Hdf5Group& root, const SceneRecord& record) {
   const std::size_t segments = record.outline.segments();
   const bool coupon = record.outline.ends.empty();
   const std::size_t of_probes = response.probes.empty() ? samples : response.probes[0].size();
+  const ChainHistory& chain = response.chain;
+  const bool at_rest = record.setup.solver.analysis == Analysis::Statics;
   const std::array agreements{
       Agreement{spans_the_beam(record.outline.ends), "beam/ends", "must begin with 0, end with 1"},
       Agreement{coupon == scene.is_coupon(), "drive/strain",
@@ -89,6 +91,12 @@ void check_agreement(const Hdf5Group& root, const SceneRecord& record) {
                 "must rise from 0 on in a motion"},
       Agreement{are_frames(response.chain.frame_sample, coupon ? 0 : samples), "path/frame_sample",
                 "must rise and be samples of the file"},
+      Agreement{!at_rest || chain.velocity.empty(), "segments/velocity",
+                "must not be there: the beam is at rest"},
+      Agreement{chain.velocity.empty() || !chain.spin.empty(), "segments/spin",
+                "must be there beside segments/velocity"},
+      Agreement{chain.spin.empty() || !chain.velocity.empty(), "segments/velocity",
+                "must be there beside segments/spin"},
       Agreement{are_joints(record), "events/joints/joint", "must be a joint of the beam"},
       Agreement{are_fragments(record), "events/fragments",
                 "must be ranges of the beam's segments"}};

@@ -10,6 +10,7 @@
 #include "plastica/io/scene_rules.hpp"
 #include "plastica/io/scene_writer.hpp"
 #include "plastica/model/beam_axis.hpp"
+#include "plastica/run/chain_shape.hpp"
 #include "plastica/run/run_warnings.hpp"
 
 namespace plastica::io {
@@ -27,10 +28,9 @@ void keep_valid_samples(Response& response) {
   const auto end = std::lower_bound(chain.frame_sample.begin(), chain.frame_sample.end(), samples);
   const auto frames = static_cast<std::size_t>(end - chain.frame_sample.begin());
   chain.frame_sample.resize(frames);
-  for (auto* values :
-       {&chain.position, &chain.moment, &chain.force, &chain.angle, &chain.plastic_angle,
-        &chain.rotation, &chain.plastic_strain, &chain.stress, &chain.reaction}) {
-    values->resize(values->size() / all * frames);
+  for (const ShapeValue& value : kShapeValues) {
+    std::vector<double>& numbers = chain.*value.values;
+    numbers.resize(numbers.size() / all * frames);
   }
 }
 
@@ -75,7 +75,8 @@ SceneRecord make_scene_record(const SceneFile& file, const Model& model, Respons
   return record;
 }
 
-void write_scene_store(const std::string& path, const SceneRecord& record, Overwrite overwrite) {
+void write_scene_store(const std::string& path, const SceneRecord& record, Overwrite overwrite,
+                       const std::function<void(Hdf5Group& root)>& write_more) {
   Hdf5File file = Hdf5File::create(path, overwrite, record.meta.threads);
   Hdf5Group& root = file.root();
   write_schema(root, kSceneSchema, kSceneVersion);
@@ -86,6 +87,7 @@ void write_scene_store(const std::string& path, const SceneRecord& record, Overw
   Hdf5Group regions = root.group("regions");
   write_regions(regions, record.setup.scene.regions);
   write_inputs(root, record.inputs);
+  if (write_more) write_more(root);
   write_meta(root, record.meta);
   root.write("meta/run_seconds", record.response.seconds, {"s"});
   file.commit();

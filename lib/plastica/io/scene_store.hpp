@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -42,9 +43,11 @@ SceneRecord make_scene_record(const SceneFile& file, const Model& model, Respons
 /// same bytes outside /meta. The file appears under its name when it is complete,
 /// in place of what is there if that is allowed.
 /// @param record  from `make_scene_record`
+/// @param write_more  writes groups of other formats beside the result; may be empty
 /// @throws StorageError if it cannot be written
 void write_scene_store(const std::string& path, const SceneRecord& record,
-                       Overwrite overwrite = Overwrite::Allowed);
+                       Overwrite overwrite = Overwrite::Allowed,
+                       const std::function<void(Hdf5Group& root)>& write_more = {});
 
 /// Reads such a file, every number bit by bit.
 /// @throws InputError if it is no such file, of another version, or not complete

@@ -7,10 +7,6 @@
 namespace plastica::report {
 namespace {
 
-Point3 cross(const Point3& a, const Point3& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-
 /// A vector turned by a rotation vector (Rodrigues' formula).
 Point3 rotated(const Point3& rotation, const Point3& v) {
   const double angle = std::sqrt(dot(rotation, rotation));
@@ -62,6 +58,20 @@ Point3 BeamPose::section_axis(std::size_t segment, std::size_t axis) const {
   if (frame_ == kUndeformed) return undeformed;
   return rotated(three(record_->response.chain.rotation, frame_ * segments() + segment),
                  undeformed);
+}
+
+Point3 BeamPose::inner_velocity(std::size_t segment) const {
+  return three(record_->response.chain.velocity, frame_ * segments() + segment);
+}
+
+Point3 BeamPose::outer_velocity(std::size_t segment) const {
+  if (is_joined(segment)) return inner_velocity(segment + 1);
+  const Point3 chord = sum(outer_[segment], -1.0, inner_[segment]);
+  return sum(inner_velocity(segment), 1.0, cross(spin(segment), chord));
+}
+
+Point3 BeamPose::spin(std::size_t segment) const {
+  return three(record_->response.chain.spin, frame_ * segments() + segment);
 }
 
 std::size_t BeamPose::segment_at(double fraction) const {

@@ -19,6 +19,10 @@ inline Point3 sum(const Point3& a, double factor, const Point3& b) {
   return {a[0] + factor * b[0], a[1] + factor * b[1], a[2] + factor * b[2]};
 }
 
+inline Point3 cross(const Point3& a, const Point3& b) {
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+
 /// A direction to look along: how points in world axes fall on the picture.
 struct Eye {
   Point3 right{};  ///< unit vectors in world axes
@@ -48,6 +52,10 @@ class BeamPose {
 
   /// Axis x, y or z of a segment's section, a unit vector.
   Point3 section_axis(std::size_t segment, std::size_t axis) const;
+  // How the same points move, of a frame of a result that has velocities, in world axes:
+  Point3 inner_velocity(std::size_t segment) const;  ///< [m/s]
+  Point3 outer_velocity(std::size_t segment) const;  ///< of the joint there, unless it is cut [m/s]
+  Point3 spin(std::size_t segment) const;            ///< [rad/s]
   /// The point of the axis at a fraction of the length; at a cut that of the segment before it.
   Point3 point_at(double fraction) const;
   /// Number of the segment that `point_at` is on.
@@ -58,6 +66,11 @@ class BeamPose {
   std::vector<std::vector<Point2>> axes(const Eye& eye) const;
 
  private:
+  /// Whether a segment ends in the joint that the next one begins with.
+  bool is_joined(std::size_t segment) const {
+    return segment + 1 < segments() && !cut_[segment + 1];
+  }
+
   const io::SceneRecord* record_;
   std::size_t frame_;
   double time_ = 0.0;

@@ -17,6 +17,10 @@ inline std::size_t frames_of(const io::SceneRecord& record) {
 inline double time_of_frame(const io::SceneRecord& record, std::size_t frame) {
   return record.response.chain.time[record.response.chain.frame_sample[frame]];
 }
+/// Whether the frames have velocities: those of motions, but of results of older versions.
+inline bool has_velocities(const io::SceneRecord& record) {
+  return !record.response.chain.velocity.empty();
+}
 /// Whether every sample has its shape.
 inline bool keeps_all_frames(const io::SceneRecord& record) {
   return frames_of(record) == record.response.chain.time.size();

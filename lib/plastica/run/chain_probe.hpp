@@ -187,43 +187,50 @@ typename ChainRecord<L, kElastic>::Space ChainRecord<L, kElastic>::point_value(
   return in_space(now - view_.point(undeformed));
 }
 
+template <class L, bool kElastic>
+typename L::Spin ChainRecord<L, kElastic>::spin_of(std::size_t segment, const Work& w) const {
+  return L::axes(w.placement.frame[segment]) * (*motion_)[segment].spin;
+}
+
+template <class L, bool kElastic>
+typename L::Point ChainRecord<L, kElastic>::velocity_of(std::size_t segment,
+                                                        const typename L::Point& place,
+                                                        const Work& w) const {
+  const auto& center = build_->chain.inertias[segment].center;
+  const auto arm = L::rotate(w.placement.frame[segment], place - center);
+  return (*motion_)[segment].velocity + L::spun(spin_of(segment, w), arm);
+}
+
 /// Velocity or spin of a point, or the momentum of all.
 template <class L, bool kElastic>
 typename ChainRecord<L, kElastic>::Space ChainRecord<L, kElastic>::motion_value(
     const Probe& probe, const Work& w) const {
   if (motion_ == nullptr) return {};
   const auto& chain = build_->chain;
-  const auto spin_of = [&](std::size_t i) {
-    return L::axes(w.placement.frame[i]) * (*motion_)[i].spin;
-  };
   if (probe.quantity == ProbeQuantity::Velocity || probe.quantity == ProbeQuantity::Spin) {
     const chain::SegmentPoint point =
         chain::segment_point(model_->layout, fraction_of(probe.at, model_->layout.ends));
     if (probe.quantity == ProbeQuantity::Spin) {
       const SpreadJoint spread = spread_joint_at(probe, w);
-      if (spread.node == 0) return joint_spin(spin_of(point.segment));
+      if (spread.node == 0) return joint_spin(spin_of(point.segment, w));
       // As the joint's angle is spread, so is its rate.
-      const auto before = spin_of(spread.node - 1);
+      const auto before = spin_of(spread.node - 1, w);
       const auto axes = L::axes(w.placement.near[spread.node]);
-      auto rate = transposed_times(axes, spin_of(spread.node) - before);
+      auto rate = transposed_times(axes, spin_of(spread.node, w) - before);
       for (std::size_t k = 0; k < L::kRotations; ++k) {
         rate[k] = constant<S>(spread.part[view_.section_axes().rotation(k)]) * rate[k];
       }
       return joint_spin(before + axes * rate);
     }
-    const auto velocity_at = [&](std::size_t i, const typename L::Point& place) {
-      const auto arm = L::rotate(w.placement.frame[i], place - chain.inertias[i].center);
-      return (*motion_)[i].velocity + L::spun(spin_of(i), arm);
-    };
     const std::size_t beyond = point.segment + 1;
-    typename L::Point velocity = velocity_at(point.segment, view_.point(point.arm));
+    typename L::Point velocity = velocity_of(point.segment, view_.point(point.arm), w);
     if constexpr (kElastic) {
       const bool joins = beyond < chain.size() && !w.q.open[beyond] &&
                          segment_end_at(probe.at, model_->layout.ends) == static_cast<int>(beyond);
       if (joins) {  // as `sheared_node` moves
         const auto& frame = w.placement.near[beyond];
         Space jump =
-            in_space(L::rotate_back(frame, velocity_at(beyond, typename L::Point{}) - velocity));
+            in_space(L::rotate_back(frame, velocity_of(beyond, typename L::Point{}, w) - velocity));
         for (std::size_t k = 0; k < 3; ++k) jump[k] *= (*joints_)[beyond].fraction_of_force[k];
         velocity += L::rotate(frame, view_.point(jump));
       }
@@ -240,6 +247,19 @@ typename ChainRecord<L, kElastic>::Space ChainRecord<L, kElastic>::motion_value(
                L::axes(w.placement.frame[i]) * (inertia.rotational * (*motion_)[i].spin);
   }
   return probe.quantity == ProbeQuantity::Momentum ? in_space(momentum) : joint_spin(angular);
+}
+
+template <class L, bool kElastic>
+void ChainRecord<L, kElastic>::set_velocities(const Work& w) {
+  if (motion_ == nullptr) return;
+  for (std::size_t i = 0; i < build_->chain.size(); ++i) {
+    const Space velocity = in_space(velocity_of(i, typename L::Point{}, w));
+    const Space spin = joint_spin(spin_of(i, w));
+    for (std::size_t k = 0; k < 3; ++k) {
+      shape_.velocity[3 * i + k] = velocity[k];
+      shape_.spin[3 * i + k] = spin[k];
+    }
+  }
 }
 
 template <class L, bool kElastic>

@@ -88,6 +88,7 @@ class ChainRecord {
   void prescribe_energies(const PrescribedEnergies& energies) { prescribed_ = energies; }
   void shape_now(const Work& w, const Joints& joints, NodeStrains& strains) {
     set_shape(w, joints, strains);
+    set_velocities(w);
   }
 
   /// Moment of a node's joint about its x, y, z [N m]: of its section and of a spring beside it.
@@ -125,6 +126,8 @@ class ChainRecord {
   /// In the break measure. @param angles  net or accumulated (nodes)
   double hinge_strain(const Probe& probe, const std::vector<JointAngles>& angles) const;
   void set_shape(const Work& w, const Joints& joints, NodeStrains& strains);
+  /// Dynamics: the rest of the shape.
+  void set_velocities(const Work& w);
   void keep_shape(std::size_t frame, ChainHistory& history) const;
   Space point_value(const Probe& probe, const Work& w) const;
   /// Where the node of a joint is that has stretched and sheared, between both of its segments.
@@ -133,6 +136,11 @@ class ChainRecord {
   SpreadJoint spread_joint_at(const Probe& probe, const Work& w) const;
   typename L::Spin moment_at_node(std::size_t node, const Work& w) const;
   Space motion_value(const Probe& probe, const Work& w) const;
+  // Dynamics, of a segment in world axes:
+  typename L::Spin spin_of(std::size_t segment, const Work& w) const;
+  /// @param place  of one of its points, in its axes
+  typename L::Point velocity_of(std::size_t segment, const typename L::Point& place,
+                                const Work& w) const;
   double stored_energy(const Work& w, const Joints& joints) const;
   /// Of a segment from the undeformed beam, as a rotation vector in world axes.
   Space rotation(const Work& w, std::size_t segment) const;
@@ -370,6 +378,7 @@ void ChainRecord<L, kElastic>::write(const Work& w, const Joints& joints, NodeSt
   out.energy[sample] = energies(w, joints);
   const bool kept = is_kept(sample, out);
   if (kept || probes_read_shape_ || !on_demand_) set_shape(w, joints, strains);
+  if (kept || !on_demand_) set_velocities(w);
   if (kept) {
     const auto& frames = out.frame_sample;
     const auto frame = std::lower_bound(frames.begin(), frames.end(), sample);

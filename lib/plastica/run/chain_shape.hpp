@@ -13,22 +13,26 @@ namespace plastica {
 struct ShapeValue {
   std::vector<double> ChainHistory::*values;
   std::size_t of_joint = 0, of_segment = 0, of_support = 0;
+  bool of_motion = false;  ///< whether a path at rest has none
 
   std::size_t count(const ResponseSize& size) const {
+    if (of_motion && !size.in_motion) return 0;
     return of_joint * (size.segments + 1) + of_segment * size.segments + of_support * size.supports;
   }
 };
 
 /// What a frame of a chain's history consists of.
-inline constexpr std::array<ShapeValue, 9> kShapeValues{{{&ChainHistory::position, 3},
-                                                         {&ChainHistory::moment, 3},
-                                                         {&ChainHistory::force, 3},
-                                                         {&ChainHistory::angle, 3},
-                                                         {&ChainHistory::plastic_angle, 3},
-                                                         {&ChainHistory::rotation, 0, 3},
-                                                         {&ChainHistory::plastic_strain, 1},
-                                                         {&ChainHistory::stress, 1},
-                                                         {&ChainHistory::reaction, 0, 0, 6}}};
+inline constexpr std::array<ShapeValue, 11> kShapeValues{{{&ChainHistory::position, 3},
+                                                          {&ChainHistory::moment, 3},
+                                                          {&ChainHistory::force, 3},
+                                                          {&ChainHistory::angle, 3},
+                                                          {&ChainHistory::plastic_angle, 3},
+                                                          {&ChainHistory::rotation, 0, 3},
+                                                          {&ChainHistory::plastic_strain, 1},
+                                                          {&ChainHistory::stress, 1},
+                                                          {&ChainHistory::reaction, 0, 0, 6},
+                                                          {&ChainHistory::velocity, 0, 3, 0, true},
+                                                          {&ChainHistory::spin, 0, 3, 0, true}}};
 
 /// Makes room for so many frames, with zeros.
 inline void size_shape(const ResponseSize& size, std::size_t frames, ChainHistory& history) {

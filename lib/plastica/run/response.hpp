@@ -106,6 +106,9 @@ struct ChainHistory {
   /// By frame and segment (n_frames x N x 3): its rotation from the undeformed beam, as a
   /// rotation vector in world axes [rad].
   std::vector<double> rotation;
+  /// Of a motion, by frame and segment (n_frames x N x 3), in world axes; empty for a path at rest:
+  std::vector<double> velocity;  ///< of the point that `position` has: the inner end [m/s]
+  std::vector<double> spin;      ///< angular velocity [rad/s]
   /// By frame and joint (n_frames x n_joints):
   std::vector<double> plastic_strain;  ///< the break measure: the largest of the joint's axes [1]
   /// Largest of bending over the section [Pa], >= 0: |M_x|/W_x + |M_y|/W_y, that of a corner; of a

@@ -44,6 +44,7 @@ ResponseSize response_size(const Scene& scene, const SolverOptions& options) {
   size.segments = count_of(scene.beam.segments);
   size.supports = scene.supports.size();
   size.modes = count_of(options.buckling) + count_of(options.frequencies);
+  size.in_motion = options.analysis == Analysis::Dynamics;
   return size;
 }
 

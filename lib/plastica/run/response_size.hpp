@@ -18,7 +18,8 @@ struct ResponseSize {
   std::size_t frames = 0;    ///< samples that keep their shape; 0 of a coupon
   std::size_t segments = 0;  ///< N; 0 of a coupon
   std::size_t supports = 0;
-  std::size_t modes = 0;  ///< of buckling and vibration
+  std::size_t modes = 0;   ///< of buckling and vibration
+  bool in_motion = false;  ///< whether its frames have velocities
 
   /// Bytes that the response's numbers take.
   std::size_t bytes() const;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <vector>
 
 #include "plastica/io/scene_store.hpp"
 #include "tests/lib/io/scratch_folder.hpp"
@@ -18,6 +19,7 @@ using plastica::testing::coupon_text;
 using plastica::testing::message_of;
 using plastica::testing::motion_record;
 using plastica::testing::record_of;
+using plastica::testing::swinging_text;
 
 /// What is said of a record that is written as it should not be.
 class DamagedScene : public ::testing::Test {
@@ -80,6 +82,45 @@ TEST_F(DamagedScene, WhoseNumbersAreOutOfTheirRangeIsRefused) {
     EXPECT_EQ(refusal(motion, [&](SceneRecord& record) { record.response.chain.time[0] = time; }),
               "/path/time: must rise from 0 on in a motion");
   }
+}
+
+TEST_F(DamagedScene, WhoseVelocitiesAreOfOtherFramesOrSegmentsIsRefused) {
+  const SceneRecord motion = record_of(swinging_text());
+  EXPECT_EQ(refusal(motion, [](SceneRecord& record) { record.response.chain.velocity[7] = NAN; }),
+            "/segments/velocity = nan: must be finite");
+  EXPECT_EQ(refusal(motion, [](SceneRecord& record) { record.response.chain.spin[7] = INFINITY; }),
+            "/segments/spin = inf: must be finite");
+  EXPECT_EQ(refusal(motion, [](SceneRecord& record) { record.response.chain.spin.clear(); }),
+            "/segments/spin: must be there beside segments/velocity");
+  EXPECT_EQ(refusal(motion, [](SceneRecord& record) { record.response.chain.velocity.clear(); }),
+            "/segments/velocity: must be there beside segments/spin");
+  // Written behind a record that has none.
+  const auto refusal_of = [&](const char* path, std::vector<std::size_t> shape,
+                              const std::string& text) {
+    SceneRecord without = record_of(text);
+    without.response.chain.velocity.clear();
+    without.response.chain.spin.clear();
+    write_scene_store(path_, without, Overwrite::Allowed, [&](Hdf5Group& root) {
+      const std::vector<double> zeros(shape[0] * shape[1] * shape[2]);
+      const std::vector<std::size_t> right{6, 4, 3};
+      for (const char* other : {"segments/velocity", "segments/spin"}) {
+        const bool spoiled = std::string(path) == other;
+        const std::vector<double> fitting(6U * 4U * 3U);
+        root.write_array<double>(other, spoiled ? zeros : fitting, spoiled ? shape : right);
+      }
+    });
+    const std::string message = message_of([&] { read_scene_store(path_); });
+    return message.substr(std::min(message.size(), path_.size() + 2));
+  };
+  for (const char* path : {"segments/velocity", "segments/spin"}) {
+    for (const std::vector<std::size_t>& shape : std::vector<std::vector<std::size_t>>{
+             {5, 4, 3}, {6, 5, 3}, {6, 4, 2}, {4, 6, 3}, {0, 4, 3}}) {
+      EXPECT_EQ(refusal_of(path, shape, swinging_text()),
+                "/" + std::string(path) + ": must have the extents 6 x 4 x 3");
+    }
+  }
+  EXPECT_EQ(refusal_of("segments/none", {0, 0, 0}, cantilever_text()),
+            "/segments/velocity: must not be there: the beam is at rest");
 }
 
 }  // namespace

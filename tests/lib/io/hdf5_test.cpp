@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <limits>
 #include <numeric>
+#include <type_traits>
 
 #include "tests/lib/io/scratch_folder.hpp"
 
@@ -64,6 +65,34 @@ TEST(Hdf5, WritesColumnsPieceByPieceAsAtOnce) {
   Hdf5Column column = file.root().column("values", 2);
   column.append(ramp(1));
   EXPECT_THROW(column.finish(), std::logic_error);
+  EXPECT_THROW(column.append(std::vector<float>{1.0F}), std::logic_error);
+}
+
+TEST(Hdf5, WritesTablesOfEveryTypePieceByPieceAsAtOnce) {
+  const ScratchFolder folder;
+  const auto same = [&](const auto& values, std::size_t columns) {
+    using T = typename std::remove_cvref_t<decltype(values)>::value_type;
+    const DatasetOptions options{.units = "m", .deflate = 1};
+    Hdf5File whole = Hdf5File::create(folder.file("whole.h5"));
+    whole.root().write_table("a/values", std::span<const T>(values), columns, options);
+    whole.commit();
+    Hdf5File pieces = Hdf5File::create(folder.file("pieces.h5"));
+    const std::size_t shape[] = {values.size() / columns, columns};
+    Hdf5Column column = pieces.root().column<T>("a/values", shape, options);
+    const std::span all(values);
+    for (std::size_t i = 0; i < all.size(); i += 10'007) {
+      column.append(all.subspan(i, std::min<std::size_t>(10'007, all.size() - i)));
+    }
+    column.finish();
+    pieces.commit();
+    EXPECT_EQ(content_of(folder.file("whole.h5")), content_of(folder.file("pieces.h5")));
+  };
+  for (const std::size_t rows : {1U, 100U, 100'000U}) {
+    const std::vector<double> numbers = ramp(3 * rows);
+    same(numbers, 3);
+    same(std::vector<float>(numbers.begin(), numbers.end()), 3);
+    same(std::vector<std::int32_t>(numbers.begin(), numbers.end()), 3);
+  }
 }
 
 TEST(Hdf5, GivesBackNumbersOfEveryType) {

@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "plastica/io/hdf5.hpp"
 #include "plastica/io/result_file.hpp"
@@ -116,6 +117,20 @@ TEST_F(ResultDifferences, OfExtentsVersionsAndUnitsAreSeen) {
   EXPECT_EQ(
       compare_results(folder_.file("a.h5"), folder_.file("b.h5"), {}).differences.at(0).second,
       "integers");
+}
+
+TEST_F(ResultDifferences, OfTheSurfaceForParaviewAreLeftOut) {
+  write<double>("a.h5", {1.0});
+  Hdf5File other = Hdf5File::create(folder_.file("b.h5"));
+  write_schema(other.root(), "plastica/test", 1);
+  other.root().write("table/value", std::vector<double>{1.0}, {"Pa"});
+  other.root().write_texts("table/name", std::vector<std::string>{"row"});
+  other.root().write("VTKHDF/Points", std::vector<float>{1.0F});
+  write_meta(other.root(), begin_meta("test", 1));
+  other.commit();
+  for (const auto& [a, b] : {std::pair("a.h5", "b.h5"), std::pair("b.h5", "a.h5")}) {
+    EXPECT_EQ(compare_results(folder_.file(a), folder_.file(b), {}).differing, 0U);
+  }
 }
 
 TEST_F(ResultDifferences, AreListedUpToANumber) {

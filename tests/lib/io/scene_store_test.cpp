@@ -16,6 +16,7 @@ using plastica::testing::coupon_text;
 using plastica::testing::message_of;
 using plastica::testing::motion_record;
 using plastica::testing::record_of;
+using plastica::testing::swinging_text;
 
 class SceneStore : public ::testing::Test {
  protected:
@@ -41,6 +42,8 @@ void expect_same_chain(const ChainHistory& a, const ChainHistory& b) {
   EXPECT_EQ(a.angle, b.angle);
   EXPECT_EQ(a.plastic_angle, b.plastic_angle);
   EXPECT_EQ(a.rotation, b.rotation);
+  EXPECT_EQ(a.velocity, b.velocity);
+  EXPECT_EQ(a.spin, b.spin);
   EXPECT_EQ(a.plastic_strain, b.plastic_strain);
   EXPECT_EQ(a.stress, b.stress);
   EXPECT_EQ(a.reaction, b.reaction);
@@ -185,6 +188,36 @@ TEST_F(SceneStore, KeepsTheFramesOfAMotionApartFromItsSamples) {
   EXPECT_EQ(read.response.longest_step, record.response.longest_step);
   EXPECT_GT(read.response.longest_step, 0.0);
   expect_same_chain(read.response.chain, record.response.chain);
+}
+
+TEST_F(SceneStore, KeepsTheVelocitiesOfAMotion) {
+  const SceneRecord record = record_of(swinging_text());
+  EXPECT_EQ(record.response.chain.velocity.size(), 6U * 4U * 3U);
+  EXPECT_EQ(record.response.chain.spin.size(), 6U * 4U * 3U);
+  EXPECT_NE(record.response.chain.spin.back(), record.response.chain.spin.front());
+  expect_same_chain(stored(record).response.chain, record.response.chain);
+  const Hdf5File file = Hdf5File::open(path_);
+  EXPECT_EQ(file.root().text_attribute("segments/velocity", "units"), "m/s");
+  EXPECT_EQ(file.root().text_attribute("segments/spin", "units"), "rad/s");
+  stored(record_of(cantilever_text()));
+  EXPECT_FALSE(Hdf5File::open(path_).root().exists("segments/velocity")) << "of a path at rest";
+}
+
+/// As files of before are.
+TEST_F(SceneStore, ReadsAMotionWithoutVelocities) {
+  SceneRecord record = record_of(swinging_text());
+  record.response.chain.velocity.clear();
+  record.response.chain.spin.clear();
+  expect_same_chain(stored(record).response.chain, record.response.chain);
+  EXPECT_FALSE(Hdf5File::open(path_).root().exists("segments/velocity"));
+}
+
+TEST_F(SceneStore, IsReadBesideGroupsOfOtherFormats) {
+  const SceneRecord record = record_of(cantilever_text());
+  write_scene_store(path_, record, Overwrite::Allowed, [](Hdf5Group& root) {
+    root.write("VTKHDF/Points", std::vector<float>{1.0F, 2.0F});
+  });
+  expect_same_chain(read_scene_store(path_).response.chain, record.response.chain);
 }
 
 TEST_F(SceneStore, KeepsEveryEventWithItsJointsAndFragments) {

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <numbers>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "plastica/model/section.hpp"
@@ -130,6 +131,69 @@ TEST(BeamMesh, EnclosesTheBeamsVolumeBentOrNot) {
   check(bent_text(tube), of_tube);
   check(bent_text(profile), of_profile);
   check(bent_text(tube, half), 0.5 * (of_tube + of_profile));
+}
+
+/// Gives segments velocities. @param of  a segment: of its inner end, and its spin
+template <class Of>
+void set_velocities(io::SceneRecord& record, std::size_t frame, const Of& of) {
+  ChainHistory& chain = record.response.chain;
+  chain.velocity.assign(chain.rotation.size(), 0.0);
+  chain.spin.assign(chain.rotation.size(), 0.0);
+  const std::size_t n = record.outline.segments();
+  for (std::size_t s = 0; s < n; ++s) {
+    const auto [velocity, spin] = of(s);
+    for (std::size_t k = 0; k < 3; ++k) {
+      chain.velocity[3 * (frame * n + s) + k] = velocity[k];
+      chain.spin[3 * (frame * n + s) + k] = spin[k];
+    }
+  }
+}
+
+TEST(BeamMesh, MovesEachPointAsItsRigidBodyDoes) {
+  io::SceneRecord record = motion_record({.segments = 8});
+  constexpr std::size_t kFrame = 20;
+  const BeamPose pose(record, kFrame);
+  ASSERT_EQ(pose.fragments().size(), 3U);
+  // Fragments turn about the origin, each at its own speed; segments of one move as one.
+  const auto spin_of = [](std::size_t segment) {
+    const double speed = segment < 4 ? 1.0 : segment < 6 ? -2.0 : 5.0;
+    return Point3{0.3 * speed, -0.7 * speed, 1.1 * speed};
+  };
+  set_velocities(record, kFrame, [&](std::size_t s) {
+    return std::pair(cross(spin_of(s), pose.inner(s)), spin_of(s));
+  });
+  const BeamMesh mesh(record);
+  const std::vector<Point3> points = mesh.points_of(pose);
+  const std::vector<Point3> velocities = mesh.velocities_of(pose);
+  ASSERT_EQ(velocities.size(), mesh.points());
+  const std::size_t of_segment = mesh.points() / 8;
+  for (std::size_t p = 0; p < points.size(); ++p) {
+    const Point3 exact = cross(spin_of(p / of_segment), points[p]);
+    for (std::size_t k = 0; k < 3; ++k) {
+      EXPECT_NEAR(velocities[p][k], exact[k], 1e-12) << p << ' ' << k;
+    }
+  }
+}
+
+TEST(BeamMesh, EndsASegmentWithTheVelocityOfItsJoint) {
+  io::SceneRecord record = motion_record({.segments = 8});
+  // Segment s moves along x by s: ends meet in the joint's velocity, unless it is cut.
+  set_velocities(record, 20, [](std::size_t s) {
+    return std::pair(Point3{static_cast<double>(s), 0.0, 0.0}, Point3{});
+  });
+  const BeamMesh mesh(record);
+  const std::vector<Point3> velocities = mesh.velocities_of(BeamPose(record, 20));
+  const std::size_t ring = mesh.points() / 8 / 3;
+  for (std::size_t s = 0; s < 8; ++s) {
+    const bool joined = s != 3 && s != 5 && s != 7;
+    const auto inner = static_cast<double>(s);
+    const double outer = joined ? inner + 1.0 : inner;
+    for (std::size_t c = 0; c < ring; ++c) {
+      EXPECT_EQ(velocities[3 * ring * s + c][0], inner);
+      EXPECT_EQ(velocities[3 * ring * s + ring + c][0], 0.5 * (inner + outer));
+      EXPECT_EQ(velocities[3 * ring * s + 2 * ring + c][0], outer);
+    }
+  }
 }
 
 TEST(BeamMesh, KeepsItsCellsThroughCuts) {

@@ -22,8 +22,8 @@ std::size_t bytes_of(const Response& response) {
   for (const auto& probe : response.probes) bytes += of(probe);
   return bytes + of(chain.time) + of(chain.factor) + of(chain.energy) + of(chain.iterations) +
          of(chain.frame_sample) + of(chain.position) + of(chain.moment) + of(chain.force) +
-         of(chain.angle) + of(chain.plastic_angle) + of(chain.rotation) + of(chain.plastic_strain) +
-         of(chain.stress) + of(chain.reaction);
+         of(chain.angle) + of(chain.plastic_angle) + of(chain.rotation) + of(chain.velocity) +
+         of(chain.spin) + of(chain.plastic_strain) + of(chain.stress) + of(chain.reaction);
 }
 
 void expect_size(const Scene& scene, const SolverOptions& options, Level level) {

@@ -50,18 +50,31 @@ std::vector<Point3> BeamMesh::points_of(const BeamPose& pose) const {
   std::vector<Point3> points;
   points.reserve(points_);
   for (std::size_t s = 0; s < pose.segments(); ++s) {
-    const Point3 x = pose.section_axis(s, 0);
-    const Point3 y = pose.section_axis(s, 1);
-    const Point3& from = pose.inner(s);
-    const Point3& to = pose.outer(s);
-    const Point3 middle = sum(sum({}, 0.5, from), 0.5, to);
-    for (const Point3& at : {from, middle, to}) {
-      for (const Point2& corner : sections_[section_of_[s]].corners) {
-        points.push_back(sum(sum(at, corner[0], x), corner[1], y));
-      }
-    }
+    sweep(s, pose.inner(s), pose.outer(s), pose.section_axis(s, 0), pose.section_axis(s, 1),
+          points);
   }
   return points;
+}
+
+std::vector<Point3> BeamMesh::velocities_of(const BeamPose& pose) const {
+  std::vector<Point3> velocities;
+  velocities.reserve(points_);
+  for (std::size_t s = 0; s < pose.segments(); ++s) {
+    const Point3 spin = pose.spin(s);
+    sweep(s, pose.inner_velocity(s), pose.outer_velocity(s), cross(spin, pose.section_axis(s, 0)),
+          cross(spin, pose.section_axis(s, 1)), velocities);
+  }
+  return velocities;
+}
+
+void BeamMesh::sweep(std::size_t segment, const Point3& from, const Point3& to, const Point3& x,
+                     const Point3& y, std::vector<Point3>& points) const {
+  const Point3 middle = sum(sum({}, 0.5, from), 0.5, to);
+  for (const Point3& at : {from, middle, to}) {
+    for (const Point2& corner : sections_[section_of_[segment]].corners) {
+      points.push_back(sum(sum(at, corner[0], x), corner[1], y));
+    }
+  }
 }
 
 std::vector<std::int32_t> BeamMesh::fragment_of(const BeamPose& pose) const {

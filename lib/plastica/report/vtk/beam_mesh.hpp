@@ -28,11 +28,17 @@ class BeamMesh {
 
   /// All points of a pose [m] (points x 3).
   std::vector<Point3> points_of(const BeamPose& pose) const;
+  /// How they move, each with its segment: v + omega x r [m/s] (points x 3).
+  /// @param pose  of a result that has velocities
+  std::vector<Point3> velocities_of(const BeamPose& pose) const;
   /// What a pose's fragments number each cell with, from 0 on (cells).
   std::vector<std::int32_t> fragment_of(const BeamPose& pose) const;
 
  private:
   void add_segment(std::size_t segment, const SectionFaces& faces);
+  /// Of a segment: its rings, corner by corner, from a vector at each end and one for each axis.
+  void sweep(std::size_t segment, const Point3& from, const Point3& to, const Point3& x,
+             const Point3& y, std::vector<Point3>& points) const;
   void add_cell(const std::array<std::size_t, 4>& corners, std::size_t segment, std::size_t joint);
 
   std::vector<std::size_t> section_of_;  ///< which of the sections a segment has

@@ -1,6 +1,6 @@
 #include "plastica/report/vtk/vtkhdf_file.hpp"
 
-#include <span>
+#include <optional>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -19,8 +19,13 @@ constexpr io::DatasetOptions kPacked{.units = {}, .deflate = kDeflate};
 
 using Integers = std::vector<std::int64_t>;
 
-void add_point(const Point3& point, std::vector<float>& values) {
-  for (const double x : point) values.push_back(static_cast<float>(x));
+std::vector<float> in_float(const std::vector<Point3>& points) {
+  std::vector<float> values;
+  values.reserve(3 * points.size());
+  for (const Point3& point : points) {
+    for (const double x : point) values.push_back(static_cast<float>(x));
+  }
+  return values;
 }
 
 /// 0, n, 2n, … for each step.
@@ -35,16 +40,16 @@ class VtkhdfWriter {
   VtkhdfWriter(const io::SceneRecord& record, io::Hdf5Group root)
       : record_(record), mesh_(record), steps_(frames_of(record)), root_(std::move(root)) {}
 
-  bool write(StopFlag stop) {
+  bool write(const FrameHooks& hooks) {
     root_.set_attribute(".", "Version", std::vector<std::int64_t>{2, 0});
     root_.set_ascii_attribute(".", "Type", "PolyData");
     // One part, whose cells serve all steps.
     root_.write("NumberOfPoints", count(mesh_.points()));
     write_cells();
     write_steps();
-    return write_points("Points", false, stop) &&
-           write_points("PointData/displacement", true, stop) && write_fragments(stop) &&
-           write_joints(stop);
+    root_.write("CellData/segment", mesh_.segment(), kPacked);
+    root_.write("CellData/joint", mesh_.joint(), kPacked);
+    return write_frames(hooks);
   }
 
  private:
@@ -80,6 +85,9 @@ class VtkhdfWriter {
       steps.write_table<std::int64_t>(name, zeros_of_all, kTopologies);
     }
     steps.write("PointDataOffsets/displacement", offsets_of(steps_, mesh_.points()));
+    if (has_velocities(record_)) {
+      steps.write("PointDataOffsets/velocity", offsets_of(steps_, mesh_.points()));
+    }
     for (const char* name : {"segment", "joint"}) {
       steps.write(std::string("CellDataOffsets/") + name, zeros);
     }
@@ -90,66 +98,65 @@ class VtkhdfWriter {
     for (const JointQuantity& quantity : kJointQuantities) changing(quantity.name);
   }
 
-  bool write_points(const std::string& path, bool from_undeformed, StopFlag stop) {
+  /// All that changes from step to step, a frame at a time.
+  bool write_frames(const FrameHooks& hooks) {
     const std::vector<Point3> undeformed = mesh_.points_of(BeamPose(record_, kUndeformed));
-    std::vector<float> values;
-    values.reserve(3 * steps_ * mesh_.points());
-    for (std::size_t f = 0; f < steps_; ++f) {
-      if (is_raised(stop)) return false;
-      const std::vector<Point3> now = mesh_.points_of(BeamPose(record_, f));
-      for (std::size_t p = 0; p < now.size(); ++p) {
-        add_point(from_undeformed ? sum(now[p], -1.0, undeformed[p]) : now[p], values);
-      }
+    io::Hdf5Column points = column<float>("Points", mesh_.points(), 3, "m");
+    io::Hdf5Column displacement = column<float>("PointData/displacement", mesh_.points(), 3, "m");
+    std::optional<io::Hdf5Column> velocity;
+    if (has_velocities(record_)) {
+      velocity.emplace(column<float>("PointData/velocity", mesh_.points(), 3, "m/s"));
     }
-    write_rows<float>(path, values, 3, "m");
-    return true;
-  }
-
-  bool write_fragments(StopFlag stop) {
-    root_.write("CellData/segment", mesh_.segment(), kPacked);
-    root_.write("CellData/joint", mesh_.joint(), kPacked);
-    std::vector<std::int32_t> fragments;
-    fragments.reserve(steps_ * mesh_.cells());
-    for (std::size_t f = 0; f < steps_; ++f) {
-      if (is_raised(stop)) return false;
-      const std::vector<std::int32_t> of_cells = mesh_.fragment_of(BeamPose(record_, f));
-      fragments.insert(fragments.end(), of_cells.begin(), of_cells.end());
-    }
-    root_.write("CellData/fragment", fragments, kPacked);
-    return true;
-  }
-
-  bool write_joints(StopFlag stop) {
-    const ChainHistory& chain = record_.response.chain;
+    io::Hdf5Column fragment = column<std::int32_t>("CellData/fragment", mesh_.cells(), 1, "");
+    std::vector<io::Hdf5Column> of_joints;
+    of_joints.reserve(kJointQuantities.size());
     for (const JointQuantity& quantity : kJointQuantities) {
-      if (is_raised(stop)) return false;
-      const std::size_t n = quantity.components;
-      const std::vector<double>& of_joints = quantity.values(chain);
-      std::vector<float> values;
-      values.reserve(steps_ * mesh_.cells() * n);
-      for (std::size_t f = 0; f < steps_; ++f) {
-        for (const std::int32_t joint : mesh_.joint()) {
-          const std::size_t first = (f * chain.joints + static_cast<std::size_t>(joint)) * n;
-          for (std::size_t k = 0; k < n; ++k) {
-            values.push_back(static_cast<float>(of_joints[first + k]));
-          }
-        }
-      }
-      write_rows<float>("CellData/" + std::string(quantity.name), values, n, quantity.unit);
+      of_joints.push_back(column<float>("CellData/" + std::string(quantity.name), mesh_.cells(),
+                                        quantity.components, quantity.unit));
     }
+    for (std::size_t f = 0; f < steps_; ++f) {
+      if (is_raised(hooks.stop)) return false;
+      const BeamPose pose(record_, f);
+      std::vector<Point3> now = mesh_.points_of(pose);
+      points.append(in_float(now));
+      for (std::size_t i = 0; i < now.size(); ++i) now[i] = sum(now[i], -1.0, undeformed[i]);
+      displacement.append(in_float(now));
+      if (velocity) velocity->append(in_float(mesh_.velocities_of(pose)));
+      fragment.append(mesh_.fragment_of(pose));
+      for (std::size_t k = 0; k < of_joints.size(); ++k) {
+        of_joints[k].append(of_cells(kJointQuantities[k], f));
+      }
+      if (hooks.on_frame) hooks.on_frame(f + 1);
+    }
+    for (io::Hdf5Column* one : {&points, &displacement, &fragment}) one->finish();
+    if (velocity) velocity->finish();
+    for (io::Hdf5Column& one : of_joints) one.finish();
     return true;
   }
 
-  /// One number in a row is a list.
+  /// Begins a dataset of all steps. @param components  1: a list; else a table
   template <typename T>
-  void write_rows(const std::string& path, std::span<const T> values, std::size_t components,
-                  std::string_view unit) {
-    const io::DatasetOptions options{.units = unit, .deflate = kDeflate};
-    if (components == 1) {
-      root_.write(path, values, options);
-    } else {
-      root_.write_table(path, values, components, options);
+  io::Hdf5Column column(const std::string& path, std::size_t rows_of_step, std::size_t components,
+                        std::string_view unit) {
+    std::vector<std::size_t> shape{steps_ * rows_of_step};
+    if (components > 1) shape.push_back(components);
+    return root_.column<T>(path, shape, {.units = unit, .deflate = kDeflate});
+  }
+
+  /// A quantity of joints, for each cell that of its joint.
+  std::vector<float> of_cells(const JointQuantity& quantity, std::size_t frame) const {
+    const ChainHistory& chain = record_.response.chain;
+    const std::vector<double>& of_joints = quantity.values(chain);
+    const std::size_t n = quantity.components;
+    std::vector<float> values;
+    values.reserve(mesh_.cells() * n);
+    for (const std::int32_t joint : mesh_.joint()) {
+      const std::size_t first = (frame * chain.joints + static_cast<std::size_t>(joint)) * n;
+      for (std::size_t k = 0; k < n; ++k) {
+        values.push_back(static_cast<float>(of_joints[first + k]));
+      }
     }
+    return values;
   }
 
   const io::SceneRecord& record_;
@@ -157,6 +164,15 @@ class VtkhdfWriter {
   std::size_t steps_;
   io::Hdf5Group root_;
 };
+
+void check_has_surface(const io::SceneRecord& record) {
+  if (record.outline.segments() == 0) {
+    throw InputError({}, "", "", "a coupon has no beam to show");
+  }
+  if (frames_of(record) == 0) {
+    throw InputError({}, "", "", "there is no frame: the run ended before the first");
+  }
+}
 
 }  // namespace
 
@@ -176,16 +192,17 @@ std::vector<double> times_of_steps(const io::SceneRecord& record) {
   return times;
 }
 
+bool write_vtkhdf(io::Hdf5Group& root, const io::SceneRecord& record, const FrameHooks& hooks) {
+  check_has_surface(record);
+  return VtkhdfWriter(record, root.group(io::kVtkGroup)).write(hooks);
+}
+
 bool write_vtkhdf(const std::string& path, const io::SceneRecord& record, io::Overwrite overwrite,
-                  StopFlag stop) {
-  if (record.outline.segments() == 0) {
-    throw InputError({}, "", "", "a coupon has no beam to show");
-  }
-  if (frames_of(record) == 0) {
-    throw InputError({}, "", "", "there is no frame: the run ended before the first");
-  }
-  io::Hdf5File file = io::Hdf5File::create(path, overwrite);
-  if (!VtkhdfWriter(record, file.root().group(kVtkGroup)).write(stop)) return false;
+                  const FrameHooks& hooks) {
+  check_has_surface(record);
+  constexpr int kThreadsOfMachine = 0;
+  io::Hdf5File file = io::Hdf5File::create(path, overwrite, kThreadsOfMachine);
+  if (!write_vtkhdf(file.root(), record, hooks)) return false;
   file.commit();
   return true;
 }

@@ -20,7 +20,8 @@ class XdmfWriter {
       : mesh_(record),
         steps_(frames_of(record)),
         times_(times_of_steps(record)),
-        group_(xml_text(heavy) + ":/" + kVtkGroup + "/") {}
+        group_(xml_text(heavy) + ":/" + std::string(io::kVtkGroup) + "/"),
+        moves_(has_velocities(record)) {}
 
   std::string text() {
     out_ =
@@ -44,6 +45,9 @@ class XdmfWriter {
     out_ += "</Geometry>\n";
     add_attribute("displacement", "Node", "PointData/displacement", "Float", mesh_.points(), 3,
                   step);
+    if (moves_) {
+      add_attribute("velocity", "Node", "PointData/velocity", "Float", mesh_.points(), 3, step);
+    }
     for (const char* name : {"segment", "joint"}) {
       out_ += attribute(name, "Cell", 1);
       out_ += fmt::format(
@@ -94,6 +98,7 @@ class XdmfWriter {
   std::size_t steps_;
   std::vector<double> times_;
   std::string group_;
+  bool moves_;
   std::string out_;
 };
 
