@@ -6,6 +6,7 @@
 #include <chrono>
 #include <iostream>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -40,6 +41,7 @@ struct StabilityArguments {
   stability::SceneScanOptions options;
   std::string output;
   std::string map;
+  std::optional<double> width;  ///< of the map [mm]
   std::string report;
   bool force = false;
   bool quiet = false;
@@ -53,6 +55,7 @@ void check_stability_outputs(const StabilityArguments& arguments) {
   };
   check("--output", arguments.output);
   require_ending("--output", arguments.output, ".csv", "it has the points");
+  check_width(arguments.width, arguments.map);
   if (!arguments.map.empty()) report::check_picture_output(arguments.map, "--map");
   if (arguments.map != "-") check("--map", arguments.map);
   if (!arguments.output.empty() && !arguments.map.empty()) {
@@ -117,7 +120,8 @@ int scan_file(const StabilityArguments& arguments) {
     return kInterrupted;
   }
   if (!grid.empty()) {
-    report::draw_picture(stability::pair_map(grid, file.setup, *fields[0], *fields[1]),
+    report::draw_picture(stability::pair_map(grid, file.setup, *fields[0], *fields[1],
+                                             report::sheet_of(arguments.map, arguments.width)),
                          arguments.map, std::cout, overwrite);
     if (arguments.map != "-") tell("wrote {}\n", arguments.map);
   }
@@ -152,6 +156,7 @@ void add_stability(CLI::App& app, const Invocation& invocation, Action& action) 
       ->option_text("N");
   sub->add_option("-o,--output", arguments->output, "Write every point as CSV")
       ->option_text("FILE");
+  add_width_option(*sub, arguments->width);
   sub->add_option("--map", arguments->map,
                   "Draw the map of two fields: .svg, .png, .pdf or .gp, - for the terminal")
       ->option_text("FILE");
@@ -160,7 +165,7 @@ void add_stability(CLI::App& app, const Invocation& invocation, Action& action) 
   add_force_option(*sub, arguments->force, "files that are there");
   add_quiet_option(*sub, arguments->quiet, "no table, no progress");
   group_options(*sub, "What to vary, and how far", {"--vary", "--reach", "--within", "--max-work"});
-  group_options(*sub, "Results", {"--output", "--map", "--report", "--force"});
+  group_options(*sub, "Results", {"--output", "--map", "--width", "--report", "--force"});
   sub->footer(
       "Example:\n"
       "  plastica stability scene.toml --vary beam.segments,beam.length --map m.svg\n"

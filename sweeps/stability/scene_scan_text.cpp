@@ -95,7 +95,7 @@ std::string scene_scan_text(const SceneScan& scan, const SceneScanOptions& optio
 }
 
 report::PlotScript pair_map(std::span<const StabilityRow> rows, const Setup& setup,
-                            const Field& first, const Field& second) {
+                            const Field& first, const Field& second, const report::Sheet& sheet) {
   // The size of a number; what is negative is as large as its opposite.
   const auto place = [](double value) { return std::log10(std::fabs(value)); };
   const auto label = [](const Field& field) {
@@ -107,7 +107,7 @@ report::PlotScript pair_map(std::span<const StabilityRow> rows, const Setup& set
     points[static_cast<std::size_t>(row.verdict.validity)].push_back(
         {place(row.at[0].value), place(row.at[1].value)});
   }
-  report::PlotScript script;
+  report::PlotScript script(sheet);
   script.begin_panels(1);
   script.set_y_label(label(second));
   script.begin_panel({"each point a run"});

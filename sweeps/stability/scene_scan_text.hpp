@@ -21,6 +21,7 @@ std::string scene_scan_text(const SceneScan& scan, const SceneScanOptions& optio
 /// The points of a grid of two fields, each in the colour of its class, the scene's own values
 /// marked. @param rows  as `scan_pair` gives them, not empty
 report::PlotScript pair_map(std::span<const StabilityRow> rows, const Setup& setup,
-                            const Field& first, const Field& second);
+                            const Field& first, const Field& second,
+                            const report::Sheet& sheet = {});
 
 }  // namespace plastica::sweeps::stability

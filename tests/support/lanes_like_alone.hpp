@@ -10,7 +10,8 @@
 
 namespace plastica::testing {
 
-/// Those that this processor has; under sanitizers, which see the same code in each, the first alone.
+/// Those that this processor has; under sanitizers, which see the same code in each, the first
+/// alone.
 inline std::vector<InstructionSet> instruction_sets() {
   std::vector<InstructionSet> sets{InstructionSet::Baseline};
   for (const InstructionSet isa : {InstructionSet::Avx2, InstructionSet::Avx512}) {
