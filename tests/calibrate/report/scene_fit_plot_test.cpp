@@ -108,9 +108,10 @@ TEST(SceneFitPlot, RefusesWhatThereIsNot) {
   const auto message = [&](const PlotRequest& request) {
     return message_of([&] { plot_script(records, request); });
   };
-  EXPECT_EQ(message({.what = "pie"}),
-            "--what = pie: must be fit, residuals, quantiles, starts, correlation, segments, profile, "
-            "bootstrap, laws or population");
+  EXPECT_EQ(
+      message({.what = "pie"}),
+      "--what = pie: must be fit, residuals, quantiles, starts, correlation, segments, profile, "
+      "bootstrap, laws or population");
   EXPECT_EQ(message({.specimen = "x"}), "--case = x: is not a fit of this file; it has a, f");
   EXPECT_EQ(message({.what = "population", .specimen = "a"}),
             "--case = a: does not go with the picture 'population'");
