@@ -73,6 +73,7 @@ class Pictures(unittest.TestCase):
         browser.open(picture)
         wide, high = browser.evaluate(SIZE)
         texts = browser.evaluate(TEXTS)
+        self.assertTrue(texts)
         faults = []
         if width is not None:
             self.assertAlmostEqual(wide, width * PIXELS, delta=0.5)
