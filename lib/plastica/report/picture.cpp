@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "plastica/base/check.hpp"
+#include "plastica/base/machine_error.hpp"
 #include "plastica/io/gnuplot.hpp"
 #include "plastica/io/storage_error.hpp"
 #include "plastica/io/text_file.hpp"
@@ -71,7 +72,8 @@ void set_size_on_paper(const PlotScript& script, std::string& picture) {
   const std::string size =
       fmt::format("width=\"{:.0f}\" height=\"{:.0f}\"", script.width(), script.height());
   const std::size_t at = picture.find(size);
-  if (at == picture.npos || !picture.starts_with("<?xml")) return;
+  if (at == picture.npos)
+    throw MachineError("gnuplot's SVG does not say its size: expected " + size);
   picture.replace(at, size.size(),
                   fmt::format("width=\"{:.2f}mm\" height=\"{:.2f}mm\"",
                               script.width() * kMillimetres, script.height() * kMillimetres));
@@ -116,7 +118,7 @@ void draw_picture(const PlotScript& script, const std::string& output,
     return;
   }
   std::string picture = io::run_gnuplot(terminal + script.text());
-  if (is_for_paper(script)) set_size_on_paper(script, picture);
+  if (is_for_paper(script) && output.ends_with(".svg")) set_size_on_paper(script, picture);
   if (output == "-") {
     standard_output << without_blank_ends(picture);
     if (!standard_output.flush()) throw io::StorageError("standard output", "cannot be written");
