@@ -138,8 +138,8 @@ int check(const CheckArguments& arguments) {
     files.push_back(sweeps::read_check_file(path, check_without_digest));
   }
   for (const sweeps::CheckFile& file : files) tell_notes(file.notes);
-  if (arguments.dry_run) return print_dry_run(files);
   check_outputs_of(files, arguments);
+  if (arguments.dry_run) return print_dry_run(files);
   const InterruptGuard interrupt;
   std::vector<sweeps::CheckedFile> checked;
   bool complete = true;
@@ -150,7 +150,7 @@ int check(const CheckArguments& arguments) {
     io::write_text_file(arguments.junit, sweeps::junit_xml(checked),
                         io::overwrite_if(arguments.force));
   }
-  if (!arguments.report.empty()) {
+  if (!arguments.report.empty() && !checked.empty()) {
     meta.seconds = seconds_since(begin);
     write_page(arguments.report, sweeps::check_page(checked, files.size(), meta),
                io::overwrite_if(arguments.force));

@@ -201,9 +201,8 @@ FigurePanel pair_panel(const ShownParameter& a, const std::vector<double>& a_val
   for (const double part : {0.5, 0.95}) {
     Points ellipse = ellipse_about(a_values, a_unit.scale, b_values, b_unit.scale, part);
     if (ellipse.empty()) continue;
-    panel.curves.push_back({std::move(ellipse),
-                            "50 and 95 % of a normal distribution with their covariance", kGrey,
-                            Stroke::Line});
+    panel.curves.push_back(
+        {std::move(ellipse), "50 and 95 % of their normal distribution", kGrey, Stroke::Line});
   }
   const auto range_along = [&](std::size_t axis) {
     double low = std::numeric_limits<double>::infinity(), high = -low;

@@ -104,7 +104,8 @@ void add_residuals(PlotScript& script, const FitRecord& record) {
     low = std::min(low, points.back()[1]);
     high = std::max(high, points.back()[1]);
   }
-  script.command("set format x\nset xlabel " + in_quotes(strain_label(record.target)));
+  script.command("set format x");
+  script.set_x_label(strain_label(record.target));
   script.command("set yrange [*:*]\nset offsets graph 0, graph 0, graph 0.08, graph 0.08");
   script.command("set xzeroaxis linecolor rgb '#B8B8B8'");
   if (high > low) {
@@ -138,7 +139,7 @@ PlotScript curve_plot(const FitRecord& record, const Sheet& sheet) {
   } else {
     script.begin_panels(1);
   }
-  script.command("set xlabel " + in_quotes(fitted ? "" : strain_label(target)));
+  script.set_x_label(fitted ? "" : strain_label(target));
   script.set_y_label(stress_label(target));
   const bool cyclic = target.loading == Loading::Cyclic;
   if (cyclic) {
@@ -243,7 +244,7 @@ PlotScript overview_plot(std::span<const FitRecord> records, const Sheet& sheet)
   const Target& first = records[groups.front().front()].target;
   for (const std::vector<std::size_t>& members : groups) {
     const Panel panel = panel_of(records, members);
-    script.command("set xlabel " + in_quotes(script.at_bottom() ? strain_label(first) : ""));
+    script.set_x_label(script.at_bottom() ? strain_label(first) : "");
     script.set_y_label(script.at_left() ? stress_label(first) : "");
     const std::size_t letters = std::min<std::size_t>(script.title_letters(), 70);
     script.begin_panel({panel_title(records, members, panel.measured.size(), letters)});

@@ -54,7 +54,7 @@ PlotScript parameters_plot(std::span<const FitRecord> records, const Sheet& shee
   script.command(
       many ? "unset xtics"
            : fmt::format("set xtics {}({})", rotated ? "rotate by 35 right " : "", axis.tics));
-  script.command("set xlabel " + in_quotes(rotated ? "" : cut(axis.keys, 40)));
+  script.set_x_label(rotated ? "" : cut(axis.keys, 40));
   script.command(fmt::format("set xrange [0.4:{}.6]", groups.size()));
   script.command("set offsets graph 0, graph 0, graph 0.08, graph 0.08");
   for (const FittedParameter& parameter : shown) {

@@ -79,10 +79,11 @@ Figure quantiles_figure(const FitRecord& record) {
   if (is_fitted(record)) {
     residuals = residuals_of(record.target.corrected.stress, record.result.fitted.stress);
   }
-  const double noise = record.result.noise.value_or(record.result.misfit_rms);
+  // Not the misfit: that is weighed along the path where the objective is.
+  const double noise = record.result.noise.value_or(rms(residuals));
   require_noise(residuals, noise, record.target.name);
   FigurePanel panel = quantile_panel(std::move(residuals), noise);
-  panel.title = record.result.noise ? "noise as stated" : "noise: the rms misfit";
+  panel.title = record.result.noise ? "noise as stated" : "noise: the rms residual";
   return {record.target.name, {std::move(panel)}};
 }
 

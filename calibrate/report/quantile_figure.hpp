@@ -20,7 +20,7 @@ using plastica::report::FigurePanel;
 /// @param noise  standard deviation, > 0
 FigurePanel quantile_panel(std::vector<double> residuals, double noise);
 
-/// Of one specimen; the noise is the stated one, else the rms misfit.
+/// Of one specimen; the noise is the stated one, else the rms of its residuals.
 /// @throws InputError if it was not fitted, or is fitted without a misfit
 Figure quantiles_figure(const FitRecord& record);
 /// A panel for each target. @throws InputError as above

@@ -103,6 +103,32 @@ std::string title_of(const SceneFitRecord& record) {
   return cut(record.name + more + ": " + facts_of(record), 110);
 }
 
+/// @param name  of the residual, on the axis
+FigurePanel residual_panel(const SceneFitRecord& record, std::size_t t, const std::string& name) {
+  const SceneTarget& target = record.targets[t];
+  const TargetFit& of_target = record.result.targets[t];
+  std::vector<double> residual(of_target.fitted.size());
+  for (std::size_t i = 0; i < residual.size(); ++i)
+    residual[i] = target.ordinate[i] - of_target.fitted[i];
+  const DisplayUnit x_unit = unit_of(target.abscissa_is, target.abscissa);
+  const DisplayUnit y_unit = unit_of(target.ordinate_is, residual);
+  FigurePanel panel = panel_of(record, t, x_unit);
+  panel.y_label = label(name, y_unit);
+  panel.curves.push_back(
+      {points_of(target.abscissa, x_unit, residual, y_unit), "residual", kDark, Stroke::Points, 7});
+  if (std::isfinite(of_target.noise) && !target.abscissa.empty()) {
+    const auto [low, high] = std::ranges::minmax(target.abscissa);
+    for (const double noise : {of_target.noise, -of_target.noise}) {
+      panel.curves.push_back({{{low / x_unit.scale, noise / y_unit.scale},
+                               {high / x_unit.scale, noise / y_unit.scale}},
+                              "noise, one standard deviation",
+                              kBlue,
+                              Stroke::Line});
+    }
+  }
+  return panel;
+}
+
 }  // namespace
 
 Figure fit_figure(const SceneFitRecord& record, bool terminal) {
@@ -139,28 +165,8 @@ Figure residuals_figure(const SceneFitRecord& record) {
   Figure figure;
   figure.title = title_of(record);
   for (std::size_t t = 0; t < panels_of(record); ++t) {
-    const SceneTarget& target = record.targets[t];
-    const TargetFit& of_target = record.result.targets[t];
-    std::vector<double> residual(of_target.fitted.size());
-    for (std::size_t i = 0; i < residual.size(); ++i)
-      residual[i] = target.ordinate[i] - of_target.fitted[i];
-    const DisplayUnit x_unit = unit_of(target.abscissa_is, target.abscissa);
-    const DisplayUnit y_unit = unit_of(target.ordinate_is, residual);
-    FigurePanel panel = panel_of(record, t, x_unit);
-    panel.y_label = label(printable(target.ordinate_probe) + ", measured - fitted", y_unit);
-    panel.curves.push_back({points_of(target.abscissa, x_unit, residual, y_unit), "residual", kDark,
-                            Stroke::Points, 7});
-    if (std::isfinite(of_target.noise) && !target.abscissa.empty()) {
-      const auto [low, high] = std::ranges::minmax(target.abscissa);
-      for (const double noise : {of_target.noise, -of_target.noise}) {
-        panel.curves.push_back({{{low / x_unit.scale, noise / y_unit.scale},
-                                 {high / x_unit.scale, noise / y_unit.scale}},
-                                "noise, one standard deviation",
-                                kBlue,
-                                Stroke::Line});
-      }
-    }
-    figure.panels.push_back(std::move(panel));
+    const std::string name = printable(record.targets[t].ordinate_probe);
+    figure.panels.push_back(residual_panel(record, t, name + ", measured - fitted"));
   }
   return figure;
 }
@@ -172,8 +178,7 @@ PlotScript fit_picture(const SceneFitRecord& record, const Sheet& sheet) {
       record.result.targets[0].fitted.empty()) {
     return drawn(figure, sheet);
   }
-  FigurePanel residuals = std::move(residuals_figure(record).panels[0]);
-  residuals.y_label = "residual" + residuals.y_label.substr(residuals.y_label.rfind(" ["));
+  FigurePanel residuals = residual_panel(record, 0, "residual");
   residuals.marks.clear();
   figure.panels.push_back(std::move(residuals));
   double low = std::numeric_limits<double>::infinity(), high = -low;
@@ -294,8 +299,10 @@ PlotScript correlation_plot(const SceneFitRecord& record, const Sheet& sheet) {
   std::vector<std::vector<double>> cells;
   std::string labels;
   for (std::size_t i = 0; i < n; ++i) {
-    const std::string name = plastica::report::quoted_tic(
-        cut(short_name(result.parameters[i].path), terminal || narrow ? 12 : 24));
+    const std::string name =
+        plastica::report::quoted_tic(cut(short_name(result.parameters[i].path), terminal ? 12
+                                                                                : narrow ? 15
+                                                                                         : 24));
     x_tics += fmt::format("{}{} {}", i == 0 ? "" : ", ", name, i + 1);
     y_tics += fmt::format("{}{} {}", i == 0 ? "" : ", ", name, n - i);
     for (std::size_t j = 0; j < n; ++j) {
@@ -311,7 +318,7 @@ PlotScript correlation_plot(const SceneFitRecord& record, const Sheet& sheet) {
     plastica::report::begin_terminal(script);
   } else {
     // Names as long as they may be need room at the left and, where they are turned, below.
-    script.begin_panels(1, {}, turned ? 90.0 : 0.0);
+    script.begin_panels(1, {}, turned ? (narrow ? 20.0 : 90.0) : 0.0);
     script.command("unset grid\nset tics scale 0");
     script.command(
         fmt::format("set palette defined (-1 '{}', 0 '#FFFFFF', 1 '{}')\n"

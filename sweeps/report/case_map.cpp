@@ -134,6 +134,16 @@ CaseMap case_map(const PlotCases& cases) {
   CaseMap map{map_axis(cases, axes[0]), map_axis(cases, axes[1]), {}, classify(cases), {}};
   map.panels = panels_of(cases, map);
   if (map.classes.of_errors) map.limits = error_limits(cases.record);
+  // Said wherever a map is drawn.
+  std::size_t placed = 0;
+  for (const MapPanel& panel : map.panels) placed += panel.cases.size();
+  const auto picked = static_cast<std::size_t>(std::ranges::count(cases.picked, true));
+  if (placed < picked) {
+    const std::string rest =
+        fmt::format("; {} of {} cases, the others have no number on an axis", placed, picked);
+    map.classes.what += rest;
+    if (!map.limits.empty()) map.limits += rest;
+  }
   return map;
 }
 

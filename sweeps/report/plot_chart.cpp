@@ -154,12 +154,12 @@ namespace {
 
 /// Along x, those that have room side by side.
 std::vector<ChartTick> ticks_with_room(const ChartAxis& axis, double wide) {
-  constexpr double kLetter = 8.2;
   constexpr double kGap = 8.0;
   std::vector<ChartTick> kept;
   double end = -std::numeric_limits<double>::infinity();
   for (const ChartTick& tick : axis.ticks) {
-    const double half = 0.5 * kLetter * static_cast<double>(report::width_of(tick.text));
+    const double half =
+        0.5 * report::kLetterWidth * static_cast<double>(report::width_of(tick.text));
     const double at = wide * place_along(axis, tick.at);
     if (at - half < end + kGap) continue;
     kept.push_back(tick);
@@ -195,6 +195,7 @@ PlotScript chart_page(const Chart& chart, const report::Sheet& sheet) {
         "dashtype 3 linecolor rgb '{1}'",
         y, report::kGrey));
   }
+  script.set_x_label(chart.x.label);
   script.set_y_label(chart.y.label);
   script.begin_panel({chart.title, chart.subtitle});
   for (const ChartSeries& series : chart.series) {

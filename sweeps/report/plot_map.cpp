@@ -91,6 +91,7 @@ PlotScript map_page(const PlotCases& cases, const report::Sheet& sheet) {
     if (!single && !script.at_bottom()) x_axis.label.clear();
     script.command(axis_commands(x_axis, 'x', script.panel_width()) + axis_commands(y_axis, 'y') +
                    "unset label");
+    script.set_x_label(x_axis.label);
     script.set_y_label(y_axis.label);
     const std::string& name = map.panels[p].title;
     const std::string below = single && !map.limits.empty() ? map.limits : name;

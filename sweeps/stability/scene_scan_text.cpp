@@ -109,9 +109,9 @@ report::PlotScript pair_map(std::span<const StabilityRow> rows, const Setup& set
   }
   report::PlotScript script(sheet);
   script.begin_panels(1);
+  script.set_x_label(label(first));
   script.set_y_label(label(second));
   script.begin_panel({"each point a run"});
-  script.command("set xlabel " + report::in_quotes(label(first)));
   script.command("set offsets graph 0.06, graph 0.06, graph 0.06, graph 0.06");
   for (std::size_t k = 0; k < points.size(); ++k) {
     if (points[k].empty()) continue;

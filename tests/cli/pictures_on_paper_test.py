@@ -94,6 +94,10 @@ class Pictures(unittest.TestCase):
                 faults.append(f"{a['text']!r} lies over {b['text']!r} by {overlap(a, b):.1f} pixels")
         if width is None:
             return [f"{what}: {fault}" for fault in faults]
+        # Names of users may be cut, our own words not.
+        own = ("resamples", "normal", "noise", "engineering", "along the beam", "youngs_modulus")
+        faults += [f"{t['text']!r} is cut short" for t in texts
+                   if "…" in t["text"] and t["text"].startswith(own)]
         shown = " ".join(t["text"] for t in texts)
         script = self.path("p.gp")
         run("plot", result, "--what", what, "-o", script, "--force", *paper, *options)
@@ -122,6 +126,14 @@ class Pictures(unittest.TestCase):
     def test_fits(self):
         self.check_all(self.made("fits.h5", "calibrate", os.path.join(DATA, "fits/demo.toml"),
                                  "--laws", "ideal,linear", "--profile", "--bootstrap", "40"))
+
+    def test_long_names(self):
+        with open(os.path.join(DATA, "scenes/cantilever.toml"), encoding="utf-8") as file:
+            text = file.read().replace('name = "tip"', 'name = "displacement of the far end of the boom"')
+        scene = self.path("long.toml")
+        with open(scene, "w", encoding="utf-8") as file:
+            file.write(text)
+        self.check_all(self.made("long.h5", "simulate", scene))
 
     def test_fits_through_scenes(self):
         self.check_all(self.made("bend.h5", "calibrate", os.path.join(DATA, "fits/bend_test.toml"),

@@ -29,14 +29,12 @@ constexpr double kMillimetres = 25.4 / 72.0 * 8.0 / 14.0;  ///< in a unit, on pa
 constexpr int kFont = 15;                                  ///< others are given beside it
 constexpr double kDotsOnPaper = 300.0;                     ///< of a PNG [1/inch]
 
-bool is_for_paper(const PlotScript& script) { return script.width() != kUsualWidth; }
-
 /// `set terminal` for an output; empty for a script.
 std::string terminal_of(const std::string& output, const PlotScript& script,
                         std::string_view option = "--output") {
   const double wide = script.width();
   const double high = script.height();
-  const bool paper = is_for_paper(script);
+  const bool paper = script.on_paper();
   if (output == "-") {
     return fmt::format("set terminal dumb noenhanced mono size {},{}\n", terminal_columns(),
                        script.terminal_rows);
@@ -98,7 +96,10 @@ std::string without_blank_ends(std::string_view picture) {
 Sheet sheet_of(const std::string& output, std::optional<double> width) {
   Sheet sheet;
   sheet.terminal = output == "-";
-  if (width) sheet.width = *width / kMillimetres;
+  if (width) {
+    sheet.width = *width / kMillimetres;
+    sheet.on_paper = true;
+  }
   return sheet;
 }
 
@@ -112,13 +113,16 @@ void draw_picture(const PlotScript& script, const std::string& output,
   if (terminal.empty()) {
     io::write_text_file(
         output,
-        "# Draw it with: gnuplot -p FILE, or: gnuplot -e \"set term svg\" FILE > FILE.svg\n" +
+        fmt::format(
+            "# Draw it with: gnuplot -p FILE, or: gnuplot -e \"set term svg size {:.0f},{:.0f} "
+            "font ',14'\" FILE > FILE.svg\n",
+            script.width(), script.height()) +
             script.text(),
         overwrite);
     return;
   }
   std::string picture = io::run_gnuplot(terminal + script.text());
-  if (is_for_paper(script) && output.ends_with(".svg")) set_size_on_paper(script, picture);
+  if (script.on_paper() && output.ends_with(".svg")) set_size_on_paper(script, picture);
   if (output == "-") {
     standard_output << without_blank_ends(picture);
     if (!standard_output.flush()) throw io::StorageError("standard output", "cannot be written");

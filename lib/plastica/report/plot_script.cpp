@@ -33,10 +33,9 @@ constexpr double kNarrowest = 180.0;
 /// Height of a strip below a panel, and the room between.
 constexpr double kStrip = 116.0;
 constexpr double kAboveStrip = 26.0;
-constexpr double kLine = 20.0;  ///< of a title
+constexpr double kLine = 20.0;         ///< of a title
+constexpr std::size_t kMostLines = 2;  ///< of the title of one panel among others
 constexpr double kLegendLine = 19.0;
-/// Of a letter of fonts that are wide.
-constexpr double kLetter = 8.2;
 
 void put_rows(std::string& block, const std::vector<std::vector<double>>& rows) {
   for (const std::vector<double>& row : rows) {
@@ -45,20 +44,53 @@ void put_rows(std::string& block, const std::vector<std::vector<double>>& rows) 
   }
 }
 
+/// Facts that stand apart by blanks, or end with a semicolon.
+std::vector<std::string> facts_in(const std::string& text) {
+  std::vector<std::string> facts;
+  std::size_t from = 0;
+  while (from < text.size()) {
+    const std::size_t blanks = text.find("  ", from);
+    const std::size_t semicolon = text.find("; ", from);
+    const std::size_t end =
+        std::min({blanks, semicolon == text.npos ? semicolon : semicolon + 1, text.size()});
+    facts.push_back(text.substr(from, end - from));
+    from = text.find_first_not_of(' ', end);
+    if (from == text.npos) break;
+  }
+  return facts;
+}
+
+/// Broken between facts where there are several, between words of one that is longer than a line.
 /// @param letters  in a line
 std::vector<std::string> lines_of(const std::string& text, std::size_t letters) {
   if (width_of(text) <= letters) return {text};
   std::vector<std::string> lines;
-  std::istringstream all(wrapped("", text, letters));
-  for (std::string line; std::getline(all, line);) lines.push_back(line);
+  for (const std::string& fact : facts_in(text)) {
+    const bool semicolon = !lines.empty() && lines.back().ends_with(';');
+    const std::string_view between = semicolon ? " " : "    ";
+    if (!lines.empty() && width_of(lines.back()) + between.size() + width_of(fact) <= letters) {
+      lines.back().append(between).append(fact);
+      continue;
+    }
+    std::istringstream parts(wrapped("", fact, letters));
+    for (std::string part; std::getline(parts, part);) lines.push_back(part);
+  }
   return lines;
 }
 
-std::size_t letters_in(double width) { return static_cast<std::size_t>(width / kLetter); }
+/// A name is cut, but not its unit: "reaction of the h… [N]".
+std::string cut_label(const std::string& label, std::size_t letters) {
+  const std::size_t unit = label.ends_with(']') ? label.rfind(" [") : label.npos;
+  if (unit == label.npos) return cut(label, letters);
+  const std::size_t taken = width_of(label.substr(unit));
+  return cut(label.substr(0, unit), letters > taken + 1 ? letters - taken : 1) + label.substr(unit);
+}
+
+std::size_t letters_in(double width) { return static_cast<std::size_t>(width / kLetterWidth); }
 
 }  // namespace
 
-PlotScript::PlotScript(const Sheet& sheet) : width_(sheet.width) {
+PlotScript::PlotScript(const Sheet& sheet) : sheet_(sheet) {
   command(
       "set encoding utf8\n"
       "set termoption noenhanced\n"
@@ -91,7 +123,7 @@ void PlotScript::begin_panels(std::size_t count, std::string_view title, double 
   below_ = below;
   count_of_panels_ = count;
   const std::size_t usual = count <= 3 ? count : (count == 4 ? 2 : 3);
-  const double room = (width_ - kLeft - kRight + kBetween) / (kNarrowest + kBetween);
+  const double room = (sheet_.width - kLeft - kRight + kBetween) / (kNarrowest + kBetween);
   columns_ = std::clamp<std::size_t>(static_cast<std::size_t>(room), 1, usual);
   title_ = title;
   command(
@@ -111,19 +143,19 @@ void PlotScript::begin_panel_and_strip() {
 }
 
 void PlotScript::begin_panel(std::vector<std::string> title) {
-  panels_.push_back({pieces_.size(), std::move(title), y_label_});
+  panels_.push_back({pieces_.size(), std::move(title), x_label_, y_label_});
   pieces_.insert(pieces_.end(), 2, "");
   plot_.clear();
 }
 
 double PlotScript::panel_width() const {
   const auto columns = static_cast<double>(columns_);
-  return (width_ - kRight - kLeft - kBetween * (columns - 1.0)) / columns;
+  return (sheet_.width - kRight - kLeft - kBetween * (columns - 1.0)) / columns;
 }
 
 std::size_t PlotScript::title_letters() const {
   // Titles stand above the middle of their panels.
-  const double wide = columns_ == 1 ? width_ - (kLeft - kRight) : panel_width() + kBetween;
+  const double wide = columns_ == 1 ? sheet_.width - (kLeft - kRight) : panel_width() + kBetween;
   return letters_in(wide);
 }
 
@@ -131,20 +163,27 @@ std::vector<std::string> PlotScript::wrapped_title(const Panel& panel) const {
   std::vector<std::string> lines;
   for (const std::string& line : panel.title) {
     if (line.empty()) continue;
-    if (has_many()) {
-      lines.push_back(cut(line, title_letters()));
-    } else {
-      for (std::string& part : lines_of(line, title_letters())) lines.push_back(std::move(part));
+    std::vector<std::string> parts = lines_of(line, title_letters());
+    if (has_many() && parts.size() > kMostLines) {
+      parts.resize(kMostLines);
+      parts.back() = cut(parts.back() + " …", title_letters());
     }
+    for (std::string& part : parts) lines.push_back(std::move(part));
   }
   return lines;
 }
 
-double PlotScript::room_of_titles() const {
+/// Of the panel that has most.
+std::size_t PlotScript::title_lines() const {
   std::size_t lines = 1;
   for (const Panel& panel : panels_) lines = std::max(lines, wrapped_title(panel).size());
+  return lines;
+}
+
+double PlotScript::room_of_titles() const {
+  const std::size_t lines = title_lines();
   const std::size_t above =
-      title_.empty() || !has_many() ? 0 : lines_of(title_, letters_in(width_)).size();
+      title_.empty() || !has_many() ? 0 : lines_of(title_, letters_in(sheet_.width)).size();
   return 26.0 + kLine * static_cast<double>(lines) +
          (above > 0 ? 6.0 + kLine * static_cast<double>(above) : 0.0);
 }
@@ -154,7 +193,7 @@ double PlotScript::room_of_titles() const {
 double PlotScript::room_of_legend() const {
   std::size_t longest = 0;
   for (const std::string& name : names_) longest = std::max(longest, width_of(name));
-  const double wide = count_of_panels_ == 1 ? panel_width() : 0.96 * width_;
+  const double wide = count_of_panels_ == 1 ? panel_width() : 0.96 * sheet_.width;
   const auto across = static_cast<std::size_t>(wide) / (65 + 10 * longest);
   const std::size_t columns = std::max<std::size_t>(1, across);
   const std::size_t rows = (names_.size() + columns - 1) / columns;
@@ -163,21 +202,22 @@ double PlotScript::room_of_legend() const {
 
 double PlotScript::height() const {
   const double frame = room_of_titles() + kBottom + below_ + room_of_legend();
-  const bool usual = width_ >= kUsualWidth;
+  const bool usual = sheet_.width >= kUsualWidth;
   const double strip = strip_ ? kStrip + kAboveStrip : 0.0;
   if (has_many()) {
-    const double panels = kRow * static_cast<double>(rows());
+    const double row = kRow + kLine * static_cast<double>(title_lines() - 1);
+    const double panels = row * static_cast<double>(rows());
     return usual ? 0.3 * kHeight + panels : frame - kAbove + panels;
   }
   if (plot_height_ > 0.0) return frame + plot_height_;
   // A tall legend must not take the plot's room.
   if (usual) return strip + (room_of_legend() > 60.0 ? frame + 390.0 : kHeight);
-  return strip + frame + (width_ < 600.0 ? 0.72 : 0.5) * panel_width();
+  return strip + frame + (sheet_.width < 600.0 ? 0.72 : 0.5) * panel_width();
 }
 
 std::string PlotScript::place_of(std::size_t panel) const {
   const double all = height();
-  const double above = kAbove + below_;
+  const double above = kAbove + below_ + kLine * static_cast<double>(title_lines() - 1);
   const auto count = static_cast<double>(rows());
   const double bottom = kBottom + below_ + room_of_legend();
   const double head = room_of_titles();
@@ -190,19 +230,24 @@ std::string PlotScript::place_of(std::size_t panel) const {
     y = panel == 0 ? all - head : bottom + kStrip;
   }
   const double room_left = panel % columns_ == 0 ? kLeft : kBetween;
+  const double middle = y - 0.5 * high;
+  const double upright = has_many() || strip_ ? high + (strip_ ? kAboveStrip : above)
+                                              : 2.0 * std::min(middle, all - middle);
   return fmt::format(
       "set lmargin at screen {:.4f}\nset rmargin at screen {:.4f}\n"
       "set tmargin at screen {:.4f}\nset bmargin at screen {:.4f}\n"
-      "set title {} textcolor rgb '#333333'\n"
+      "set title {} textcolor rgb '#333333'\nset xlabel {}\n"
       "set ylabel ''\nset label {} {} at screen {:.4f}, graph 0.5 center rotate by 90\n",
-      x / width_, (x + wide) / width_, y / all, (y - high) / all,
-      in_quotes(wrapped_title(panels_[panel]), title_letters()), kLabelTag,
-      in_quotes(panels_[panel].y_label), (x - room_left + kLetter) / width_);
+      x / sheet_.width, (x + wide) / sheet_.width, y / all, (y - high) / all,
+      in_quotes(wrapped_title(panels_[panel]), title_letters()),
+      in_quotes(cut_label(panels_[panel].x_label, title_letters())), kLabelTag,
+      in_quotes(cut_label(panels_[panel].y_label, letters_in(upright - 10.0))),
+      (x - room_left + kLetterWidth) / sheet_.width);
 }
 
 std::string PlotScript::overall_title() const {
   if (title_.empty()) return "set multiplot\n";
-  const std::size_t letters = letters_in(width_);
+  const std::size_t letters = letters_in(sheet_.width);
   return "set multiplot title " + in_quotes(lines_of(title_, letters), letters) + "\n";
 }
 
@@ -230,7 +275,7 @@ void PlotScript::add_series(std::string_view block, std::string_view style, std:
 void PlotScript::add_entry(std::string_view style, std::string_view name) {
   if (std::ranges::find(names_, name) != names_.end()) return;
   names_.emplace_back(name);
-  const std::string shown = cut(name, letters_in(width_ - 60.0));
+  const std::string shown = cut(name, letters_in(sheet_.width - 60.0));
   legend_ += fmt::format(", \\\n     keyentry {} title {}", style, in_quotes(shown));
 }
 

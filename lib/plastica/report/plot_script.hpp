@@ -21,7 +21,11 @@ inline constexpr double kUsualWidth = 900.0;
 struct Sheet {
   bool terminal = false;       ///< characters in place of a page
   double width = kUsualWidth;  ///< of a page, in units: its letters are 14 units high
+  bool on_paper = false;       ///< letters are of 8 points, whatever the output
 };
+
+/// Of a letter of fonts that are wide.
+inline constexpr double kLetterWidth = 8.2;
 
 /// A script with its data blocks; commands are added as text, texts of users by `quoted`. Panels
 /// are laid out once all is known that takes room: titles are wrapped, names in the legend are cut
@@ -46,6 +50,8 @@ class PlotScript {
   void begin_panel_and_strip();
   /// Makes the one panel of a picture so high; before `begin_panel`.
   void set_plot_height(double height) { plot_height_ = height; }
+  /// Of the panels from here on. Labels are cut to the room there is, but for their units.
+  void set_x_label(std::string_view label) { x_label_ = label; }
   /// Of the panels from here on, at the left edge of the room for it: where gnuplot puts it depends
   /// on the output, and what leaves the picture is dropped without a word.
   void set_y_label(std::string_view label) { y_label_ = label; }
@@ -71,7 +77,8 @@ class PlotScript {
   /// Lines of a picture of characters.
   int terminal_rows = 23;
 
-  double width() const { return width_; }
+  double width() const { return sheet_.width; }
+  bool on_paper() const { return sheet_.on_paper; }
   double height() const;
   /// Width of the panel's frame.
   double panel_width() const;
@@ -83,6 +90,7 @@ class PlotScript {
   struct Panel {
     std::size_t piece = 0;  ///< that says where it is, of `pieces_`
     std::vector<std::string> title;
+    std::string x_label;
     std::string y_label;
   };
 
@@ -94,9 +102,10 @@ class PlotScript {
   double room_of_titles() const;
   double room_of_legend() const;
   std::string place_of(std::size_t panel) const;
+  std::size_t title_lines() const;
   std::string overall_title() const;
 
-  double width_;
+  Sheet sheet_;
   std::string blocks_;
   std::vector<std::string> pieces_{""};  ///< commands, and empty ones that the layout fills
   int count_ = 0;
@@ -106,6 +115,7 @@ class PlotScript {
   double below_ = 0.0;
   double plot_height_ = 0.0;  ///< 0: the usual one
   std::string title_;
+  std::string x_label_;
   std::string y_label_;
   std::size_t title_piece_ = 0;
   std::vector<Panel> panels_;

@@ -79,8 +79,9 @@ std::string tics_of(const std::array<double, 2>& range, double panel) {
   for (int most = 6; most > 2; --most) {
     const double step = round_step(wide, most);
     std::size_t letters = 0;
-    for (double at = std::ceil(range[0] / step) * step; at <= range[1]; at += step) {
-      letters = std::max(letters, fmt::format("{:.6g}", at).size());
+    const double first = std::ceil(range[0] / step);
+    for (int k = 0; k <= most && (first + k) * step <= range[1]; ++k) {
+      letters = std::max(letters, fmt::format("{:.6g}", (first + k) * step).size());
     }
     if (10.0 * static_cast<double>(letters + 1) * wide / step > panel) continue;
     return fmt::format("set xtics {:.7g}\n", step);
@@ -104,7 +105,6 @@ std::string few_tics(const FigurePanel& panel) {
 
 /// Those that do not lie over one before them; the strongest come first.
 std::vector<FigureNote> notes_with_room(const FigurePanel& panel, double wide, double high) {
-  constexpr double kLetter = 8.2;
   constexpr double kLine = 18.0;
   const auto place = [](double at, const std::array<double, 2>& range, bool logarithmic) {
     return logarithmic ? std::log(at / range[0]) / std::log(range[1] / range[0])
@@ -117,7 +117,7 @@ std::vector<FigureNote> notes_with_room(const FigurePanel& panel, double wide, d
       const double y = place(note.y, panel.y_range, panel.logarithmic) -
                        place(other.y, panel.y_range, panel.logarithmic);
       const auto letters = static_cast<double>(width_of(note.text) + width_of(other.text));
-      return std::fabs(x) * wide < 0.5 * kLetter * letters && std::fabs(y) * high < kLine;
+      return std::fabs(x) * wide < 0.5 * kLetterWidth * letters && std::fabs(y) * high < kLine;
     });
     if (!covered) kept.push_back(note);
   }
@@ -221,7 +221,7 @@ PlotScript figure_page(const Figure& figure, const Sheet& sheet) {
   for (const FigurePanel& panel : figure.panels) {
     const bool above_strip = figure.strip && &panel == &figure.panels.front();
     const bool is_strip = figure.strip && !above_strip;
-    script.command("set xlabel " + in_quotes(above_strip ? "" : panel.x_label));
+    script.set_x_label(above_strip ? "" : panel.x_label);
     if (above_strip) script.command("set format x ''");
     if (is_strip) script.command("set format x\n" + few_tics(panel));
     script.set_y_label(panel.y_label);

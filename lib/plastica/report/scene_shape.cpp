@@ -148,7 +148,7 @@ PlotScript shape_page(const io::SceneRecord& record, std::optional<double> time,
   if (space) {
     add_orientation(script, eye, window.scale, window.height);
   } else {
-    script.command("set xlabel " + in_quotes("z [m]"));
+    script.set_x_label("z [m]");
     script.set_y_label(eye.up[0] == 1.0 ? "x [m]" : "y [m]");
     script.command("set ytics autofreq");
   }

@@ -140,8 +140,8 @@ TEST(FitIntervalsReport, DrawsThem) {
   for (BootstrapInterval& interval : all[0].result.intervals.residuals.intervals) {
     interval = {1e6, 200e6, 300e6};
   }
-  EXPECT_TRUE(
-      has(plot_script(all, {.what = "bootstrap"}), "set title 'yield_stress [MPa] over youngs_mo"));
+  EXPECT_TRUE(has(plot_script(all, {.what = "bootstrap"}),
+                  "set title 'yield_stress [MPa] over'.\"\\n\".'youngs_modulus'"));
   EXPECT_EQ(message_of([] { plot_script(std::vector{fitted_record()}, {.what = "profile"}); }),
             "--what = profile: bar-01 has no profile: calibrate with --profile");
   EXPECT_EQ(message_of([] { plot_script(std::vector{fitted_record()}, {.what = "bootstrap"}); }),

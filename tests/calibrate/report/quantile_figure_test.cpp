@@ -77,9 +77,13 @@ TEST(QuantilePanel, HasNineteenOfTwentyInItsBandAndNoUniformTails) {
 TEST(QuantilesFigure, RefusesWhatWasNotFitted) {
   FitRecord record = testing::fitted_record();
   EXPECT_EQ(quantiles_figure(record).panels.size(), 1U);
-  record.result.fitted = record.target.corrected;
   record.result.noise.reset();
-  record.result.misfit_rms = 0.0;
+  record.result.misfit_rms *= 3.0;  // weighed along a path it is another number
+  const FigurePanel panel = quantiles_figure(record).panels[0];
+  double squares = 0.0;
+  for (const auto& point : points_of(panel)) squares += point[1] * point[1];
+  EXPECT_NEAR(squares, static_cast<double>(points_of(panel).size()), 1e-9);
+  record.result.fitted = record.target.corrected;
   EXPECT_EQ(message_of([&] { quantiles_figure(record); }),
             "--what = quantiles: bar-01 is fitted without a misfit");
   record.result.status = FitStatus::Failed;

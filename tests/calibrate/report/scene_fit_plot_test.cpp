@@ -57,6 +57,18 @@ TEST(SceneFitPlot, OfResidualsShowsMeasuredMinusFitted) {
       << "the noise";
 }
 
+TEST(SceneFitPlot, OfOneTargetHasItsResidualsBelow) {
+  SceneFitRecord record = lone_scene_record("a", 2e11, 3e8);
+  record.targets[0].abscissa = {0.25, 0.5};
+  record.targets[0].ordinate = {10.0, 20.0};
+  record.result.targets[0].fitted = {12.0, 19.0};
+  EXPECT_TRUE(has(script_of(record, "fit"), "'residual [N]' at screen"));
+  // A factor has no unit, and a name may have brackets.
+  record.targets[0].ordinate_is = Dimension::None;
+  record.targets[0].ordinate_probe = "factor [of the load]";
+  EXPECT_TRUE(has(script_of(record, "fit"), "'residual' at screen"));
+}
+
 TEST(SceneFitPlot, OfStartsIsTheirWaterfall) {
   const std::string script = script_of(scene_record(), "starts");
   EXPECT_TRUE(has(script, "the best cost from 2 of 4 starts, 1 without a curve"));

@@ -109,7 +109,7 @@ TEST(SceneIntervalsReport, DrawsProfiles) {
 TEST(SceneIntervalsReport, DrawsBootstraps) {
   const std::string script =
       plot_script(std::vector{record_with_intervals()}, {.what = "bootstrap"});
-  EXPECT_TRUE(has(script, "set title 'yield_stress [MPa] over youngs_mo"));
+  EXPECT_TRUE(has(script, "set title 'yield_stress [MPa] over'.\"\\n\".'youngs_modulus'"));
   EXPECT_TRUE(has(script, "204 379"));
   EXPECT_TRUE(has(script, "set arrow from 203, graph 0")) << "a percentile";
   EXPECT_EQ(message_of([] { plot_script(std::vector{scene_record()}, {.what = "bootstrap"}); }),

@@ -22,15 +22,23 @@ function conditionsOf(text, columns) {
     return (row) => {
       if (row[at] === null || row[at] === "") return false;
       if (sign === "=" && String(row[at]).toLowerCase() === wanted.toLowerCase()) return true;
-      const value = Number(row[at]);  // groups are words that may be numbers
+      const value = quantityOf(row[at])?.number;  // groups are words that may be numbers
       return Number.isFinite(value) && Number.isFinite(number) && compare(value);
     };
   });
 }
 
+// The number and unit that a cell is: "302.9 MPa".
+function quantityOf(cell) {
+  if (typeof cell === "number") return { number: cell, unit: "" };
+  const match = /^([-+]?(?:\d+\.?\d*|\.\d+)(?:e[-+]?\d+)?)(?: (\S+))?$/i.exec(String(cell));
+  return match ? { number: Number(match[1]), unit: match[2] ?? "" } : undefined;
+}
+
 function compareCells(a, b) {
   if (a === null || b === null) return (a === null) - (b === null);  // what is missing stands last
-  if (typeof a === "number" && typeof b === "number") return a - b;
+  const [x, y] = [quantityOf(a), quantityOf(b)];
+  if (x && y && x.unit === y.unit) return x.number - y.number;
   return String(a).localeCompare(String(b), undefined, { numeric: true });
 }
 
