@@ -71,7 +71,8 @@ TEST(BadRequest, OfAResultIsRefusedInOneLine) {
       {{"show", "x.h5", "--case", "b"}, "x.h5: --case = b: must be a specimen of the file: a"},
       {{"plot", "x.h5", "--case", "b"}, "--case = b: is not a specimen of this file; it has a"},
       {{"plot", "x.h5", "--what", "pie"},
-       "--what = pie: must be curve, residuals, overview, parameters, profile, bootstrap or laws"},
+       "--what = pie: must be curve, residuals, quantiles, overview, parameters, profile, "
+       "bootstrap or laws"},
       {{"plot", "x.h5", "--what", "overview", "--case", "a"},
        "--case = a: does not go with the picture 'overview'"},
       {{"plot", "x.h5", "-o", "x.gif"},
