@@ -224,7 +224,8 @@ std::string PlotScript::place_of(std::size_t panel) const {
   const double wide = panel_width();
   double high = (all - head - bottom - above * (count - 1.0)) / count;
   const double x = kLeft + static_cast<double>(panel % columns_) * (wide + kBetween);
-  double y = all - head - static_cast<double>(panel / columns_) * (high + above);
+  const std::size_t row = panel / columns_;
+  double y = all - head - static_cast<double>(row) * (high + above);
   if (strip_) {
     high = panel == 0 ? all - head - bottom - kStrip - kAboveStrip : kStrip;
     y = panel == 0 ? all - head : bottom + kStrip;
