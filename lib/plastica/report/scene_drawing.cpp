@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "plastica/model/support_kind.hpp"
+#include "plastica/report/format.hpp"
 #include "plastica/report/scene_frames.hpp"
 #include "plastica/report/strain_color.hpp"
 
