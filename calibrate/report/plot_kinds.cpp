@@ -77,17 +77,20 @@ void set_common_range(PlotScript& script, std::span<const FitRecord> records) {
                              1.08e-6 * max_stress));
 }
 
-/// From 0 on, or from the lowest; measured and fitted [1].
+/// From 0 on, or from the lowest, to the last break, which may lie beyond the samples [1].
 std::pair<double, double> strains_of(const FitRecord& record) {
   double low = 0.0;
   double high = 0.0;
-  for (const Curve* curve : {&measured_of(record), &record.result.fitted}) {
-    for (const double strain : curve->strain) {
-      if (!std::isfinite(strain)) continue;
-      low = std::min(low, strain);
-      high = std::max(high, strain);
-    }
-  }
+  const auto take = [&](double strain) {
+    if (!std::isfinite(strain)) return;
+    low = std::min(low, strain);
+    high = std::max(high, strain);
+  };
+  std::ranges::for_each(measured_of(record).strain, take);
+  std::ranges::for_each(fitted_with_break(record.result).strain, take);
+  std::vector<std::vector<double>> breaks;
+  add_break(record, breaks);
+  for (const auto& at : breaks) take(0.01 * at[0]);
   if (record.target.loading == Loading::Monotonic) low = 0.0;
   return {low, high};
 }

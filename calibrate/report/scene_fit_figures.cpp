@@ -182,12 +182,15 @@ PlotScript fit_picture(const SceneFitRecord& record, const Sheet& sheet) {
   residuals.marks.clear();
   figure.panels.push_back(std::move(residuals));
   double low = std::numeric_limits<double>::infinity(), high = -low;
+  const auto take = [&](double x) {
+    low = std::min(low, x);
+    high = std::max(high, x);
+  };
   for (const FigurePanel& panel : figure.panels) {
+    // A break may lie beyond the samples.
+    std::ranges::for_each(panel.marks, take);
     for (const FigureCurve& curve : panel.curves) {
-      for (const auto& point : curve.points) {
-        low = std::min(low, point[0]);
-        high = std::max(high, point[0]);
-      }
+      for (const auto& point : curve.points) take(point[0]);
     }
   }
   for (FigurePanel& panel : figure.panels) {

@@ -42,6 +42,16 @@ TEST(PlotScript, OfOneSpecimenShowsCurveFitYieldAndBreak) {
       << "the fall at the break, in % and MPa";
 }
 
+TEST(PlotScript, OfOneSpecimenShowsABreakBeyondItsSamples) {
+  FitRecord record = fitted_record();
+  record.result.break_strain_total = 0.2;
+  const std::string script = plot_script(std::vector{record}, {});
+  EXPECT_TRUE(has(script, "set xrange [0:20.6]")) << script;
+  record.result.break_strain_total.reset();
+  record.target.characteristics.observed_break = BreakObservation{0.3, 280e6, 0.3, "fall-to-zero"};
+  EXPECT_TRUE(has(plot_script(std::vector{record}, {}), "set xrange [0:30.9]"));
+}
+
 // The record's noise is 1.5 MPa sin(12.9898 i) on top of its fit.
 TEST(PlotScript, OfResidualsShowsMeasuredMinusFitted) {
   const std::string script = plot_script(std::vector{fitted_record()}, {.what = "residuals"});

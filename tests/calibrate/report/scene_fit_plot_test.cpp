@@ -63,6 +63,8 @@ TEST(SceneFitPlot, OfOneTargetHasItsResidualsBelow) {
   record.targets[0].ordinate = {10.0, 20.0};
   record.result.targets[0].fitted = {12.0, 19.0};
   EXPECT_TRUE(has(script_of(record, "fit"), "'residual [N]' at screen"));
+  record.targets[0].broke = SceneBreak{.at = 0.8};
+  EXPECT_TRUE(has(script_of(record, "fit"), "set xrange [0:816]")) << script_of(record, "fit");
   // A factor has no unit, and a name may have brackets.
   record.targets[0].ordinate_is = Dimension::None;
   record.targets[0].ordinate_probe = "factor [of the load]";
