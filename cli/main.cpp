@@ -107,6 +107,25 @@ std::vector<std::string> with_help_as_option(std::vector<std::string> words) {
   return words;
 }
 
+/// What is wrong where an argument is empty, as a shell makes of a variable that is not set; empty:
+/// none is.
+std::string empty_argument(const std::vector<std::string>& words) {
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    const std::string& word = words[i];
+    const bool after_option = i > 0 && words[i - 1].starts_with('-');
+    std::string of;
+    if (word.empty()) {
+      of = after_option ? words[i - 1] : fmt::format("argument {}", i + 1);
+    } else if (word.starts_with("--") && word.ends_with('=')) {
+      of = word.substr(0, word.size() - 1);
+    } else {
+      continue;
+    }
+    return of + ": is empty";
+  }
+  return {};
+}
+
 /// What is wrong with the command line, in a line. @param first  a command, an option, or nothing
 std::string rule_of(const CLI::ParseError& error, std::string_view first) {
   const bool named = !first.empty() && first.front() != '-';
@@ -146,8 +165,8 @@ int run(std::vector<std::string> words, const plastica::io::MergedShards* merged
   words = plastica::cli::with_new_names(with_help_as_option(std::move(words)));
   const std::string first = words.empty() ? std::string() : words.front();
   // Before help for it is asked for.
-  if (const std::string wrong = wrong_command(app, first); !wrong.empty()) {
-    return complain(wrong, plastica::cli::kBadInput);
+  for (const std::string& wrong : {wrong_command(app, first), empty_argument(words)}) {
+    if (!wrong.empty()) return complain(wrong, plastica::cli::kBadInput);
   }
   try {
     std::reverse(words.begin(), words.end());  // as the parser takes them

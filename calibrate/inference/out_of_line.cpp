@@ -1,20 +1,10 @@
 #include "calibrate/inference/out_of_line.hpp"
 
-#include <algorithm>
 #include <cmath>
 
+#include "plastica/base/median.hpp"
+
 namespace plastica::calibrate {
-namespace {
-
-/// @param values  one or more
-double median_of(std::vector<double> values) {
-  std::ranges::sort(values);
-  const std::size_t half = values.size() / 2;
-  // Halves are added: the sum of two may overflow.
-  return values.size() % 2 == 1 ? values[half] : 0.5 * values[half - 1] + 0.5 * values[half];
-}
-
-}  // namespace
 
 ModifiedZScores modified_z_scores(const std::vector<double>& values) {
   ModifiedZScores found;

@@ -29,6 +29,8 @@ using Points = std::vector<std::vector<double>>;
 
 /// How far above the threshold a profile is shown.
 constexpr double kRoom = 1.6;
+/// Of a value, what the numbers along an axis still tell apart.
+constexpr double kDigits = 1e-5;
 
 /// The profile between its points: the root of the rise, with the sign of the side, as a straight
 /// line, so that a parabola is one.
@@ -82,7 +84,8 @@ FigurePanel profile_panel(const ShownParameter& p, const LikelihoodProfile& prof
     panel.curves.push_back(
         {std::move(parabola), "parabola of the covariance", kVermillion, Stroke::Line});
   }
-  const double room = high > low ? 0.04 * (high - low) : 0.04 * std::fabs(high);
+  // What exact data leave is narrower than the digits of a picture: it is a spike there.
+  const double room = std::max(0.04 * (high - low), kDigits * std::fabs(high));
   panel.x_range = {(low - room) / unit.scale, (high + room) / unit.scale};
   panel.curves.push_back(
       {{{panel.x_range[0], profile.threshold}, {panel.x_range[1], profile.threshold}},

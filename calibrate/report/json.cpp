@@ -79,12 +79,25 @@ void add_lists(Json& fit, const SceneFitRecord& record) {
   fit["warnings"] = result.warnings;
 }
 
-Json statistics_of(const std::vector<GroupStatistic>& all) {
+Json out_of_line(const GroupStatistic& entry, std::span<const FitRecord> records) {
+  Json list = Json::array();
+  for (const OutOfLine& one : entry.out_of_line) {
+    list.push_back({{"target", records[one.record].target.name},
+                    {"value", number(one.value)},
+                    {"median", number(one.median)},
+                    {"score", number(one.score)}});
+  }
+  return list;
+}
+
+/// @param records  that the statistics are of
+Json statistics_of(const std::vector<GroupStatistic>& all, std::span<const FitRecord> records) {
   Json object = Json::object();
   for (const GroupStatistic& entry : all) {
     object[entry.name] = {{"n", entry.statistic.n},
                           {"mean", number(entry.statistic.mean)},
-                          {"standard_deviation", number(entry.statistic.standard_deviation)}};
+                          {"standard_deviation", number(entry.statistic.standard_deviation)},
+                          {"out_of_line", out_of_line(entry, records)}};
     if (!entry.mean_interval) continue;
     object[entry.name]["mean_standard_error"] = number(entry.mean_interval->standard_error);
     object[entry.name]["mean_sampling_error"] = number(entry.mean_interval->sampling_error);
@@ -177,8 +190,8 @@ std::string json_summary(std::span<const FitRecord> records, int indent,
                       {"fitted", group.fitted},
                       {"rejected", group.rejected},
                       {"failed", group.failed},
-                      {"characteristics", statistics_of(group.characteristics)},
-                      {"parameters", statistics_of(group.parameters)}});
+                      {"characteristics", statistics_of(group.characteristics, shown)},
+                      {"parameters", statistics_of(group.parameters, shown)}});
   }
   const Counts counts = count_statuses(shown);
   Json all = {{"groups", std::move(groups)},

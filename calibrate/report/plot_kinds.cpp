@@ -107,13 +107,10 @@ void add_residuals(PlotScript& script, const FitRecord& record) {
     low = std::min(low, points.back()[1]);
     high = std::max(high, points.back()[1]);
   }
-  script.command("set format x");
+  script.begin_strip(low, high);
   script.set_x_label(strain_label(record.target));
   script.command("set yrange [*:*]\nset offsets graph 0, graph 0, graph 0.08, graph 0.08");
   script.command("set xzeroaxis linecolor rgb '#B8B8B8'");
-  if (high > low) {
-    script.command(fmt::format("set ytics {:.7g}", plastica::report::round_step(high - low, 3)));
-  }
   script.set_y_label("residual [MPa]");
   script.begin_panel({});
   script.add_series(script.add_points(points),
@@ -137,8 +134,8 @@ PlotScript curve_plot(const FitRecord& record, const Sheet& sheet) {
     script.begin_panel_and_strip();
     const auto [low, high] = strains_of(record);
     const double room = 0.03 * (high - low);
-    script.command(fmt::format("set format x ''\nset xrange [{:.6g}:{:.6g}]",
-                               100.0 * (low < 0.0 ? low - room : low), 100.0 * (high + room)));
+    script.command(fmt::format("set xrange [{:.6g}:{:.6g}]", 100.0 * (low < 0.0 ? low - room : low),
+                               100.0 * (high + room)));
   } else {
     script.begin_panels(1);
   }

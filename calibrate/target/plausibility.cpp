@@ -2,13 +2,14 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <map>
 #include <optional>
 #include <string_view>
 #include <utility>
+
+#include "plastica/base/median.hpp"
 
 namespace plastica::calibrate {
 namespace {
@@ -150,12 +151,6 @@ std::string beyond_bounds(const Judged& curve, bool is_measured, const TargetOpt
   return {};
 }
 
-double median(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::ranges::nth_element(values, middle);
-  return *middle;
-}
-
 /// How many times a value is off, "" within the factor.
 std::string times_off(double value, double of_group, double factor) {
   if (value >= factor * of_group) return fmt::format("{:.3g} times", value / of_group);
@@ -235,8 +230,8 @@ void check_groups(std::span<Target> targets, const TargetOptions& options) {
       moduli.push_back(*target->characteristics.youngs_modulus);
       strengths.push_back(*target->characteristics.rm);
     }
-    const double modulus = median(moduli);
-    const double strength = median(strengths);
+    const double modulus = median_of(moduli);
+    const double strength = median_of(strengths);
     for (Target* target : members) {
       const Characteristics& c = target->characteristics;
       const double factor = options.plausible.group_factor;

@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 #include <vector>
+
+#include "plastica/base/median.hpp"
 
 namespace plastica::calibrate {
 namespace {
@@ -21,9 +24,7 @@ std::vector<double> sizes_of(std::span<const double> values) {
 double median_step(const std::vector<double>& sizes) {
   std::vector<double> steps;
   for (std::size_t i = 1; i < sizes.size(); ++i) steps.push_back(std::abs(sizes[i] - sizes[i - 1]));
-  const auto middle = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
-  std::ranges::nth_element(steps, middle);
-  return *middle;
+  return median_of(std::move(steps));
 }
 
 }  // namespace

@@ -33,7 +33,7 @@ namespace plastica::python {
 namespace {
 
 using sweeps::SweepRecord;
-using Record = std::shared_ptr<SweepRecord>;
+using SweepHandle = std::shared_ptr<SweepRecord>;
 
 py::object value_of(const FieldValue& value, bool whole) {
   if (const auto* number = std::get_if<double>(&value)) {
@@ -43,7 +43,7 @@ py::object value_of(const FieldValue& value, bool whole) {
   return py::none();
 }
 
-Record run_sweep(const sweeps::Sweep& sweep, int threads, const py::object& progress) {
+SweepHandle run_sweep(const sweeps::Sweep& sweep, int threads, const py::object& progress) {
   sweeps::check_reference(sweep, sweeps::CaseTable(sweep));
   const auto begin = std::chrono::steady_clock::now();
   io::RunMeta meta = io::begin_meta("", threads);
@@ -196,7 +196,14 @@ py::list check(const sweeps::CheckFile& file, int threads, const py::object& pro
     one["found"] = verdict.found;
     one["reason"] = verdict.reason;
     one["at"] = verdict.at;
+    one["beside"] = verdict.beside;
     one["warnings"] = verdict.warnings;
+    one["judged"] = verdict.judged;
+    py::list worst;
+    for (const sweeps::JudgedNumber& number : verdict.worst) {
+      worst.append(py::make_tuple(number.of, number.number, number.remark));
+    }
+    one["worst"] = std::move(worst);
     verdicts.append(one);
   }
   return verdicts;
@@ -240,7 +247,7 @@ void bind_studies(py::module_& core) {
           "cases", [](const sweeps::Sweep& sweep) { return sweeps::CaseTable(sweep).size(); })
       .def_readonly("notes", &sweeps::Sweep::notes)
       .def("run", &run_sweep, py::arg("threads"), py::arg("progress"));
-  auto type = py::class_<SweepRecord, Record>(core, "SweepRecord");
+  auto type = py::class_<SweepRecord, SweepHandle>(core, "SweepRecord");
   type.def_readonly("name", &SweepRecord::name)
       .def_readonly("against", &SweepRecord::against)
       .def_readonly("warnings", &SweepRecord::warnings)

@@ -36,11 +36,12 @@ from .problem import Problem, problem
 from .response import Response, Simulation
 from .scene import Scene
 from .scene_fit import BeamTest, fit_scenes
-from .studies import Advice, Claim, Sweep, advise, check, export, sweep
+from .studies import Advice, Claim, JudgedNumber, Sweep, advise, check, export, sweep
 
 __all__ = [
     "Advice", "Batch", "Beam", "BeamTest", "Claim", "Cut", "Drive", "Fit", "Fits", "Hardening",
-    "InitialMotion", "InputError", "Load", "Material", "Model", "Parameter", "PointMass", "Probe",
+    "InitialMotion", "InputError", "JudgedNumber", "Load", "Material", "Model", "Parameter",
+    "PointMass", "Probe",
     "Problem", "Rate", "Region", "Response", "Rules", "Scene", "SceneWarning", "Section",
     "Sensitivity", "Simulation", "Solver", "Support", "Sweep", "__version__", "advise", "check",
     "cycles", "export", "fit", "fit_scenes", "load", "prepare", "problem", "simulate", "sweep",

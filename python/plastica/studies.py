@@ -8,7 +8,7 @@ import warnings as _warnings
 from dataclasses import dataclass, field
 from os import PathLike, fspath
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, Mapping, Sequence
+from typing import TYPE_CHECKING, Any, Mapping, NamedTuple, Sequence
 
 from . import _core, _toml
 from ._write import from_bytes, to_bytes, write
@@ -309,6 +309,16 @@ def _number(value: float | str | None, dimension: str, name: str) -> float | Non
     return _core.quantity(value, dimension, name) if isinstance(value, str) else value
 
 
+class JudgedNumber(NamedTuple):
+    """One of the numbers that a claim is judged by."""
+
+    of: str
+    """Whose: ``"beam.segments = 5"``, a fit, a point of a scan."""
+    number: float | None
+    """[SI]; None: see `remark`."""
+    remark: str
+
+
 @dataclass(frozen=True)
 class Claim:
     """A claim of a check file, and whether it holds."""
@@ -322,7 +332,13 @@ class Claim:
     reason: str
     at: str
     """Whose it is: ``"at beam.segments = 5"``."""
+    beside: str
+    """What else is to be said of it."""
     warnings: list[str]
+    judged: int
+    """By how many numbers; of claims that count, how many cases that is or fits of no use."""
+    worst: list[JudgedNumber]
+    """The worst of these first: at most twenty."""
 
 
 def check(path: str | PathLike[str], *, threads: int = 0, progress: Progress = None) -> list[Claim]:
@@ -337,7 +353,8 @@ def check(path: str | PathLike[str], *, threads: int = 0, progress: Progress = N
     for note in file.notes:
         _warnings.warn(note, SceneWarning, stacklevel=2)
     verdicts = file.run(_thread_count(threads), reporter(progress, "check", file.cases))
-    return [Claim(**verdict) for verdict in verdicts]
+    return [Claim(**{**verdict, "worst": [JudgedNumber(*one) for one in verdict["worst"]]})
+            for verdict in verdicts]
 
 
 def export(

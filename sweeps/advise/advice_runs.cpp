@@ -6,6 +6,7 @@
 #include <mutex>
 #include <utility>
 
+#include "plastica/base/median.hpp"
 #include "plastica/base/parallel_for.hpp"
 #include "sweeps/advise/grading.hpp"
 #include "sweeps/run/case_warnings.hpp"
@@ -235,9 +236,7 @@ double AdviceRuns::expected_seconds(const Trial& trial) const {
     if (ran.words != trial.words || ratio > kAbout || ratio < 1.0 / kAbout) continue;
     rates.push_back(of.seconds / static_cast<double>(of.work));
   }
-  const auto middle = rates.begin() + static_cast<std::ptrdiff_t>(rates.size() / 2);
-  std::ranges::nth_element(rates, middle);
-  return work * *middle;
+  return work * median_of(std::move(rates));
 }
 
 double AdviceRuns::foreseen_cost(const std::vector<Trial>& trials) const {

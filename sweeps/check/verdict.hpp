@@ -37,8 +37,8 @@ struct ClaimVerdict {
   std::string found{};   ///< what was found that is no number: "completed", "265 … 290 MPa"
   std::string beside{};  ///< what else is to be said: "tip, end -0.75 m, reference -0.735 m"
   std::vector<std::string> warnings{};  ///< of the cases that it is about, see `case_warnings`
-  /// What it was judged by, the worst first, at most `kMostJudged`; of claims that count, what was
-  /// counted.
+  /// What it was judged by, the worst first, at most `kMostJudged`; of claims that count cases,
+  /// what was counted; of claims that count fits, those of no use.
   std::vector<JudgedNumber> worst{};
   std::size_t judged = 0;  ///< how many of these there are
   JudgedErrors errors{};

@@ -131,6 +131,10 @@ class OutOfLine(Report):
         self.assertAlmostEqual(float(fitted[0]["median"]), median, delta=0.02)
         self.assertAlmostEqual(float(fitted[0]["score"]) / score, 1.0, delta=5e-3)
         self.assertIn(f"out of line: {fits[6]['name']}, yield_stress", " ".join(text.split()))
+        group, = json.loads(self.read("f.json"))["groups"]
+        stored, = group["parameters"]["yield_stress"]["out_of_line"]
+        self.assertEqual(stored["target"], fits[6]["name"])
+        self.assertAlmostEqual(stored["score"] / score, 1.0, delta=1e-9)
         browser.click("#here tbody td:nth-child(3)")
         self.assertEqual(self.texts("main h1"), [fits[6]["name"]])
         # Beside it in that table is no other specimen; back in the first table all are.

@@ -146,6 +146,11 @@ class Studies(TestCase):
         names = [case.get("name") for case in ElementTree.parse(junit).iter("testcase")]
         self.assertEqual([claim.name for claim in claims], names)
         self.assertTrue(all(claim.holds for claim in claims))
+        for claim in claims:
+            self.assertEqual(len(claim.worst), min(claim.judged, 20))
+            if claim.worst and claim.number is not None and claim.worst[0].of:
+                self.assertEqual((claim.worst[0].number, "at " + claim.worst[0].of),
+                                 (claim.number, claim.at))
 
     def test_a_beam_for_an_engine_is_the_command_s(self):
         scene = cantilever()

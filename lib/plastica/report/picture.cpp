@@ -11,6 +11,7 @@
 #include "plastica/base/check.hpp"
 #include "plastica/base/machine_error.hpp"
 #include "plastica/io/gnuplot.hpp"
+#include "plastica/io/png_resolution.hpp"
 #include "plastica/io/storage_error.hpp"
 #include "plastica/io/text_file.hpp"
 
@@ -123,6 +124,9 @@ void draw_picture(const PlotScript& script, const std::string& output,
   }
   std::string picture = io::run_gnuplot(terminal + script.text());
   if (script.on_paper() && output.ends_with(".svg")) set_size_on_paper(script, picture);
+  if (script.on_paper() && output.ends_with(".png")) {
+    io::set_png_resolution(picture, kDotsOnPaper);
+  }
   if (output == "-") {
     standard_output << without_blank_ends(picture);
     if (!standard_output.flush()) throw io::StorageError("standard output", "cannot be written");

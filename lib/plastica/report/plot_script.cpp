@@ -20,7 +20,6 @@ constexpr double kBottom = 106.0;
 /// Left of a panel: numbers of five letters and the label, which gnuplot leaves out, without a
 /// word, where it has no room.
 constexpr double kLeft = 104.0;
-constexpr double kRight = 22.0;
 /// gnuplot's number of the label of y.
 constexpr int kLabelTag = 899;
 /// Between panels side by side, and one above the other.
@@ -123,7 +122,7 @@ void PlotScript::begin_panels(std::size_t count, std::string_view title, double 
   below_ = below;
   count_of_panels_ = count;
   const std::size_t usual = count <= 3 ? count : (count == 4 ? 2 : 3);
-  const double room = (sheet_.width - kLeft - kRight + kBetween) / (kNarrowest + kBetween);
+  const double room = (sheet_.width - kLeft - kRightRoom + kBetween) / (kNarrowest + kBetween);
   columns_ = std::clamp<std::size_t>(static_cast<std::size_t>(room), 1, usual);
   title_ = title;
   command(
@@ -140,6 +139,14 @@ void PlotScript::begin_panel_and_strip() {
   strip_ = true;
   begin_panels(2);
   columns_ = 1;
+  command("set format x ''");
+}
+
+void PlotScript::begin_strip(double low, double high) {
+  constexpr int kMostNumbers = 3;
+  command("set format x");
+  command(high > low ? fmt::format("set ytics {:.7g}", round_step(high - low, kMostNumbers))
+                     : std::string("set ytics autofreq"));
 }
 
 void PlotScript::begin_panel(std::vector<std::string> title) {
@@ -150,12 +157,13 @@ void PlotScript::begin_panel(std::vector<std::string> title) {
 
 double PlotScript::panel_width() const {
   const auto columns = static_cast<double>(columns_);
-  return (sheet_.width - kRight - kLeft - kBetween * (columns - 1.0)) / columns;
+  return (sheet_.width - kRightRoom - kLeft - kBetween * (columns - 1.0)) / columns;
 }
 
 std::size_t PlotScript::title_letters() const {
   // Titles stand above the middle of their panels.
-  const double wide = columns_ == 1 ? sheet_.width - (kLeft - kRight) : panel_width() + kBetween;
+  const double wide =
+      columns_ == 1 ? sheet_.width - (kLeft - kRightRoom) : panel_width() + kBetween;
   return letters_in(wide);
 }
 

@@ -24,6 +24,8 @@ struct Sheet {
   bool on_paper = false;       ///< letters are of 8 points, whatever the output
 };
 
+/// Right of the panels.
+inline constexpr double kRightRoom = 22.0;
 /// Of a letter of fonts that are wide.
 inline constexpr double kLetterWidth = 8.2;
 
@@ -48,6 +50,8 @@ class PlotScript {
   /// In its place: one panel, and a low one below it that has the same x; its numbers stand below
   /// the low one, so callers give both panels one range.
   void begin_panel_and_strip();
+  /// Before the low panel: its numbers are few. @param low, high  of its y
+  void begin_strip(double low, double high);
   /// Makes the one panel of a picture so high; before `begin_panel`.
   void set_plot_height(double height) { plot_height_ = height; }
   /// Of the panels from here on. Labels are cut to the room there is, but for their units.

@@ -73,24 +73,46 @@ std::string decades_of(const std::array<double, 2>& range) {
 /// many as have room. @param panel  its width [units of a page]
 std::string tics_of(const std::array<double, 2>& range, double panel) {
   constexpr double kNarrow = 320.0;
+  constexpr double kFewDigits = 1e-3;  // of a value, which gnuplot's own six digits show
   const double wide = range[1] - range[0];
   const double largest = std::max(std::fabs(range[0]), std::fabs(range[1]));
   if (!(wide > 0.0) || (wide > 0.05 * largest && panel > kNarrow)) return "set xtics autofreq\n";
+  const auto label = [&](double at) {
+    return wide > kFewDigits * largest ? fmt::format("{:.6g}", at) : fmt::format("{:.9g}", at);
+  };
+  const auto half = [&](double at) {
+    return 0.5 * kLetterWidth * static_cast<double>(label(at).size());
+  };
+  double step = round_step(wide, 2);
   for (int most = 6; most > 2; --most) {
-    const double step = round_step(wide, most);
+    const double shorter = round_step(wide, most);
     std::size_t letters = 0;
-    const double first = std::ceil(range[0] / step);
-    for (int k = 0; k <= most && (first + k) * step <= range[1]; ++k) {
-      letters = std::max(letters, fmt::format("{:.6g}", (first + k) * step).size());
+    const double first = std::ceil(range[0] / shorter);
+    for (int k = 0; k <= most && (first + k) * shorter <= range[1]; ++k) {
+      letters = std::max(letters, label((first + k) * shorter).size());
     }
-    if (10.0 * static_cast<double>(letters + 1) * wide / step > panel) continue;
-    return fmt::format("set xtics {:.7g}\n", step);
+    if (10.0 * static_cast<double>(letters + 1) * wide / shorter > panel) continue;
+    step = shorter;
+    break;
   }
-  return fmt::format("set xtics {:.7g}\n", round_step(wide, 2));
+  const double first = std::ceil(range[0] / step) * step;
+  double last = std::floor(range[1] / step) * step;
+  // The last label must not leave the page.
+  if ((last - range[1]) / wide * panel + half(last) > kRightRoom) {
+    last = std::max(first, last - step);
+  }
+  if (wide > kFewDigits * largest) {
+    return fmt::format("set xtics {:.9g}, {:.9g}, {:.9g}\n", first, step, last);
+  }
+  std::string tics;
+  for (double at = first; at < last + 0.5 * step; at += step) {
+    tics += fmt::format("{}{} {:.12g}", tics.empty() ? "" : ", ", in_quotes(label(at)), at);
+  }
+  return "set xtics (" + tics + ")\n";
 }
 
-/// Of a low panel.
-std::string few_tics(const FigurePanel& panel) {
+/// Has a low panel begin below the one above it.
+void begin_strip(PlotScript& script, const FigurePanel& panel) {
   double low = std::numeric_limits<double>::infinity();
   double high = -low;
   for (const FigureCurve& curve : panel.curves) {
@@ -99,8 +121,7 @@ std::string few_tics(const FigurePanel& panel) {
       high = std::max(high, point[1]);
     }
   }
-  if (!(high > low)) return "set ytics autofreq";
-  return fmt::format("set ytics {:.7g}", round_step(high - low, 3));
+  script.begin_strip(low, high);
 }
 
 /// Those that do not lie over one before them; the strongest come first.
@@ -222,8 +243,7 @@ PlotScript figure_page(const Figure& figure, const Sheet& sheet) {
     const bool above_strip = figure.strip && &panel == &figure.panels.front();
     const bool is_strip = figure.strip && !above_strip;
     script.set_x_label(above_strip ? "" : panel.x_label);
-    if (above_strip) script.command("set format x ''");
-    if (is_strip) script.command("set format x\n" + few_tics(panel));
+    if (is_strip) begin_strip(script, panel);
     script.set_y_label(panel.y_label);
     script.command("set autoscale xfix\n" + offsets_of(panel));
     script.command(frame_of(panel, script));

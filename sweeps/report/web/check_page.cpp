@@ -118,6 +118,20 @@ Json facts_block(const JudgedClaim& one) {
            {"took", report::significant(verdict.seconds, 3) + " s"}});
 }
 
+/// Above the numbers of a verdict.
+std::string judged_title(const JudgedClaim& one) {
+  const ClaimVerdict& verdict = one.verdict();
+  const ClaimKind kind = one.claim().kind;
+  const bool some = verdict.judged > verdict.worst.size();
+  const bool of_fits = one.claim().subject == ClaimSubject::Fit;
+  if (of_fits && (kind == ClaimKind::Failed || kind == ClaimKind::Fitted)) {
+    return some ? fmt::format("{} of {} fits of no use", verdict.worst.size(), verdict.judged)
+                : "Fits of no use";
+  }
+  return some ? fmt::format("The worst {} of {}", verdict.worst.size(), verdict.judged)
+              : "What it was judged by";
+}
+
 /// What the claim was judged by, the worst first; null where that is the one number of the verdict.
 Json judged_block(const JudgedClaim& one) {
   const ClaimVerdict& verdict = one.verdict();
@@ -129,10 +143,7 @@ Json judged_block(const JudgedClaim& one) {
   const bool remarks = std::ranges::any_of(
       verdict.worst, [](const JudgedNumber& number) { return !number.remark.empty(); });
   const bool interval = one.claim().kind == ClaimKind::Interval;
-  report::WebTable table(
-      verdict.judged > verdict.worst.size()
-          ? fmt::format("The worst {} of {}", verdict.worst.size(), verdict.judged)
-          : "What it was judged by");
+  report::WebTable table(judged_title(one));
   table.add_words("of");
   if (numbers) table.add_words(interval ? "outside of the interval by" : "seen");
   if (remarks) table.add_words("remark");

@@ -24,7 +24,7 @@ using report::Stroke;
 constexpr report::LogarithmicAxes kBoth{true, true};
 /// Symbols of the classes, in their order: round, triangle, star, square.
 constexpr std::array<int, 4> kClassSymbols{7, 9, 15, 5};
-constexpr int kOwnSymbol = 13;
+constexpr int kOwnSymbol = 12;  ///< open: the symbol of its verdict is seen in it
 
 /// Points of one class, with what a pointer is told of each.
 struct ClassPoints {

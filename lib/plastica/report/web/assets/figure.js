@@ -3,6 +3,7 @@
 
 const charts = new Set();  // that are on the page
 
+// By gnuplot's numbers; each even one is as the next, open.
 const pointStyles = { 5: "rect", 7: "circle", 9: "triangle", 11: "triangle", 13: "rectRot", 15: "star" };
 const dashStyles = [[], [8, 4], [2, 3], [10, 3, 2, 3], [5, 5], [12, 4], [1, 4], [8, 3, 2, 3]];
 
@@ -15,14 +16,16 @@ function datasetsOf(curve) {
   const columns = unpack(curve.points);
   const color = lineColor(curve.color);
   const symbol = curve.symbol ?? 7;
+  const open = symbol % 2 === 0;
   const points = (c) => (columns[0] ?? []).map((x, i) => ({ x, y: x === null ? null : columns[c][i],
     label: curve.labels?.[i] }));
   const base = {
     type: "line", label: curve.name, borderColor: color, backgroundColor: color, borderWidth: 1.8,
     pointRadius: 0, pointHitRadius: 6, tension: 0, spanGaps: false, fill: false,
     borderDash: dashStyles[(curve.dashes ?? 0) % dashStyles.length],
-    pointStyle: pointStyles[symbol + (symbol % 2 === 0 ? 1 : 0)] ?? "circle",
-    pointRotation: symbol === 11 ? 180 : 0,
+    pointStyle: pointStyles[symbol + (open ? 1 : 0)] ?? "circle",
+    pointRotation: symbol + (open ? 1 : 0) === 11 ? 180 : 0,
+    pointBackgroundColor: open ? "transparent" : color,
   };
   const few = curve.points.n <= (curve.labels ? 200 : 60);
   switch (curve.stroke) {
@@ -31,7 +34,7 @@ function datasetsOf(curve) {
         { ...base, label: "", data: points(1), borderWidth: 0 },
         { ...base, data: points(2), borderWidth: 0, fill: "-1", backgroundColor: translucent(color) },
       ];
-    case "points": return [{ ...base, data: points(1), showLine: false, pointRadius: few ? 4 : 2 }];
+    case "points": return [{ ...base, data: points(1), showLine: false, pointRadius: open ? 7 : few ? 4 : 2 }];
     case "symbols": return [{ ...base, data: points(1), borderWidth: 1, pointRadius: few ? 4 : 2 }];
     case "dots": return [{ ...base, data: points(1), pointRadius: few ? 2.5 : 0 }];
     case "bars": {
