@@ -12,6 +12,7 @@
 #include "calibrate/config/bare_files.hpp"
 #include "calibrate/config/fit_file.hpp"
 #include "calibrate/config/scene_fit_file.hpp"
+#include "calibrate/fit/fit.hpp"
 #include "calibrate/store/journaled_batch.hpp"
 #include "calibrate/target/curve_spool.hpp"
 #include "cli/calibrate_arguments.hpp"
@@ -87,6 +88,7 @@ int calibrate_files(const CalibrateArguments& arguments) {
   if (!arguments.laws.empty()) file.options.laws = calibrate::laws_of(arguments.laws, "--laws");
   if (arguments.no_modulus_prior) file.options.modulus_prior = false;
   take_isa(arguments.isa, file.options.setup.solver);
+  calibrate::check_fit_options(file.options);
   const bool found = finds_output(arguments.resume, arguments.force, output, arguments.team);
   for (calibrate::TargetBlock& block : file.targets) {
     block.options.accept = block.options.accept || arguments.accept;

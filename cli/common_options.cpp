@@ -5,7 +5,10 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <array>
+#include <charconv>
+#include <string>
 #include <string_view>
+#include <system_error>
 
 #include "cli/tell.hpp"
 #include "plastica/base/check.hpp"
@@ -41,7 +44,16 @@ void add_width_option(CLI::App& sub, std::optional<double>& width) {
          "--width", width,
          "Draw for print: MM wide, 80 to 300, with letters of 8 points; columns and pages of "
          "journals have 85 and 170")
-      ->check(CLI::Range(80.0, 300.0))
+      ->check(CLI::Validator(
+          [](const std::string& text) {
+            double number = 0.0;
+            const auto [end, error] =
+                std::from_chars(text.data(), text.data() + text.size(), number);
+            const bool is_number = error == std::errc() && end == text.data() + text.size();
+            if (is_number && number >= 80.0 && number <= 300.0) return std::string();
+            return text + (is_number ? " must be 80 to 300" : " is no number of millimetres");
+          },
+          ""))
       ->option_text("MM");
 }
 

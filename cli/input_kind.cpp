@@ -78,6 +78,11 @@ std::optional<InputKind> kind_of_input(const std::string& path) {
   }
 }
 
+std::string command_for(const std::string& path) {
+  const std::optional<InputKind> kind = kind_of_input(path);
+  return kind ? std::string(known(*kind).command) : std::string();
+}
+
 void expect_input(const std::string& path, std::initializer_list<InputKind> taken) {
   const std::optional<InputKind> kind = kind_of_input(path);
   if (!kind || std::ranges::find(taken, *kind) != taken.end()) return;

@@ -15,6 +15,7 @@
 #include "cli/common_options.hpp"
 #include "cli/exit_code.hpp"
 #include "cli/help_format.hpp"
+#include "cli/input_kind.hpp"
 #include "cli/run_team.hpp"
 #include "cli/tell.hpp"
 #include "cli/terminal.hpp"
@@ -91,6 +92,10 @@ std::string wrong_command(const CLI::App& app, std::string_view first) {
   if (first.empty() || first.front() == '-') return {};
   const std::vector<std::string> names = names_of_commands(app);
   if (std::find(names.begin(), names.end(), first) != names.end()) return {};
+  if (const std::string command = plastica::cli::command_for(std::string(first));
+      !command.empty()) {
+    return fmt::format("{0}: is a file, and no command: plastica {1} {0}", first, command);
+  }
   const auto nearest = plastica::io::nearest_word(first, names);
   return fmt::format("{}: is not a command; {}", first,
                      nearest ? "did you mean " + *nearest + "?"
@@ -112,16 +117,12 @@ std::vector<std::string> with_help_as_option(std::vector<std::string> words) {
 std::string empty_argument(const std::vector<std::string>& words) {
   for (std::size_t i = 0; i < words.size(); ++i) {
     const std::string& word = words[i];
-    const bool after_option = i > 0 && words[i - 1].starts_with('-');
-    std::string of;
-    if (word.empty()) {
-      of = after_option ? words[i - 1] : fmt::format("argument {}", i + 1);
-    } else if (word.starts_with("--") && word.ends_with('=')) {
-      of = word.substr(0, word.size() - 1);
-    } else {
-      continue;
+    if (word.starts_with("--") && word.ends_with('=')) {
+      return word.substr(0, word.size() - 1) + ": is empty";
     }
-    return of + ": is empty";
+    if (!word.empty()) continue;
+    const std::string behind = i > 0 ? ", behind " + words[i - 1] : "";
+    return fmt::format("argument {}{}: is empty", i + 1, behind);
   }
   return {};
 }
@@ -162,10 +163,11 @@ int run(std::vector<std::string> words, const plastica::io::MergedShards* merged
   };
   Action action;
   add_commands(app, invocation, run_again, action);
+  const std::string empty = empty_argument(words);
   words = plastica::cli::with_new_names(with_help_as_option(std::move(words)));
   const std::string first = words.empty() ? std::string() : words.front();
   // Before help for it is asked for.
-  for (const std::string& wrong : {wrong_command(app, first), empty_argument(words)}) {
+  for (const std::string& wrong : {empty, wrong_command(app, first)}) {
     if (!wrong.empty()) return complain(wrong, plastica::cli::kBadInput);
   }
   try {

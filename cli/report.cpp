@@ -46,6 +46,7 @@ int write_report(const ReportArguments& arguments) {
           : arguments.output;
   require_chart_library("report", "");
   refuse_input("--output", output, arguments.file);
+  require_ending("--output", output, ".html", "it is a page");
   io::check_output_path(output, arguments.force);
   io::write_text_file(output, plastica::report::html_of(page_of(arguments.file)),
                       io::overwrite_if(arguments.force));

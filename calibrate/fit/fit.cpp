@@ -30,7 +30,9 @@ FitOptions within(const FitResult& result, FitOptions options) {
   return options;
 }
 
-void check_options(const FitOptions& options) {
+}  // namespace
+
+void check_fit_options(const FitOptions& options) {
   check_parameters(options.parameters);
   check_law_parameters(options.parameters, options.setup.scene.material, options.laws);
   const StoppingRules& stop = options.stopping;
@@ -51,11 +53,9 @@ void check_options(const FitOptions& options) {
   check_intervals(options.intervals);
 }
 
-}  // namespace
-
 FitResult fit_target(const Target& target, const FitOptions& options,
                      std::span<const StartPoint> further) {
-  if (target.status == TargetStatus::Ready) check_options(options);
+  if (target.status == TargetStatus::Ready) check_fit_options(options);
   const FitPriors priors(target, options);
   FitResult result = search_target(target, options, priors.told(), further);
   weigh_priors(target, options, priors, result);
@@ -76,7 +76,7 @@ std::vector<FitResult> fit_cases(std::span<const Target> targets, std::span<cons
                                  const FitOptions& given, const BatchFitOptions& batch) {
   FitOptions options = given;
   if (batch.stop != nullptr) options.stop = batch.stop;
-  check_options(options);
+  check_fit_options(options);
   std::vector<FitResult> results(cases.size());
   for (FitResult& result : results) result.reason = "not run";
   std::mutex mutex;

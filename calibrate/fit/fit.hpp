@@ -14,11 +14,16 @@
 
 namespace plastica::calibrate {
 
+/// Refuses what no target could be fitted with: parameters that no law of the fit has, bounds out
+/// of range, a comparison with multilinear hardening without a table.
+/// @throws InputError
+void check_fit_options(const FitOptions& options);
+
 /// Fits one target, with the law of the options' material. Never throws for what a curve is like:
 /// that is a status of the result.
 /// @throws FitInterrupted once the options' `stop` is raised
 /// @throws InputError if the options themselves are bad (parameters that no coupon has, an unknown
-///         algorithm, bounds out of range)
+///         algorithm, `check_fit_options`)
 /// @param further  where the search begins besides the start of the parameters
 FitResult fit_target(const Target& target, const FitOptions& options,
                      std::span<const StartPoint> further = {});

@@ -82,7 +82,7 @@ FigurePanel profile_panel(const ShownParameter& p, const LikelihoodProfile& prof
       high = std::max(high, p.value + z * p.noise_error);
     }
     panel.curves.push_back(
-        {std::move(parabola), "parabola of the covariance", kVermillion, Stroke::Line});
+        {std::move(parabola), "parabola of the covariance", kVermillion, Stroke::Line, 7, 1});
   }
   // What exact data leave is narrower than the digits of a picture: it is a spike there.
   const double room = std::max(0.04 * (high - low), kDigits * std::fabs(high));
@@ -95,6 +95,8 @@ FigurePanel profile_panel(const ShownParameter& p, const LikelihoodProfile& prof
   if (profile.low_end == ProfileEnd::Crossed) panel.marks.push_back(profile.low / unit.scale);
   if (profile.high_end == ProfileEnd::Crossed) panel.marks.push_back(profile.high / unit.scale);
   if (!panel.marks.empty()) panel.mark_name = "ends of the interval";
+  // The points are those of the noise alone.
+  if (p.sampling_error > 0.0) panel.mark_name += ", of a break with its sampling";
   return panel;
 }
 
@@ -146,7 +148,7 @@ FigurePanel histogram_panel(const ShownParameter& p, const BootstrapInterval& in
           {(p.value + z * p.scatter_error) / unit.scale, height * std::exp(-0.5 * z * z)});
     }
     panel.curves.push_back(
-        {std::move(normal), "normal curve of noise and sampling", kVermillion, Stroke::Line});
+        {std::move(normal), "normal curve of noise and sampling", kVermillion, Stroke::Line, 7, 1});
   }
   panel.marks = {interval.low / unit.scale, interval.high / unit.scale};
   panel.mark_name = "percentiles";

@@ -1,5 +1,7 @@
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -43,6 +45,23 @@ std::string trend_text(const SegmentsError& error) {
   return std::string(name_of(error.trend));
 }
 
+/// Of all that curves show, the ends of bars among it, with room.
+std::array<double, 2> range_of(const std::vector<FigureCurve>& curves) {
+  double low = std::numeric_limits<double>::infinity();
+  double high = -low;
+  for (const FigureCurve& curve : curves) {
+    for (const auto& point : curve.points) {
+      for (std::size_t k = 1; k < point.size(); ++k) {
+        if (!std::isfinite(point[k])) continue;
+        low = std::min(low, point[k]);
+        high = std::max(high, point[k]);
+      }
+    }
+  }
+  const double room = 0.06 * (high - low);
+  return {low - room, high + room};
+}
+
 FigurePanel panel_of(const FittedParameter& parameter, const SegmentsError& error) {
   const DisplayUnit unit = display_unit(parameter);
   FigurePanel panel;
@@ -75,6 +94,7 @@ FigurePanel panel_of(const FittedParameter& parameter, const SegmentsError& erro
                           Stroke::Bars});
   panel.curves.push_back(std::move(fits));
   panel.x_range = {-0.06 * longest, 1.06 * longest};
+  panel.y_range = range_of(panel.curves);
   return panel;
 }
 

@@ -80,6 +80,7 @@ void mark_runs(std::span<const double> v, double threshold, std::size_t shortest
       const double before = v[i - 1];
       const double behind = v[i + length];
       double least = std::abs(v[i] - before);
+      if (least <= threshold) continue;
       bool is_one_side = true;
       for (std::size_t k = i; k < i + length; ++k) {
         const double a = v[k] - before;

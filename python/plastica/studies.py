@@ -332,11 +332,11 @@ class Claim:
     reason: str
     at: str
     """Whose it is: ``"at beam.segments = 5"``."""
+    warnings: list[str]
     beside: str
     """What else is to be said of it."""
-    warnings: list[str]
     judged: int
-    """By how many numbers; of claims that count, how many cases that is or fits of no use."""
+    """How many numbers it was judged by; where it counts: cases, or fits of no use."""
     worst: list[JudgedNumber]
     """The worst of these first: at most twenty."""
 

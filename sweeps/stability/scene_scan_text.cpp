@@ -96,36 +96,50 @@ std::string scene_scan_text(const SceneScan& scan, const SceneScanOptions& optio
 
 report::PlotScript pair_map(std::span<const StabilityRow> rows, const Setup& setup,
                             const Field& first, const Field& second, const report::Sheet& sheet) {
-  // The size of a number; what is negative is as large as its opposite.
-  const auto place = [](double value) { return std::log10(std::fabs(value)); };
-  const auto label = [](const Field& field) {
-    const std::string_view unit = si_unit(field.dimension);
-    return "lg " + std::string(field.path) + (unit == "1" ? "" : " [" + std::string(unit) + "]");
+  const auto label = [](const ScannedValue& one) {
+    const std::string sign = one.value < 0.0 ? "-" : "";
+    return sign + one.axis + (one.unit == "1" ? "" : " [" + one.unit + "]");
+  };
+  std::array<std::array<double, 2>, 2> ranges{};
+  // What is negative is so for all points: a factor changes no sign.
+  const auto place = [&](std::size_t axis, double value) {
+    const double size = std::fabs(value);
+    auto& [low, high] = ranges[axis];
+    low = low > 0.0 ? std::min(low, size) : size;
+    high = std::max(high, size);
+    return size;
   };
   std::array<std::vector<std::vector<double>>, 4> points;
   for (const StabilityRow& row : rows) {
     points[static_cast<std::size_t>(row.verdict.validity)].push_back(
-        {place(row.at[0].value), place(row.at[1].value)});
+        {place(0, row.at[0].value), place(1, row.at[1].value)});
   }
+  const auto own = [&](std::size_t axis, const Field& field) {
+    return place(axis, std::get<double>(field.get(setup)));
+  };
+  const std::vector<double> at_own{own(0, first), own(1, second)};
   report::PlotScript script(sheet);
   script.begin_panels(1);
-  script.set_x_label(label(first));
-  script.set_y_label(label(second));
+  script.set_x_label(label(rows.front().at[0]));
+  script.set_y_label(label(rows.front().at[1]));
+  for (const std::size_t axis : {0U, 1U}) {
+    const char letter = axis == 0 ? 'x' : 'y';
+    const auto [low, high] = ranges[axis];
+    const double room = std::max(1.2, std::pow(high / low, 0.06));
+    script.command(fmt::format("set logscale {0}\nset {0}range [{1:.9g}:{2:.9g}]", letter,
+                               low / room, high * room));
+  }
   script.begin_panel({"each point a run"});
-  script.command("set offsets graph 0.06, graph 0.06, graph 0.06, graph 0.06");
   for (std::size_t k = 0; k < points.size(); ++k) {
     if (points[k].empty()) continue;
-    script.add_series(script.add_points(points[k]),
-                      fmt::format("using 1:2 with points pointtype 5 pointsize 1.5 linecolor rgb "
-                                  "'{}'",
-                                  class_colour(static_cast<Validity>(k))),
-                      k == 3 ? "undetected error" : kValidity[k]);
+    script.add_series(
+        script.add_points(points[k]),
+        fmt::format("using 1:2 with points pointtype {} pointsize 1.2 linecolor rgb "
+                    "'{}'",
+                    class_symbol(static_cast<Validity>(k)), class_colour(static_cast<Validity>(k))),
+        k == 3 ? "undetected error" : kValidity[k]);
   }
-  const auto own = [&](const Field& field) {
-    const FieldValue value = field.get(setup);
-    return place(std::get<double>(value));
-  };
-  script.add_series(script.add_points({{own(first), own(second)}}),
+  script.add_series(script.add_points({at_own}),
                     fmt::format("using 1:2 with points pointtype 6 pointsize 3 linewidth 2 "
                                 "linecolor rgb '{}'",
                                 report::kDark),

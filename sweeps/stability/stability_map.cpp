@@ -117,6 +117,11 @@ std::string_view class_colour(Validity validity) {
   return kColours[static_cast<std::size_t>(validity)];
 }
 
+int class_symbol(Validity validity) {
+  constexpr std::array kSymbols{7, 9, 3, 5};
+  return kSymbols[static_cast<std::size_t>(validity)];
+}
+
 report::PlotScript stability_map(std::span<const StabilityRow> rows) {
   report::PlotScript script;
   const Lines lines = lines_of(rows);

@@ -15,5 +15,7 @@ report::PlotScript stability_map(std::span<const StabilityRow> rows);
 
 /// The colour of a class in maps: "#0072B2".
 std::string_view class_colour(Validity validity);
+/// Its symbol, a number of gnuplot's: round, triangle, star, square.
+int class_symbol(Validity validity);
 
 }  // namespace plastica::sweeps::stability

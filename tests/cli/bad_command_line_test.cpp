@@ -35,9 +35,9 @@ INSTANTIATE_TEST_SUITE_P(
         line("NoInput", {"calibrate"}, "inputs is required (see plastica calibrate --help)"),
         line("OptionWithoutValue", {"calibrate", "fit.toml", "-o"},
              "--output: 1 required TEXT missing (see plastica calibrate --help)"),
-        line("EmptyOutput", {"calibrate", "fit.toml", "-o", ""}, "-o: is empty"),
+        line("EmptyOutput", {"calibrate", "fit.toml", "-o", ""}, "argument 4, behind -o: is empty"),
         line("EmptySummary", {"calibrate", "fit.toml", "--json="}, "--json: is empty"),
-        line("EmptyInput", {"calibrate", ""}, "argument 2: is empty"),
+        line("EmptyInput", {"calibrate", ""}, "argument 2, behind calibrate: is empty"),
         line("NegativeThreads", {"calibrate", "fit.toml", "--threads", "-1"},
              "--threads: Value -1 not in range 0 to 4096 (see plastica calibrate --help)"),
         line("ThreadsInWords", {"calibrate", "fit.toml", "--threads", "two"},
@@ -49,6 +49,11 @@ INSTANTIATE_TEST_SUITE_P(
         line("OptionOfBareCurvesWithFitFile",
              {"calibrate", "fit.toml", "--fix", "youngs_modulus=200 GPa"},
              "--fix: is for curves without a fit file; this is what fit.toml says"),
+        line("MultilinearWithoutATable",
+             {"calibrate", "fit.toml", "--laws", "ideal,multilinear", "--dry-run"},
+             "laws = multilinear: needs a table, and none is made up: "
+             "material.hardening.plastic_strain and flow_stress of a fit file say where its fit "
+             "begins"),
         line("UnknownKindToInit", {"init", "sweeps"},
              "kind: sweeps not in {fit,scene-fit,scene,coupon,sweep,check} (see plastica init "
              "--help)"),

@@ -34,17 +34,26 @@ std::string percent_from(double confidence) {
 }
 
 Json parameters_block(const FitOutcome& fit, double confidence) {
+  // As many digits as the smallest error of a value shows.
+  constexpr int kLeast = 5;
+  constexpr int kMost = 12;
+  int digits = kLeast;
+  for (const FittedParameter& p : fit.parameters) {
+    if (!(p.standard_error > 0.0) || p.value == 0.0) continue;
+    const double size = std::log10(std::fabs(p.value) / p.standard_error);
+    digits = std::clamp(static_cast<int>(std::ceil(size)) + 2, digits, kMost);
+  }
   WebTable table("Parameters");
   table.add_words("parameter");
   table.add_words("unit");
-  table.add_numbers("value");
+  table.add_numbers("value", "", "", digits);
   table.add_numbers("standard error", "", "noise, sampling, misfit and segments together", 2);
   table.add_numbers("of noise", "", "as if residuals were independent", 2);
   table.add_numbers("of sampling", "", "of a break, which lies between two samples", 2);
   table.add_numbers("of misfit", "", "of a model that does not follow the curve", 2);
   table.add_numbers("of segments", "", "what of the error none of these is", 2);
-  table.add_numbers(percent_from(confidence), "", "confidence interval");
-  table.add_numbers("to");
+  table.add_numbers(percent_from(confidence), "", "confidence interval", digits);
+  table.add_numbers("to", "", "", digits);
   table.add_numbers("bound from");
   table.add_numbers("bound to");
   table.add_words("verdict");

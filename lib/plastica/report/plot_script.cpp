@@ -35,10 +35,12 @@ constexpr double kAboveStrip = 26.0;
 constexpr double kLine = 20.0;         ///< of a title
 constexpr std::size_t kMostLines = 2;  ///< of the title of one panel among others
 constexpr double kLegendLine = 19.0;
+/// gnuplot's own have a blank in place of a sign, and stand aside of their ticks.
+constexpr std::string_view kPlainNumbers = "set format x '%h'";
 
 void put_rows(std::string& block, const std::vector<std::vector<double>>& rows) {
   for (const std::vector<double>& row : rows) {
-    for (const double value : row) fmt::format_to(std::back_inserter(block), "{:.7g} ", value);
+    for (const double value : row) fmt::format_to(std::back_inserter(block), "{:.10g} ", value);
     block += '\n';
   }
 }
@@ -130,6 +132,7 @@ void PlotScript::begin_panels(std::size_t count, std::string_view title, double 
       "width 1 textcolor rgb '#333333'\n"
       // Both stand far off.
       "set xlabel offset 0,0.3\nset title offset 0,-0.5");
+  command(kPlainNumbers);
   if (count == 1) return;
   title_piece_ = pieces_.size();
   pieces_.insert(pieces_.end(), 2, "");
@@ -144,7 +147,7 @@ void PlotScript::begin_panel_and_strip() {
 
 void PlotScript::begin_strip(double low, double high) {
   constexpr int kMostNumbers = 3;
-  command("set format x");
+  command(kPlainNumbers);
   command(high > low ? fmt::format("set ytics {:.7g}", round_step(high - low, kMostNumbers))
                      : std::string("set ytics autofreq"));
 }

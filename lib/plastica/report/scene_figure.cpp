@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "plastica/report/axis_ticks.hpp"
 #include "plastica/report/format.hpp"
 
 namespace plastica::report {
@@ -77,36 +78,15 @@ std::string tics_of(const std::array<double, 2>& range, double panel) {
   const double wide = range[1] - range[0];
   const double largest = std::max(std::fabs(range[0]), std::fabs(range[1]));
   if (!(wide > 0.0) || (wide > 0.05 * largest && panel > kNarrow)) return "set xtics autofreq\n";
-  const auto label = [&](double at) {
-    return wide > kFewDigits * largest ? fmt::format("{:.6g}", at) : fmt::format("{:.9g}", at);
-  };
-  const auto half = [&](double at) {
-    return 0.5 * kLetterWidth * static_cast<double>(label(at).size());
-  };
-  double step = round_step(wide, 2);
-  for (int most = 6; most > 2; --most) {
-    const double shorter = round_step(wide, most);
-    std::size_t letters = 0;
-    const double first = std::ceil(range[0] / shorter);
-    for (int k = 0; k <= most && (first + k) * shorter <= range[1]; ++k) {
-      letters = std::max(letters, label((first + k) * shorter).size());
-    }
-    if (10.0 * static_cast<double>(letters + 1) * wide / shorter > panel) continue;
-    step = shorter;
-    break;
-  }
-  const double first = std::ceil(range[0] / step) * step;
-  double last = std::floor(range[1] / step) * step;
-  // The last label must not leave the page.
-  if ((last - range[1]) / wide * panel + half(last) > kRightRoom) {
-    last = std::max(first, last - step);
-  }
+  const std::vector<AxisTick> ticks = ticks_with_room(range, panel);
+  // Of a strip's upper panel no numbers are shown, but where they stand.
   if (wide > kFewDigits * largest) {
-    return fmt::format("set xtics {:.9g}, {:.9g}, {:.9g}\n", first, step, last);
+    return fmt::format("set xtics {:.9g}, {:.9g}, {:.9g}\n", ticks.front().at,
+                       ticks[1].at - ticks[0].at, ticks.back().at);
   }
   std::string tics;
-  for (double at = first; at < last + 0.5 * step; at += step) {
-    tics += fmt::format("{}{} {:.12g}", tics.empty() ? "" : ", ", in_quotes(label(at)), at);
+  for (const AxisTick& tick : ticks) {
+    tics += fmt::format("{}{} {:.12g}", tics.empty() ? "" : ", ", in_quotes(tick.text), tick.at);
   }
   return "set xtics (" + tics + ")\n";
 }
@@ -172,15 +152,15 @@ std::string frame_of(const FigurePanel& panel, const PlotScript& script) {
   if (panel.logarithmic) text += decades_of(panel.y_range);
   const auto range = [&](char axis, const std::array<double, 2>& ends) {
     if (ends[0] == ends[1]) return;
-    text += fmt::format("set {}range [{:.7g}:{:.7g}]\n", axis, ends[0], ends[1]);
+    text += fmt::format("set {}range [{:.12g}:{:.12g}]\n", axis, ends[0], ends[1]);
   };
   range('x', panel.x_range);
   text += panel.x_names.empty() ? tics_of(panel.x_range, script.panel_width())
                                 : named_tics(panel.x_names);
   range('y', panel.y_range);
   for (const double x : panel.marks) {
-    text += fmt::format("set arrow from {0:.7g}, graph 0 to {0:.7g}, graph 1 nohead front {1}\n", x,
-                        kMarkStyle);
+    text += fmt::format("set arrow from {0:.12g}, graph 0 to {0:.12g}, graph 1 nohead front {1}\n",
+                        x, kMarkStyle);
   }
   for (const FigureNote& note :
        notes_with_room(panel, script.panel_width(), 0.6 * script.height())) {

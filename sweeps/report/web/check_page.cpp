@@ -123,10 +123,11 @@ std::string judged_title(const JudgedClaim& one) {
   const ClaimVerdict& verdict = one.verdict();
   const ClaimKind kind = one.claim().kind;
   const bool some = verdict.judged > verdict.worst.size();
-  const bool of_fits = one.claim().subject == ClaimSubject::Fit;
-  if (of_fits && (kind == ClaimKind::Failed || kind == ClaimKind::Fitted)) {
-    return some ? fmt::format("{} of {} fits of no use", verdict.worst.size(), verdict.judged)
-                : "Fits of no use";
+  if (kind == ClaimKind::Failed || kind == ClaimKind::Fitted) {
+    const bool of_fits = one.claim().subject == ClaimSubject::Fit;
+    const std::string what = of_fits ? "fits of no use" : "that failed";
+    return some ? fmt::format("The first {} of {} {}", verdict.worst.size(), verdict.judged, what)
+                : (of_fits ? "Fits of no use" : "What failed");
   }
   return some ? fmt::format("The worst {} of {}", verdict.worst.size(), verdict.judged)
               : "What it was judged by";

@@ -22,8 +22,6 @@ using report::Json;
 using report::Stroke;
 
 constexpr report::LogarithmicAxes kBoth{true, true};
-/// Symbols of the classes, in their order: round, triangle, star, square.
-constexpr std::array<int, 4> kClassSymbols{7, 9, 15, 5};
 constexpr int kOwnSymbol = 12;  ///< open: the symbol of its verdict is seen in it
 
 /// Points of one class, with what a pointer is told of each.
@@ -40,7 +38,7 @@ std::array<ClassPoints, 4> classes_of_points() {
                     k == 3 ? "undetected error" : std::string(kValidity[k]),
                     class_colour(validity),
                     Stroke::Points,
-                    kClassSymbols[k]};
+                    class_symbol(validity)};
   }
   return all;
 }

@@ -101,7 +101,7 @@ TEST(SceneFitPlot, OfSegmentsLeadsToTheContinuousBeam) {
   EXPECT_TRUE(has(script, "set title 'youngs_modulus [GPa], order 2.00'"));
   EXPECT_TRUE(has(script, "set title 'yield_stress [MPa], oscillates'"));
   // Extrapolated by 5/3 beyond 195, and 1.25 times as much to both sides.
-  EXPECT_TRUE(has(script, "\n0 193.3333 "));
+  EXPECT_TRUE(has(script, "\n0 193.3333333 "));
   EXPECT_TRUE(has(script, "\n2 220 \n1 200 \n0.5 195 \n"));
 }
 

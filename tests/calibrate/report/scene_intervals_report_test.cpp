@@ -138,7 +138,7 @@ TEST(SceneIntervalsReport, DrawsBandsWhereTheCurveHasErrors) {
   record.result.targets[0].fitted_error = {1.0, 2.0};
   record.result.targets[0].noise = 0.0;
   // 12 -+ 1.96
-  EXPECT_TRUE(has(script_of(), "250 10.04004 13.95996")) << script_of();
+  EXPECT_TRUE(has(script_of(), "250 10.04003602 13.95996398")) << script_of();
   EXPECT_TRUE(has(script_of(), "with filledcurves"));
   record.targets[0].abscissa = {0.5, 0.25};
   EXPECT_FALSE(has(script_of(), "with filledcurves")) << "a path to and fro";

@@ -151,7 +151,7 @@ TEST(YieldedBuckling, OfAnISectionIsWhereTheSpatialLevelHasIt) {
 /// in its plane: what it passed on the way is told whatever the load at the end.
 TEST(YieldedBuckling, OnTheWayToAStateThatIsStableAgainIsTold) {
   for (const double fraction : {0.98, 1.05, 1.5, 3.0}) {
-    for (const int steps : {5, 20}) {
+    for (const int steps : {5, 20, 100}) {
       Scene scene = testing::cantilever_scene(20);
       scene.section = {.width = 0.01, .height = 0.1};
       scene.material.youngs_modulus = 210e9;

@@ -57,6 +57,13 @@ function lineColor(color) {
 // Digits of numbers that were packed: what they were rounded to is seen in the fifth.
 const packedDigits = 4;
 
+// Digits that tell numbers apart which lie between two.
+function digitsBetween(low, high, least) {
+  const size = Math.max(Math.abs(low), Math.abs(high));
+  const digits = least - 1 + Math.ceil(Math.log10(size / (high - low)));
+  return Number.isFinite(digits) ? Math.min(15, Math.max(least, digits)) : least;
+}
+
 // A list of numbers that is made when it is opened: what a picture shows, for those who cannot see
 // it. Its function `renew` makes it again.
 function numbersBehind(title, heads, rows) {
@@ -66,10 +73,20 @@ function numbersBehind(title, heads, rows) {
   details.renew = () => {
     if (!details.open) return;
     const all = rows();
+    const digits = heads.map((_, k) => {
+      let low = Infinity;
+      let high = -Infinity;
+      for (const row of all) {
+        if (typeof row[k] !== "number") continue;
+        low = Math.min(low, row[k]);
+        high = Math.max(high, row[k]);
+      }
+      return digitsBetween(low, high, packedDigits);
+    });
     const table = make("table", {},
       make("thead", {}, make("tr", {}, ...heads.map((head) => make("th", { scope: "col" }, head)))),
       make("tbody", {}, ...all.slice(0, most).map((row) =>
-        make("tr", {}, ...row.map((cell) => make("td", {}, shown(cell, packedDigits)))))));
+        make("tr", {}, ...row.map((cell, k) => make("td", {}, shown(cell, digits[k])))))));
     details.replaceChildren(summary, make("div", { className: "scroll" }, table));
     if (all.length > most) details.append(make("p", {}, `the first ${most} of ${all.length} rows`));
   };

@@ -3,8 +3,9 @@
 
 const charts = new Set();  // that are on the page
 
-// By gnuplot's numbers; each even one is as the next, open.
-const pointStyles = { 5: "rect", 7: "circle", 9: "triangle", 11: "triangle", 13: "rectRot", 15: "star" };
+// By gnuplot's numbers; from 4 on each even one is as the next, open.
+const pointStyles = { 1: "cross", 2: "crossRot", 3: "star", 5: "rect", 7: "circle", 9: "triangle", 11: "triangle", 13: "rectRot", 15: "star" };
+const largeSymbol = 12;  // others are seen in it
 const dashStyles = [[], [8, 4], [2, 3], [10, 3, 2, 3], [5, 5], [12, 4], [1, 4], [8, 3, 2, 3]];
 
 function translucent(color) {
@@ -16,7 +17,7 @@ function datasetsOf(curve) {
   const columns = unpack(curve.points);
   const color = lineColor(curve.color);
   const symbol = curve.symbol ?? 7;
-  const open = symbol % 2 === 0;
+  const open = symbol >= 4 && symbol % 2 === 0;
   const points = (c) => (columns[0] ?? []).map((x, i) => ({ x, y: x === null ? null : columns[c][i],
     label: curve.labels?.[i] }));
   const base = {
@@ -28,13 +29,14 @@ function datasetsOf(curve) {
     pointBackgroundColor: open ? "transparent" : color,
   };
   const few = curve.points.n <= (curve.labels ? 200 : 60);
+  const radius = symbol === largeSymbol ? 7 : few ? 4 : 2;
   switch (curve.stroke) {
     case "area":
       return [
         { ...base, label: "", data: points(1), borderWidth: 0 },
         { ...base, data: points(2), borderWidth: 0, fill: "-1", backgroundColor: translucent(color) },
       ];
-    case "points": return [{ ...base, data: points(1), showLine: false, pointRadius: open ? 7 : few ? 4 : 2 }];
+    case "points": return [{ ...base, data: points(1), showLine: false, pointRadius: radius, pointHoverRadius: radius }];
     case "symbols": return [{ ...base, data: points(1), borderWidth: 1, pointRadius: few ? 4 : 2 }];
     case "dots": return [{ ...base, data: points(1), pointRadius: few ? 2.5 : 0 }];
     case "bars": {
@@ -62,11 +64,16 @@ const drawnBeside = {
     };
     chart.data.datasets.forEach((set, k) => {
       if (!set.bars || !chart.isDatasetVisible(k)) return;
+      ctx.save();
+      ctx.beginPath();
+      ctx.rect(area.left, area.top, area.width, area.height);
+      ctx.clip();
       for (const [at, low, high] of set.bars) {
         if (at === null || low === null || high === null) continue;
         upright(x.getPixelForValue(at), y.getPixelForValue(low), y.getPixelForValue(high),
           set.borderColor, []);
       }
+      ctx.restore();
     });
     const across = (at, color, dash) => {
       const pixel = x.getPixelForValue(at);
@@ -110,7 +117,8 @@ function scaleOf(panel, axis) {
     scale.ticks.callback = (value) => ticks.find(([at]) => at === value)?.[1] ?? "";
   } else {
     scale.ticks.callback = function text(value) {
-      return panel.logarithmic?.[which] && !isLabelled(value, this) ? "" : shown(value);
+      return panel.logarithmic?.[which] && !isLabelled(value, this) ? ""
+        : shown(value, digitsBetween(this.min, this.max, 5));
     };
   }
   return scale;
@@ -118,7 +126,8 @@ function scaleOf(panel, axis) {
 
 // What stands at a place of the x axis: a number, or its name.
 function nameAt(panel, x) {
-  return panel.x_names?.[Math.round(x) - 1] ?? shown(x, packedDigits);
+  const [low, high] = panel.x_range ?? [];
+  return panel.x_names?.[Math.round(x) - 1] ?? shown(x, digitsBetween(low, high, packedDigits));
 }
 
 // Each name once: points as their symbol, areas as a box, all else as a line.
