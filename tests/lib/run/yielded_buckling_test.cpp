@@ -44,7 +44,7 @@ double critical_of_yielding_strip(double yield) {
     double beta = 1.0;
     double slope = 0.0;
     constexpr int kSteps = 4000;
-    constexpr double h = 1.0 / kSteps;
+    const double h = 1.0 / kSteps;
     for (int i = 0; i < kSteps; ++i) {
       const double z = i * h;
       const double a1 = curvature(z, beta);
