@@ -143,6 +143,19 @@ StartValue raw_start(MaterialField field, const CurveSizes& s, const Target& tar
   return {given, 0.0, 10.0 * given};
 }
 
+/// The yield stress in shear, of one in tension of 1; 0: it does not follow that.
+double shear_over_yield(const FitOptions& options) {
+  for (const Parameter& p : options.parameters) {
+    if (p.field->material != MaterialField::ShearYieldStress) continue;
+    const bool follows =
+        p.role == ParameterRole::Tied && p.tied_to->material == MaterialField::YieldStress;
+    return follows ? p.factor : 0.0;
+  }
+  const Scene& scene = options.setup.scene;
+  if (scene.material.shear_yield_stress) return 0.0;
+  return scene.formulas == Formulas::Report ? 1.0 : 1.0 / std::sqrt(3.0);
+}
+
 }  // namespace
 
 CurveSizes curve_sizes(const Target& target, const FitOptions& options) {
@@ -189,8 +202,9 @@ double largest_useful_value(const Field& field, const Target& target, const FitO
   Scene scene = options.setup.scene;
   scene.drive.deformation = target.test;
   const double cap = coupon::coupon_shape(scene).cap_factor;
-  const bool equal = scene.formulas == Formulas::Report;
-  return stress / cap * (torsion && !shear && !equal ? std::sqrt(3.0) : 1.0);
+  if (!torsion || shear) return stress / cap;
+  const double ratio = shear_over_yield(options);
+  return ratio > 0.0 ? stress / cap / ratio : std::numeric_limits<double>::infinity();
 }
 
 }  // namespace plastica::calibrate

@@ -1,14 +1,18 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <memory>
+#include <span>
 #include <type_traits>
 #include <utility>
 #include <vector>
 
 #include "plastica/chain/section_joint.hpp"
+#include "plastica/chain/uneven_flow.hpp"
 #include "plastica/law/axial_control.hpp"
+#include "plastica/law/per_axis.hpp"
 #include "plastica/law/section_response.hpp"
 
 namespace plastica::chain {
@@ -118,8 +122,8 @@ class SectionJoints final : public SectionJointsBase<L, kElastic> {
   template <class V, class VisitState>
   void visit_states(V& v, const VisitState& visit_state) {
     for (typename Law::State& state : before_) visit_state(v, state, axes_.rotation(0), kR);
-    for (auto& flow : uneven_before_) {
-      for (std::size_t k = 0; k < kR; ++k) v.number(flow[axes_.rotation(k)]);
+    for (auto& one : uneven_before_) {
+      for (std::size_t k = 0; k < kR; ++k) v.number(one.permanent[axes_.rotation(k)]);
     }
   }
   /// The same of what the last trial has found: energies and, where the law can yield, forces, work
@@ -133,8 +137,8 @@ class SectionJoints final : public SectionJointsBase<L, kElastic> {
         v.number(work_[j]);
         visit_state(v, after_[j], axes_.rotation(0), kR);
       }
-      for (auto& flow : uneven_after_) {
-        for (std::size_t k = 0; k < kR; ++k) v.number(flow[axes_.rotation(k)]);
+      for (auto& one : uneven_after_) {
+        for (std::size_t k = 0; k < kR; ++k) v.number(one.permanent[axes_.rotation(k)]);
       }
     }
   }
@@ -143,7 +147,7 @@ class SectionJoints final : public SectionJointsBase<L, kElastic> {
     std::fill(before_.begin(), before_.end(), typename Law::State{});
     std::fill(axial_before_.begin(), axial_before_.end(), law::AxialState<S>{});
     std::fill(plastic_.begin(), plastic_.end(), constant<S>(0));
-    std::fill(uneven_before_.begin(), uneven_before_.end(), law::SectionStrain<S>{});
+    std::fill(uneven_before_.begin(), uneven_before_.end(), UnevenState<S>{});
   }
 
  private:
@@ -322,32 +326,30 @@ class SectionJoints final : public SectionJointsBase<L, kElastic> {
     uneven_after_.resize(joints_.size());
   }
 
-  /// What a law says is per length of the first component. A component that is d longer stores
-  /// d F^2/2K more and dissipates d F dp more, p = strain - F/K its permanent part. In a step that
-  /// flows by dp with the slope H = dF/dp = K T/(K - T) the mean of F is F - H dp/2, exactly for
-  /// ideal plasticity and linear hardening.
+  /// Adds what components do that are longer than the first: uneven_flow.hpp.
   /// @param axial_given  the axial force does no work here, and its strain is not in `strain`
   template <std::size_t First>
   void add_uneven(std::size_t j, const law::SectionStrain<S>& strain,
                   const law::SectionResponse<S>& now, bool axial_given) {
-    const S half = constant<S>(0.5);
-    const auto add = [&](std::size_t k) {
-      const S& stiffness = joints_[j].stiffness[k];
-      const S& force = now.force[k];
-      elastic_[j] = elastic_[j] + excess_[j][k] * half * force * force / stiffness;
-      if constexpr (!std::is_empty_v<typename Law::State>) {
-        const S permanent = strain[k] - force / stiffness;
-        const S flow = permanent - uneven_before_[j][k];
-        const S tangent = now.tangent(k, k);
-        const S harder =
-            stiffness * tangent / max(stiffness - tangent, constant<S>(1e-6) * stiffness);
-        work_[j] = work_[j] + excess_[j][k] * (force - half * harder * flow) * flow;
-        uneven_after_[j][k] = permanent;
+    std::array<std::size_t, kR + 1> seen{};
+    std::size_t count = 0;
+    for (std::size_t k = 0; k < kR; ++k) seen[count++] = First + k;
+    if (kElastic && !axial_given) seen[count++] = kAxial;
+    const std::span<const std::size_t> components(seen.data(), count);
+    const law::SectionStrain<S>& stiffness = joints_[j].stiffness;
+    const law::SectionStrain<S>& excess = excess_[j];
+    for (const std::size_t k : components) {
+      elastic_[j] = elastic_[j] + excess[k] * energy_of(now.force[k], stiffness[k]);
+    }
+    if constexpr (!std::is_empty_v<typename Law::State>) {
+      const UnevenState<S>& before = uneven_before_[j];
+      UnevenState<S>& after = uneven_after_[j];
+      after = uneven_state(strain, now, stiffness, components);
+      const law::SectionForce<S> mean =
+          mean_of_flow<law::kIsPerAxis<Law>>(before, after, now, stiffness, components);
+      for (const std::size_t k : components) {
+        work_[j] = work_[j] + excess[k] * mean[k] * (after.permanent[k] - before.permanent[k]);
       }
-    };
-    for (std::size_t k = 1; k < kR; ++k) add(First + k);
-    if constexpr (kElastic) {
-      if (!axial_given) add(kAxial);
     }
   }
 
@@ -387,9 +389,10 @@ class SectionJoints final : public SectionJointsBase<L, kElastic> {
   [[no_unique_address]] std::conditional_t<kManyStates, ManyStates, OneState> states_;
   std::vector<Scale> scales_;                        ///< (joints)
   std::vector<typename Law::State> before_, after_;  ///< (states of all joints)
-  /// Where any component has another length than the first: by how much [m], and the permanent
-  /// strains, committed and of the last trial (joints); else empty.
-  std::vector<law::SectionStrain<S>> excess_, uneven_before_, uneven_after_;
+  /// Where any component has another length than the first: by how much [m], and what has flowed,
+  /// committed and of the last trial (joints); else empty.
+  std::vector<law::SectionStrain<S>> excess_;
+  std::vector<UnevenState<S>> uneven_before_, uneven_after_;
   // Where the law sees the axial force:
   std::vector<law::AxialState<S>> axial_before_, axial_after_;  ///< (joints)
 };

@@ -62,6 +62,12 @@ struct PerAxisSection {
   };
 };
 
+/// Whether the components of a law do not know of each other.
+template <class Law>
+inline constexpr bool kIsPerAxis = false;
+template <class S, class Uniaxial>
+inline constexpr bool kIsPerAxis<PerAxisSection<S, Uniaxial>> = true;
+
 /// @param has  what of the strain there is
 template <class S, class Uniaxial, class Has = AllComponents>
 inline SectionResponse<S> respond(const PerAxisSection<S, Uniaxial>& law,

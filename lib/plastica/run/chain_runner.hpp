@@ -89,7 +89,6 @@ class ChainRunner final : public ChainProgram, private solve::PathObserver<L, kE
   int unstable_beside_ = 0;      ///< as known last
   double checked_at_ = -1.0;     ///< time of the last check of stability out of the plane
   double checked_moment_ = 0.0;  ///< largest of a joint at the last such check [N m]
-  double last_moment_ = 0.0;     ///< the same at the last equilibrium
   double last_time_ = 0.0;       ///< of the last step
   /// `sections` there, of a planar chain that has yielded.
   std::vector<law::SectionForce<typename L::Scalar>> last_forces_;

@@ -93,7 +93,7 @@ bool ChainRunner<L, kElastic>::begin_path() {
   has_yielded_ = leaves_plane_ = false;
   unstable_beside_ = 0;
   checked_at_ = -1.0;
-  checked_moment_ = last_moment_ = 0.0;
+  checked_moment_ = 0.0;
   body_.record.begin_frames(*response_);
   solve::PathObserver<L, kElastic>& observer = *this;
   continuation_.emplace(body_.build.chain, *body_.joints, options_, control_, body_.work,

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 #include "plastica/run/chain_runner.hpp"
 #include "plastica/solve/buckling_mode.hpp"
@@ -134,8 +133,7 @@ void ChainRunner<L, kElastic>::check_plane(const chain::Coordinates<L>& q, doubl
 
 /// A beam that leaves its plane may come back to rest in it: one that hangs down from a hinge is as
 /// stable as before it was bent. So a path is checked between its ends, too, where it yields or has
-/// turned far, each time that its largest moment has grown, which ends at the section's own: by a
-/// tenth, or by less where it hardly grows any more.
+/// turned far, each time that its largest moment has grown, which ends at the section's own.
 template <class L, bool kElastic>
 void ChainRunner<L, kElastic>::check_plane_while_moments_grow(const Work& w) {
   constexpr double kFar = 1.0;  // [rad]
@@ -158,10 +156,8 @@ void ChainRunner<L, kElastic>::check_plane_while_moments_grow(const Work& w) {
   for (const auto& force : sections().force) {
     largest = std::max(largest, std::fabs(static_cast<double>(force[axis])));
   }
-  const double before = std::exchange(last_moment_, largest);
-  const bool stalls = has_yielded_ && largest < 1.001 * before && before > 1.02 * checked_moment_;
-  if (!stalls && largest < (has_yielded_ ? 1.1 : 2.0) * checked_moment_) return;
-  checked_moment_ = std::max(largest, before);
+  if (largest < (has_yielded_ ? 1.02 : 2.0) * checked_moment_) return;
+  checked_moment_ = largest;
   const Sections now = sections();
   check_plane(w.q, w.time, &now);
 }

@@ -135,9 +135,12 @@ mask_t<typename L::Scalar> MotionStep<L, kElastic>::fit_to_rates(Motions& motion
   }
 }
 
-/// Whether a support's speed jumps at the end of the step.
+/// Whether a support's speed jumps at the end of the step; not at the end of the motion, behind
+/// which nothing moves any more.
 template <class L, bool kElastic>
 bool MotionStep<L, kElastic>::passes_corner() const {
+  const auto& stops = options_.stops;
+  if (!stops.empty() && w_.time >= stops.back() - kRounding * h_) return false;
   const auto jumps = [&](std::size_t history) {
     const StepEnd end{w_.time, h_, kRounding * h_};
     const auto& factor = chain_.histories[history];

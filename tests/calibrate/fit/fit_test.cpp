@@ -167,6 +167,22 @@ TEST(Fit, TranslatesTensionsNumbersInTorsion) {
   EXPECT_NEAR(result.break_strain_total.value_or(0.0), 0.0402, tolerance(1e-9));
 }
 
+TEST(Fit, TiesOfYieldStressesHoldInTorsion) {
+  // Below 1/sqrt(3) the yield stress is above what it is without a tie.
+  for (const double factor : {0.4, 0.5, 0.577, 0.7}) {
+    FitOptions options = fit_of({free_parameter("shear_modulus"), free_parameter("yield_stress"),
+                                 tied_parameter("shear_yield_stress", "yield_stress", factor)});
+    options.setup.scene.material.shear_modulus = 77e9;
+    options.setup.scene.material.yield_stress = 317e6;
+    options.setup.scene.material.shear_yield_stress = factor * 317e6;
+    const Target target = target_like(options, Deformation::Torsion, ramp(90, 0.04));
+    const FitResult result = fit_target(target, options);
+    expect_recovered(result, "yield_stress", 317e6);
+    expect_recovered(result, "shear_yield_stress", factor * 317e6);
+    EXPECT_EQ(result.misfit_word, "close") << factor;
+  }
+}
+
 TEST(Fit, TiesOfBreakLimitsHoldInEveryTest) {
   FitOptions options = fit_with(
       HardeningLaw::Ideal,

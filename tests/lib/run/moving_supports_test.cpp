@@ -172,5 +172,24 @@ TEST(MovingSupports, ALoneSegmentThatSpinsIsBalanced) {
   EXPECT_LT(response.momentum_error, 1e-3);
 }
 
+/// Behind the end of a motion its supports do not stop: nothing is recorded of that.
+TEST(MovingSupports, ThatMoveUntilTheEndHaveNoOtherReactionThere) {
+  Scene scene = testing::cantilever_scene(10);
+  scene.material.density = 7850.0;
+  Support& clamp = scene.supports[0];
+  clamp.translation = {0.0, 1e-3, 0.0};
+  clamp.history = History::spline({0.0, 0.1, 0.2, 0.3}, {0.0, 1.0, 4.0, 9.0});
+  add_probe(scene, ProbeQuantity::ReactionMoment, Place::start(), Component::X);
+  for (const Scheme scheme : kSchemes) {
+    SolverOptions options = motion_options(scheme, 1e-4, 3000);
+    options.damping = Damping::Stiffness;
+    options.damping_time = 1e-3;
+    const std::vector<double> moment = completed(scene, options).probes[0];
+    const double before = moment.end()[-2];
+    EXPECT_NEAR(moment.back(), before, tolerance(0.05 * std::fabs(before)))
+        << static_cast<int>(scheme);
+  }
+}
+
 }  // namespace
 }  // namespace plastica

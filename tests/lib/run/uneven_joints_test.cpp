@@ -1,0 +1,86 @@
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+
+#include "tests/support/chain_scene.hpp"
+#include "tests/support/motion_scene.hpp"
+#include "tests/support/tolerance.hpp"
+
+// A joint between two sections of unlike aspect ratios has another length about each axis.
+
+namespace plastica {
+namespace {
+
+using testing::add_probe;
+using testing::completed;
+using testing::last_of;
+using testing::tolerance;
+
+/// A square bar whose outer half is narrow, bent askew beyond yield.
+/// @param mirrored  x for y
+Scene narrowing_bar(bool mirrored, YieldModel model) {
+  Scene scene = testing::cantilever_scene(2);
+  scene.material.youngs_modulus = 200e9;
+  scene.material.yield_stress = 250e6;
+  scene.material.density = 7850.0;
+  scene.section = {.width = 0.02, .height = 0.02};
+  scene.yield_model = model;
+  Section narrow = scene.section;
+  (mirrored ? narrow.height : narrow.width) = 0.012;
+  scene.regions.push_back({{0.5, {}}, {1.0, {}}, narrow, scene.material});
+  const double along = 180.0;
+  const double across = 150.0;
+  scene.loads.push_back({.force = {mirrored ? across : along, mirrored ? along : across, 0.0}});
+  for (const Component c : {Component::X, Component::Y}) {
+    add_probe(scene, ProbeQuantity::Displacement, Place::end(),
+              mirrored ? (c == Component::X ? Component::Y : Component::X) : c);
+  }
+  return scene;
+}
+
+constexpr YieldModel kCoupled[] = {YieldModel::Interaction, YieldModel::Fibre};
+
+TEST(UnevenJoints, MoveAsTheirMirrorImageDoes) {
+  for (const Scheme scheme : {Scheme::EnergyMomentum, Scheme::LinearlyImplicitMidpoint}) {
+    SolverOptions options;
+    options.analysis = Analysis::Dynamics;
+    options.level = Level::Spatial;
+    options.scheme = scheme;
+    options.duration = 0.2;
+    options.time_step = 1e-3;
+    const Response one = completed(narrowing_bar(false, YieldModel::Interaction), options);
+    const Response other = completed(narrowing_bar(true, YieldModel::Interaction), options);
+    for (const std::size_t probe : {0U, 1U}) {
+      EXPECT_NEAR(last_of(one, probe), last_of(other, probe),
+                  tolerance(2e-3 * std::fabs(last_of(one, probe))));
+    }
+    EXPECT_NEAR(one.chain.energy.back().plastic, other.chain.energy.back().plastic,
+                tolerance(2e-3 * one.chain.energy.back().plastic));
+    EXPECT_GT(one.chain.energy.back().plastic, 1.0);
+  }
+}
+
+TEST(UnevenJoints, DissipateWhatIsDoneOnThem) {
+  for (const YieldModel model : kCoupled) {
+    std::array<double, 2> plastic{};
+    for (const bool mirrored : {false, true}) {
+      double before = 0.0;
+      for (const int steps : {25, 100}) {
+        const Response path =
+            completed(narrowing_bar(mirrored, model), {.level = Level::Spatial, .steps = steps});
+        const Energies& end = path.chain.energy.back();
+        const double error = std::fabs(end.residual) / end.external;
+        EXPECT_LT(error, steps == 25 ? 0.02 : 2e-3) << steps;
+        if (steps == 100) EXPECT_LT(error, 0.35 * before);
+        before = error;
+        plastic[mirrored ? 1 : 0] = end.plastic;
+      }
+    }
+    EXPECT_GT(plastic[0], 1.0);
+    EXPECT_NEAR(plastic[0], plastic[1], tolerance(5e-3 * plastic[0]));
+  }
+}
+
+}  // namespace
+}  // namespace plastica
