@@ -336,20 +336,16 @@ class SectionJoints final : public SectionJointsBase<L, kElastic> {
     for (std::size_t k = 0; k < kR; ++k) seen[count++] = First + k;
     if (kElastic && !axial_given) seen[count++] = kAxial;
     const std::span<const std::size_t> components(seen.data(), count);
-    const law::SectionStrain<S>& stiffness = joints_[j].stiffness;
-    const law::SectionStrain<S>& excess = excess_[j];
+    const auto& stiffness = joints_[j].stiffness;
+    const auto& excess = excess_[j];
     for (const std::size_t k : components) {
       elastic_[j] = elastic_[j] + excess[k] * energy_of(now.force[k], stiffness[k]);
     }
     if constexpr (!std::is_empty_v<typename Law::State>) {
-      const UnevenState<S>& before = uneven_before_[j];
-      UnevenState<S>& after = uneven_after_[j];
-      after = uneven_state(strain, now, stiffness, components);
-      const law::SectionForce<S> mean =
-          mean_of_flow<law::kIsPerAxis<Law>>(before, after, now, stiffness, components);
-      for (const std::size_t k : components) {
-        work_[j] = work_[j] + excess[k] * mean[k] * (after.permanent[k] - before.permanent[k]);
-      }
+      uneven_after_[j] = uneven_state(strain, now, stiffness, components);
+      work_[j] =
+          work_[j] + uneven_work<law::kIsPerAxis<Law>>(excess, uneven_before_[j], uneven_after_[j],
+                                                       now, stiffness, components);
     }
   }
 

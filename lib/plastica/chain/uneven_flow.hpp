@@ -94,4 +94,21 @@ law::SectionForce<S> mean_of_flow(const UnevenState<S>& before, const UnevenStat
   return mean;
 }
 
+/// What components dissipate in a step that are longer than the first by `excess`. Where the law
+/// says that nothing flows, it is 0, and not what rounding makes of it.
+template <bool kPerAxis, class S>
+S uneven_work(const law::SectionStrain<S>& excess, const UnevenState<S>& before,
+              const UnevenState<S>& after, const law::SectionResponse<S>& now,
+              const law::SectionForce<S>& stiffness, std::span<const std::size_t> components) {
+  const S zero = constant<S>(0);
+  const mask_t<S> flows = (now.plastic_work > zero) | (now.plastic_work < zero);
+  const law::SectionForce<S> mean =
+      mean_of_flow<kPerAxis>(before, after, now, stiffness, components);
+  S work = zero;
+  for (const std::size_t k : components) {
+    work = work + excess[k] * mean[k] * (after.permanent[k] - before.permanent[k]);
+  }
+  return select(flows, work, zero);
+}
+
 }  // namespace plastica::chain

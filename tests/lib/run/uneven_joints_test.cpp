@@ -78,7 +78,9 @@ TEST(UnevenJoints, DissipateWhatIsDoneOnThem) {
       }
     }
     EXPECT_GT(plastic[0], 1.0);
-    EXPECT_NEAR(plastic[0], plastic[1], tolerance(5e-3 * plastic[0]));
+    // What fibres keep by their own stresses is that of the length about one axis.
+    const double same = model == YieldModel::Fibre ? 0.02 : 1e-3;
+    EXPECT_NEAR(plastic[0], plastic[1], tolerance(same * plastic[0]));
   }
 }
 
