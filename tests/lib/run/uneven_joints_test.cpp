@@ -29,8 +29,10 @@ Scene narrowing_bar(bool mirrored, YieldModel model) {
   Section narrow = scene.section;
   (mirrored ? narrow.height : narrow.width) = 0.012;
   scene.regions.push_back({{0.5, {}}, {1.0, {}}, narrow, scene.material});
-  const double along = 180.0;
-  const double across = 150.0;
+  // Fibres carry more than what yields at first.
+  const double factor = model == YieldModel::Fibre ? 1.3 : 1.0;
+  const double along = 180.0 * factor;
+  const double across = 150.0 * factor;
   scene.loads.push_back({.force = {mirrored ? across : along, mirrored ? along : across, 0.0}});
   for (const Component c : {Component::X, Component::Y}) {
     add_probe(scene, ProbeQuantity::Displacement, Place::end(),
@@ -47,7 +49,7 @@ TEST(UnevenJoints, MoveAsTheirMirrorImageDoes) {
     options.analysis = Analysis::Dynamics;
     options.level = Level::Spatial;
     options.scheme = scheme;
-    options.duration = 0.2;
+    options.duration = 1.0;  // over which the load grows
     options.time_step = 1e-3;
     const Response one = completed(narrowing_bar(false, YieldModel::Interaction), options);
     const Response other = completed(narrowing_bar(true, YieldModel::Interaction), options);
@@ -72,14 +74,16 @@ TEST(UnevenJoints, DissipateWhatIsDoneOnThem) {
         const Energies& end = path.chain.energy.back();
         const double error = std::fabs(end.residual) / end.external;
         EXPECT_LT(error, steps == 25 ? 0.02 : 2e-3) << steps;
-        if (steps == 100) EXPECT_LT(error, 0.35 * before);
+        if (steps == 100) {
+          EXPECT_LT(error, 0.35 * before);
+        }
         before = error;
         plastic[mirrored ? 1 : 0] = end.plastic;
       }
     }
-    EXPECT_GT(plastic[0], 1.0);
+    EXPECT_GT(plastic[0], 0.5);
     // What fibres keep by their own stresses is that of the length about one axis.
-    const double same = model == YieldModel::Fibre ? 0.02 : 1e-3;
+    const double same = model == YieldModel::Fibre ? 0.03 : 1e-3;
     EXPECT_NEAR(plastic[0], plastic[1], tolerance(same * plastic[0]));
   }
 }
