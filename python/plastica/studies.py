@@ -353,7 +353,7 @@ def check(path: str | PathLike[str], *, threads: int = 0, progress: Progress = N
     for note in file.notes:
         _warnings.warn(note, SceneWarning, stacklevel=2)
     verdicts = file.run(_thread_count(threads), reporter(progress, "check", file.cases))
-    return [Claim(**{**verdict, "worst": [JudgedNumber(*one) for one in verdict["worst"]]})
+    return [Claim(worst=[JudgedNumber(*one) for one in verdict.pop("worst")], **verdict)
             for verdict in verdicts]
 
 

@@ -316,7 +316,7 @@ INSTANTIATE_TEST_SUITE_P(
         BadInput{"empty",
                  kCurve,
                  {"calibrate", "a.csv", "--shard", ""},
-                 "--shard: must be the number of a shard and how many there are, such as 2/7"},
+                 "argument 4, behind --shard: is empty"},
         BadInput{"auto_alone",
                  kCurve,
                  {"calibrate", "a.csv", "--shard", "auto"},

@@ -329,8 +329,8 @@ class SectionJoints final : public SectionJointsBase<L, kElastic> {
   /// Adds what components do that are longer than the first: uneven_flow.hpp.
   /// @param axial_given  the axial force does no work here, and its strain is not in `strain`
   template <std::size_t First>
-  void add_uneven(std::size_t j, const law::SectionStrain<S>& strain,
-                  const law::SectionResponse<S>& now, bool axial_given) {
+  [[gnu::noinline]] void add_uneven(std::size_t j, const law::SectionStrain<S>& strain,
+                                    const law::SectionResponse<S>& now, bool axial_given) {
     std::array<std::size_t, kR + 1> seen{};
     std::size_t count = 0;
     for (std::size_t k = 0; k < kR; ++k) seen[count++] = First + k;

@@ -135,14 +135,11 @@ mask_t<typename L::Scalar> MotionStep<L, kElastic>::fit_to_rates(Motions& motion
   }
 }
 
-/// Whether a support's speed jumps at the end of the step; not at the end of the motion, behind
-/// which nothing moves any more.
+/// Whether a support's speed jumps at the end of the step.
 template <class L, bool kElastic>
 bool MotionStep<L, kElastic>::passes_corner() const {
-  const auto& stops = options_.stops;
-  if (!stops.empty() && w_.time >= stops.back() - kRounding * h_) return false;
   const auto jumps = [&](std::size_t history) {
-    const StepEnd end{w_.time, h_, kRounding * h_};
+    const StepEnd end{w_.time, h_, reach()};
     const auto& factor = chain_.histories[history];
     if constexpr (kHasLanes<S>) {
       return speed_jumps(*factor.history, end, rule_.midpoint);
@@ -241,7 +238,7 @@ void MotionStep<L, kElastic>::restart() {
   chain::place<kElastic>(chain_, w_.q, w_.time, w_.placement);
   joints_.set_time(0.0);
   evaluate_laws();
-  set_joint_spins(motion_, w_.time + kRounding * h_);
+  set_joint_spins(motion_, w_.time + reach());
   joint_motion_.begin_damping(options_, w_.angles, spins_, w_.joints);
   for (std::size_t g = 0; g < ground_moment_.size(); ++g) ground_moment_[g] = ground_moment(g);
   for (MomentumError<L>& error : momentum_) error.knows_outside = false;
@@ -259,7 +256,7 @@ void MotionStep<L, kElastic>::restart() {
   laws_alone_.force = w_.joints.force;
   const auto support_at = [this](std::size_t history) {
     const auto& factor = chain_.histories[history];
-    const double time = w_.time + kRounding * h_;
+    const double time = w_.time + reach();
     return SupportRates<S>{chain::factor_as<S>(factor.slope_at(time)),
                            chain::factor_as<S>(factor.curvature_at(time))};
   };

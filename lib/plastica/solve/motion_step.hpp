@@ -292,9 +292,17 @@ class MotionStep {
   double free_fraction() const;
   void meet_at_begin();
   bool leaves_loaded();
-  /// Of a history behind the time that is reached, which may be a corner but for rounding.
+  /// From the time that is reached, which may be a corner but for rounding, to where histories are
+  /// as they go on [s]: behind it, but at the end of the motion, where supports do not stop any
+  /// more.
+  double reach() const {
+    const auto& stops = options_.stops;
+    const bool ends = !stops.empty() && w_.time >= stops.back() - kRounding * h_;
+    return ends ? -kRounding * h_ : kRounding * h_;
+  }
+  /// Of a history there.
   S slope_of(std::size_t history) const {
-    return chain::factor_as<S>(chain_.histories[history].slope_at(w_.time + kRounding * h_));
+    return chain::factor_as<S>(chain_.histories[history].slope_at(w_.time + reach()));
   }
   double approach_of(std::size_t constraint) const;
   mask_t<S> fit_velocities(Motions& motion);

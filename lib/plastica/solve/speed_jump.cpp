@@ -10,7 +10,7 @@ bool speed_jumps(const History& history, const StepEnd& end, bool midpoint) {
     // A smooth one at its ends alone: Newmark's and Euler's velocities follow it by themselves, but
     // the midpoint's, if left alone, swing about it.
     const auto is_there = [&](double time, double slope) {
-      return slope != 0.0 && time > end.time - end.length + end.reach &&
+      return slope != 0.0 && time > end.time - end.length + std::fabs(end.reach) &&
              time <= end.time + end.reach;
     };
     return is_there(history.time.front(), history.slope.front()) ||

@@ -8,7 +8,8 @@ namespace plastica::solve {
 struct StepEnd {
   double time = 0.0;    ///< [s]
   double length = 0.0;  ///< of the step [s]
-  double reach = 0.0;   ///< how far behind the end is after it, but for rounding [s]
+  /// How far behind the end is after it, but for rounding [s]; negative: nothing follows.
+  double reach = 0.0;
 };
 
 /// Whether the speed of what a history moves jumps at the end of a step, as its scheme sees it.

@@ -221,7 +221,7 @@ TEST(SceneScan, ScansAPair) {
   EXPECT_EQ(class_at(rows.front().at[0].value), Validity::Inaccurate);
   EXPECT_EQ(class_at(32.0), Validity::Valid);
   EXPECT_TRUE(
-      plastica::testing::has(pair_map(rows, setup, segments, loads).text(), "lg scale.loads"));
+      plastica::testing::has(pair_map(rows, setup, segments, loads).text(), "set logscale y"));
 }
 
 TEST(SceneScan, TakesAllNumbersOfTheSceneUnlessSomeAreNamed) {
