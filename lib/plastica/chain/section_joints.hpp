@@ -271,7 +271,9 @@ class SectionJoints final : public SectionJointsBase<L, kElastic> {
     const S energy_length = joint.length[First];
     elastic_[j] = energy_length * now.elastic_energy;
     work_[j] = energy_length * now.plastic_work;
-    if (!excess_.empty()) add_uneven<First>(j, strain, now, axial_given);
+    if constexpr (kR > 1 || kElastic) {
+      if (!excess_.empty()) add_uneven<First>(j, strain, now, axial_given);
+    }
 
     typename L::Spin moment;
     Mat<S, kR, kR> slope;
@@ -329,8 +331,8 @@ class SectionJoints final : public SectionJointsBase<L, kElastic> {
   /// Adds what components do that are longer than the first: uneven_flow.hpp.
   /// @param axial_given  the axial force does no work here, and its strain is not in `strain`
   template <std::size_t First>
-  [[gnu::noinline]] void add_uneven(std::size_t j, const law::SectionStrain<S>& strain,
-                                    const law::SectionResponse<S>& now, bool axial_given) {
+  void add_uneven(std::size_t j, const law::SectionStrain<S>& strain,
+                  const law::SectionResponse<S>& now, bool axial_given) {
     std::array<std::size_t, kR + 1> seen{};
     std::size_t count = 0;
     for (std::size_t k = 0; k < kR; ++k) seen[count++] = First + k;
