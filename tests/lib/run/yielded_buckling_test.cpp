@@ -5,6 +5,7 @@
 
 #include "plastica/model/profile_table.hpp"
 #include "tests/support/chain_scene.hpp"
+#include "tests/support/sanitized.hpp"
 
 // Planar beams that leave their plane, and that yield before or after: their moments are those of
 // statics, so that theory's critical load is known in any case. What flows resists with the slope
@@ -152,6 +153,7 @@ TEST(YieldedBuckling, OfAnISectionIsWhereTheSpatialLevelHasIt) {
 TEST(YieldedBuckling, OnTheWayToAStateThatIsStableAgainIsTold) {
   for (const double fraction : {0.98, 1.05, 1.5, 3.0}) {
     for (const int steps : {5, 20, 100}) {
+      if (steps == 100 && (testing::kSanitized || fraction != 1.05)) continue;
       Scene scene = testing::cantilever_scene(20);
       scene.section = {.width = 0.01, .height = 0.1};
       scene.material.youngs_modulus = 210e9;
