@@ -94,9 +94,11 @@ FigurePanel profile_panel(const ShownParameter& p, const LikelihoodProfile& prof
        Stroke::Line});
   if (profile.low_end == ProfileEnd::Crossed) panel.marks.push_back(profile.low / unit.scale);
   if (profile.high_end == ProfileEnd::Crossed) panel.marks.push_back(profile.high / unit.scale);
-  if (!panel.marks.empty()) panel.mark_name = "ends of the interval";
-  // The points are those of the noise alone.
-  if (p.sampling_error > 0.0) panel.mark_name += ", of a break with its sampling";
+  if (!panel.marks.empty()) {
+    // The points are those of the noise alone.
+    panel.mark_name = p.sampling_error > 0.0 ? "ends of the interval, of a break with its sampling"
+                                             : "ends of the interval";
+  }
   return panel;
 }
 

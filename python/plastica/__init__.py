@@ -41,9 +41,8 @@ from .studies import Advice, Claim, JudgedNumber, Sweep, advise, check, export, 
 __all__ = [
     "Advice", "Batch", "Beam", "BeamTest", "Claim", "Cut", "Drive", "Fit", "Fits", "Hardening",
     "InitialMotion", "InputError", "JudgedNumber", "Load", "Material", "Model", "Parameter",
-    "PointMass", "Probe",
-    "Problem", "Rate", "Region", "Response", "Rules", "Scene", "SceneWarning", "Section",
-    "Sensitivity", "Simulation", "Solver", "Support", "Sweep", "__version__", "advise", "check",
-    "cycles", "export", "fit", "fit_scenes", "load", "prepare", "problem", "simulate", "sweep",
-    "turning_points",
+    "PointMass", "Probe", "Problem", "Rate", "Region", "Response", "Rules", "Scene", "SceneWarning",
+    "Section", "Sensitivity", "Simulation", "Solver", "Support", "Sweep", "__version__", "advise",
+    "check", "cycles", "export", "fit", "fit_scenes", "load", "prepare", "problem", "simulate",
+    "sweep", "turning_points",
 ]
