@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <set>
 
 #include "plastica/base/parallel_for.hpp"
 #include "plastica/model/region.hpp"
@@ -26,6 +27,7 @@ Setup with_fixed(const Setup& setup, const SceneFitOptions& options) {
 namespace {
 
 RunCounters counters_of(const SceneCurve& curve) {
+  if (!curve.was_run) return {};
   return {curve.is_extended ? 2 : 1, curve.usable ? 0 : 1, curve.segment_iterations};
 }
 
@@ -64,6 +66,7 @@ SceneProblem::SceneProblem(std::span<const WeightedTarget> targets, const SceneF
       })) {
     add_known_breaks();
   }
+  squares_.has_companions = std::ranges::all_of(models_, &SceneModel::has_companions);
   squares_.evaluate = [this](std::span<const double> points, std::span<double> residuals,
                              std::span<bool> found) { set_residuals(points, residuals, found); };
 }
@@ -110,36 +113,52 @@ std::vector<double> SceneProblem::point(std::span<const double> points, std::siz
 
 std::vector<std::vector<SceneCurve>> SceneProblem::curves(std::span<const double> points,
                                                           std::size_t count) {
+  const std::vector<std::size_t> leads = leads_among(points, count);
+  const auto key = [&](std::size_t i) {
+    std::vector<double> both = point(points, leads[i]);
+    const std::vector<double> own = point(points, i);
+    both.insert(both.end(), own.begin(), own.end());
+    return both;
+  };
+  // What is missing, each behind its lead, which is run again for its companions.
   const auto find_missing = [&] {
-    std::vector<std::vector<double>> missing;
+    std::vector<std::size_t> missing;
+    std::set<std::vector<double>> named;
     for (std::size_t i = 0; i < count; ++i) {
-      const std::vector<double> x = point(points, i);
-      const bool known = known_.contains(x) || std::ranges::find(missing, x) != missing.end();
-      if (!known) missing.push_back(x);
+      if (known_.contains(key(i)) || !named.insert(key(i)).second) continue;
+      if (named.insert(key(leads[i])).second) missing.push_back(leads[i]);
+      missing.push_back(i);
     }
     return missing;
   };
-  std::vector<std::vector<double>> missing = find_missing();
+  std::vector<std::size_t> missing = find_missing();
   if (!missing.empty() && known_.size() > kMaxKnown) {
     known_.clear();
     missing = find_missing();
   }
-  std::vector<std::vector<SceneCurve>> found = run(missing);
+  std::vector<std::vector<double>> to_run;
+  std::vector<std::size_t> their_leads;
+  for (const std::size_t i : missing) {
+    to_run.push_back(point(points, i));
+    const auto lead = std::ranges::find(missing, leads[i]);
+    their_leads.push_back(static_cast<std::size_t>(lead - missing.begin()));
+  }
+  std::vector<std::vector<SceneCurve>> found = run(to_run, their_leads);
   for (std::size_t i = 0; i < missing.size(); ++i) {
-    std::vector<SceneCurve>& of_targets = known_[missing[i]];
+    std::vector<SceneCurve>& of_targets = known_[key(missing[i])];
     of_targets.clear();
     for (std::vector<SceneCurve>& of_target : found) of_targets.push_back(std::move(of_target[i]));
   }
   std::vector<std::vector<SceneCurve>> curves(models_.size());
   for (std::size_t i = 0; i < count; ++i) {
-    const std::vector<SceneCurve>& of_targets = known_.at(point(points, i));
+    const std::vector<SceneCurve>& of_targets = known_.at(key(i));
     for (std::size_t t = 0; t < curves.size(); ++t) curves[t].push_back(of_targets[t]);
   }
   return curves;
 }
 
 std::vector<std::vector<SceneCurve>> SceneProblem::run(
-    const std::vector<std::vector<double>>& points) {
+    const std::vector<std::vector<double>>& points, std::span<const std::size_t> leads) {
   std::vector<std::vector<SceneCurve>> curves(models_.size());
   if (points.empty()) return curves;
   if (options_.hooks.stopped()) throw FitInterrupted();
@@ -152,7 +171,8 @@ std::vector<std::vector<SceneCurve>> SceneProblem::run(
   const bool by_target = points.size() == 1;
   const int threads = options_.threads;
   parallel_for(models_.size(), {by_target ? threads : 1}, [&](std::size_t t, int) {
-    curves[t] = models_[t].run(values, points.size(), by_target ? 1 : threads, options_.hooks.stop);
+    curves[t] =
+        models_[t].run(values, points.size(), by_target ? 1 : threads, options_.hooks.stop, leads);
   });
   // What was not begun has no curve, and must not count as a scene without one.
   if (options_.hooks.stopped()) throw FitInterrupted();
@@ -172,10 +192,12 @@ void SceneProblem::set_residuals(std::span<const double> points, std::span<doubl
 }
 
 std::vector<PointRun> SceneProblem::evaluate(std::span<const double> points, std::size_t count,
-                                             std::span<double> residuals) {
+                                             std::span<double> residuals,
+                                             std::span<const std::size_t> leads) {
   std::vector<std::vector<double>> each;
   for (std::size_t i = 0; i < count; ++i) each.push_back(point(points, i));
-  return compare(run(each), points, residuals);
+  const std::vector<std::size_t> among = leads_among(points, count);
+  return compare(run(each, leads.empty() ? among : leads), points, residuals);
 }
 
 std::vector<PointRun> SceneProblem::compare(const std::vector<std::vector<SceneCurve>>& curves,

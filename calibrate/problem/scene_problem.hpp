@@ -86,7 +86,7 @@ class SceneProblem {
   std::vector<double> unscaled(std::size_t t, std::span<const double> residuals) const;
 
   /// The curves of all targets at several points, run in parallel; what was run there lately is not
-  /// run again.
+  /// run again, if it was beside the same lead (`leads_among`).
   /// @param points  coordinates (count x n), row by row
   /// @return by target and point (n_targets, count)
   std::vector<std::vector<SceneCurve>> curves(std::span<const double> points, std::size_t count);
@@ -95,9 +95,11 @@ class SceneProblem {
   /// the points alone.
   /// @param points  coordinates (count x n), row by row
   /// @param residuals  to be filled where they are found (count x m)
+  /// @param leads  whose companion each may be; empty: `leads_among` them (count)
   /// @return of each point (count)
   std::vector<PointRun> evaluate(std::span<const double> points, std::size_t count,
-                                 std::span<double> residuals);
+                                 std::span<double> residuals,
+                                 std::span<const std::size_t> leads = {});
 
   /// Of the last run without a curve.
   const std::string& reason() const { return reason_; }
@@ -111,7 +113,8 @@ class SceneProblem {
   std::vector<PointRun> compare(const std::vector<std::vector<SceneCurve>>& curves,
                                 std::span<const double> points, std::span<double> residuals) const;
   void add_residuals(std::size_t t, const SceneCurve& curve, std::span<double> residuals) const;
-  std::vector<std::vector<SceneCurve>> run(const std::vector<std::vector<double>>& points);
+  std::vector<std::vector<SceneCurve>> run(const std::vector<std::vector<double>>& points,
+                                           std::span<const std::size_t> leads);
   std::vector<double> point(std::span<const double> points, std::size_t index) const;
   void add_priors(std::span<const double> x, std::span<double> residuals) const;
   void add_known_breaks();
@@ -130,8 +133,9 @@ class SceneProblem {
   std::vector<KnownBreak> known_breaks_;
   LeastSquaresProblem squares_;
   static constexpr std::size_t kMaxKnown = 64;
-  std::map<std::vector<double>, std::vector<SceneCurve>>
-      known_;  ///< curves of the targets by point
+  /// Curves of the targets by the lead's coordinates and the point's own: a companion's differ from
+  /// those of a lone run within the tolerance.
+  std::map<std::vector<double>, std::vector<SceneCurve>> known_;
   RunCounters counters_;
   std::string reason_;
 };

@@ -1,6 +1,7 @@
 #include "calibrate/search/least_squares.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <memory>
 #include <utility>
 
@@ -18,6 +19,23 @@ std::string_view name_of(LeastSquaresOutcome outcome) {
     case LeastSquaresOutcome::SetAside: return "set-aside";
   }
   return "";
+}
+
+std::vector<std::size_t> leads_among(std::span<const double> points, std::size_t count) {
+  const std::size_t n = count > 0 ? points.size() / count : 0;
+  const auto beside = [&](std::size_t i, std::size_t lead) {
+    for (std::size_t k = 0; k < n; ++k) {
+      if (!(std::abs(points[i * n + k] - points[lead * n + k]) <= kBeside)) return false;
+    }
+    return true;
+  };
+  std::vector<std::size_t> leads;
+  for (std::size_t i = 0; i < count; ++i) {
+    std::size_t lead = 0;
+    while (lead < i && !(leads[lead] == lead && beside(i, lead))) ++lead;
+    leads.push_back(lead);
+  }
+  return leads;
 }
 
 LeastSquares minimize_squares(const LeastSquaresProblem& problem,
@@ -48,7 +66,8 @@ std::vector<double> residual_slopes(const LeastSquaresProblem& problem, std::spa
                                     std::span<const double> at, double step) {
   const std::size_t n = x.size();
   const std::size_t m = problem.residuals;
-  // Two points a coordinate; one that a bound holds is `x` itself, whose residuals are known.
+  // Two points a coordinate; one that a bound holds is `x` itself, whose residuals are known. They
+  // may lie beside `x`.
   std::vector<double> ends(2 * n);
   std::vector<double> points;
   std::vector<std::size_t> which;
@@ -62,13 +81,16 @@ std::vector<double> residual_slopes(const LeastSquaresProblem& problem, std::spa
       points[points.size() - n + k] = ends[end];
     }
   }
-  std::vector<double> moved(which.size() * m);
-  const auto found = std::make_unique<bool[]>(which.size());
-  if (!which.empty()) problem.evaluate(points, moved, {found.get(), which.size()});
+  const std::size_t first = problem.has_companions && !which.empty() ? 1 : 0;
+  if (first == 1) points.insert(points.begin(), x.begin(), x.end());
+  const std::size_t count = first + which.size();
+  std::vector<double> moved(count * m);
+  const auto found = std::make_unique<bool[]>(count);
+  if (count > 0) problem.evaluate(points, moved, {found.get(), count});
   std::vector<std::span<const double>> residuals(2 * n, at);
   for (std::size_t i = 0; i < which.size(); ++i) {
-    if (found[i]) {
-      residuals[which[i]] = std::span<const double>(moved).subspan(i * m, m);
+    if (found[first + i]) {
+      residuals[which[i]] = std::span<const double>(moved).subspan((first + i) * m, m);
     } else {
       ends[which[i]] = x[which[i] / 2];  // the other side alone
     }

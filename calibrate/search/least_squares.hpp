@@ -24,7 +24,17 @@ struct LeastSquaresProblem {
   using AtPoints = std::function<void(std::span<const double> points, std::span<double> residuals,
                                       std::span<bool> found)>;
   AtPoints evaluate;
+  /// Whether points beside the first one that is asked for, within `kBeside` of it, cost less than
+  /// points of their own; where it has no residuals, they have none.
+  bool has_companions = false;
 };
+
+/// In each coordinate.
+inline constexpr double kBeside = 2e-4;
+
+/// For each point the first one that it lies beside, or itself.
+/// @param points  (count x n), row by row
+std::vector<std::size_t> leads_among(std::span<const double> points, std::size_t count);
 
 /// One point after the other.
 LeastSquaresProblem::AtPoints one_by_one(LeastSquaresProblem::AtPoint residual);

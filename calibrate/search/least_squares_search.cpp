@@ -29,9 +29,9 @@ LeastSquaresSearch::LeastSquaresSearch(const LeastSquaresProblem& problem,
       upper_(vector_of(problem.upper)),
       x_(vector_of(problem.start)),
       r_(static_cast<Index>(problem.residuals)),
-      steps_(lower_, upper_, options) {
-  ++evaluations_;
-  ask(Phase::Start, problem.start, 1);
+      steps_(lower_, upper_, options),
+      has_companions_(problem.has_companions) {
+  ask_point(Phase::Start, x_);
 }
 
 LeastSquares LeastSquaresSearch::result() const {
@@ -57,59 +57,105 @@ void LeastSquaresSearch::ask(Phase phase, std::vector<double> points, std::size_
 
 void LeastSquaresSearch::take(std::span<const double> residuals, std::span<const bool> found) {
   switch (phase_) {
-    case Phase::Start: take_start(residuals, found[0]); return;
-    case Phase::Slopes: take_slopes(residuals, found); return;
-    case Phase::Trial: take_trial(residuals, found[0]); return;
+    case Phase::Start: take_start(residuals, found); return;
+    case Phase::Slopes:
+      if (has_companions_) {
+        take_slopes_beside(residuals, found);
+      } else {
+        take_slopes(residuals, found);
+      }
+      return;
+    case Phase::Trial: take_trial(residuals, found); return;
     case Phase::Done: return;
   }
 }
 
-void LeastSquaresSearch::take_start(std::span<const double> residuals, bool found) {
-  r_ = vector_of(residuals);
-  cost_ = found ? cost_of(r_) : std::numeric_limits<double>::infinity();
+/// Asks for a point and, where that costs little, for those of its differences, in case it is a
+/// better one.
+void LeastSquaresSearch::ask_point(Phase phase, const VectorXd& x) {
+  std::vector<double> points(x.data(), x.data() + x.size());
+  within_.clear();
+  has_slopes_ = has_companions_ && evaluations_ + x.size() < options_.max_evaluations;
+  if (has_slopes_) {
+    want_all_slopes();
+    add_moved(x, points);
+  }
+  evaluations_ += 1 + static_cast<int>(within_.size());
+  ask(phase, std::move(points), 1 + within_.size());
+}
+
+void LeastSquaresSearch::take_start(std::span<const double> residuals,
+                                    std::span<const bool> found) {
+  r_ = vector_of(residuals.first(static_cast<std::size_t>(r_.size())));
+  cost_ = found[0] ? cost_of(r_) : std::numeric_limits<double>::infinity();
   if (!std::isfinite(cost_)) {
     end(LeastSquaresOutcome::NoStart);
   } else if (x_.size() == 0) {
     end(LeastSquaresOutcome::StepReached);
   } else {
-    begin_slopes();
+    begin_slopes(residuals, found);
   }
 }
 
 /// Forward differences; backward at the upper bound, and where there is nothing ahead. A
 /// coordinate without either is not moved.
-void LeastSquaresSearch::begin_slopes() {
-  jacobian_ = MatrixXd::Zero(r_.size(), x_.size());
+void LeastSquaresSearch::want_all_slopes() {
   wanted_.resize(static_cast<std::size_t>(x_.size()));
   std::iota(wanted_.begin(), wanted_.end(), Index{0});
   side_ = options_.difference_step;
-  ask_slopes();
 }
 
-void LeastSquaresSearch::ask_slopes() {
+/// @param residuals, found  of the point that the search is at now, and of what was asked for with
+///                          it
+void LeastSquaresSearch::begin_slopes(std::span<const double> residuals,
+                                      std::span<const bool> found) {
+  jacobian_ = MatrixXd::Zero(r_.size(), x_.size());
+  if (has_slopes_) {
+    take_slopes_beside(residuals, found);
+  } else {
+    want_all_slopes();
+    ask_slopes();
+  }
+}
+
+/// Adds the points of wanted slopes that lie within the box.
+void LeastSquaresSearch::add_moved(const VectorXd& x, std::vector<double>& points) {
   std::vector<Index> left;
-  std::vector<double> points;
   within_.clear();
   for (const Index k : wanted_) {
-    const double to = x_[k] + side_;
+    const double to = x[k] + side_;
     if (to > upper_[k] || to < lower_[k]) {
       left.push_back(k);
       continue;
     }
     within_.push_back(k);
-    points.insert(points.end(), x_.data(), x_.data() + x_.size());
-    points[points.size() - static_cast<std::size_t>(x_.size() - k)] = to;
+    points.insert(points.end(), x.data(), x.data() + x.size());
+    points[points.size() - static_cast<std::size_t>(x.size() - k)] = to;
   }
   wanted_ = std::move(left);
+}
+
+void LeastSquaresSearch::ask_slopes() {
+  std::vector<double> points;
+  if (has_companions_) points.assign(x_.data(), x_.data() + x_.size());
+  add_moved(x_, points);
+  const std::size_t count = within_.size() + (has_companions_ ? 1 : 0);
   const int most = options_.max_evaluations - evaluations_;
-  if (static_cast<int>(within_.size()) > most) {
+  if (static_cast<int>(count) > most) {
     end(LeastSquaresOutcome::EvaluationsReached);
   } else if (within_.empty()) {
     take_slopes({}, {});
   } else {
-    evaluations_ += static_cast<int>(within_.size());
-    ask(Phase::Slopes, std::move(points), within_.size());
+    evaluations_ += static_cast<int>(count);
+    ask(Phase::Slopes, std::move(points), count);
   }
+}
+
+/// Those of points that were asked for behind the one that they lie beside.
+void LeastSquaresSearch::take_slopes_beside(std::span<const double> residuals,
+                                            std::span<const bool> found) {
+  points_.erase(points_.begin(), points_.begin() + x_.size());
+  take_slopes(residuals.subspan(static_cast<std::size_t>(r_.size())), found.subspan(1));
 }
 
 void LeastSquaresSearch::take_slopes(std::span<const double> residuals,
@@ -148,24 +194,23 @@ void LeastSquaresSearch::try_step() {
     end(LeastSquaresOutcome::EvaluationsReached);
     return;
   }
-  ++evaluations_;
-  const VectorXd to = steps_.target(x_);
-  ask(Phase::Trial, std::vector<double>(to.data(), to.data() + to.size()), 1);
+  ask_point(Phase::Trial, steps_.target(x_));
 }
 
-void LeastSquaresSearch::take_trial(std::span<const double> residuals, bool found) {
-  const VectorXd r = vector_of(residuals);
-  const double cost = found ? cost_of(r) : std::numeric_limits<double>::infinity();
+void LeastSquaresSearch::take_trial(std::span<const double> residuals,
+                                    std::span<const bool> found) {
+  const VectorXd r = vector_of(residuals.first(static_cast<std::size_t>(r_.size())));
+  const double cost = found[0] ? cost_of(r) : std::numeric_limits<double>::infinity();
   const auto ended = steps_.judge(cost_, cost);
   if (steps_.accepted()) {
-    x_ = vector_of(points_);
+    x_ = vector_of(std::span<const double>(points_).first(static_cast<std::size_t>(x_.size())));
     r_ = r;
     cost_ = cost;
   }
   if (ended) {
     end(*ended);
   } else if (steps_.accepted()) {
-    begin_slopes();
+    begin_slopes(residuals, found);
   } else {
     try_step();
   }

@@ -35,13 +35,17 @@ class LeastSquaresSearch {
 
   void end(LeastSquaresOutcome outcome);
   void ask(Phase phase, std::vector<double> points, std::size_t count);
-  void take_start(std::span<const double> residuals, bool found);
-  void begin_slopes();
+  void ask_point(Phase phase, const Eigen::VectorXd& x);
+  void take_start(std::span<const double> residuals, std::span<const bool> found);
+  void want_all_slopes();
+  void begin_slopes(std::span<const double> residuals, std::span<const bool> found);
+  void add_moved(const Eigen::VectorXd& x, std::vector<double>& points);
   void ask_slopes();
+  void take_slopes_beside(std::span<const double> residuals, std::span<const bool> found);
   void take_slopes(std::span<const double> residuals, std::span<const bool> found);
   void begin_trials();
   void try_step();
-  void take_trial(std::span<const double> residuals, bool found);
+  void take_trial(std::span<const double> residuals, std::span<const bool> found);
 
   LeastSquaresOptions options_;
   Eigen::VectorXd lower_, upper_;
@@ -58,6 +62,8 @@ class LeastSquaresSearch {
   std::size_t count_ = 0;
   std::vector<Eigen::Index> wanted_, within_;  ///< coordinates without a slope yet, and asked for
   double side_ = 0.0;                          ///< step of the differences that are asked for
+  bool has_companions_ = false;
+  bool has_slopes_ = false;  ///< whether slopes were asked for with the point
 };
 
 }  // namespace plastica::calibrate

@@ -165,13 +165,17 @@ void SceneSearch::search_together(std::string_view stage, const Points& starts, 
   tell(stage, done, starts.size());
   for (bool first = true; done < which.front() + which.size(); first = false) {
     std::vector<double> points;
-    std::size_t count = 0;
+    std::vector<std::size_t> leads;  // of its own search: bits depend on no other one
     for (const LeastSquaresSearch& search : searches) {
+      const std::size_t before = leads.size();
       points.insert(points.end(), search.points().begin(), search.points().end());
-      count += search.count();
+      for (const std::size_t lead : leads_among(search.points(), search.count())) {
+        leads.push_back(before + lead);
+      }
     }
+    const std::size_t count = leads.size();
     std::vector<double> residuals(count * m);
-    const std::vector<PointRun> runs = problem_.evaluate(points, count, residuals);
+    const std::vector<PointRun> runs = problem_.evaluate(points, count, residuals, leads);
     const auto found = std::make_unique<bool[]>(count);
     for (std::size_t i = 0; i < count; ++i) found[i] = runs[i].found;
     std::size_t next = 0;

@@ -92,12 +92,6 @@ std::string how_it_ended(Status status, const Setup& setup) {
   return fmt::format("the scene ended {}: {}", name_of(status), advice(status, in_motion));
 }
 
-SceneCurve failed(std::string reason) {
-  SceneCurve curve;
-  curve.reason = std::move(reason);
-  return curve;
-}
-
 }  // namespace
 
 std::size_t probe_index(const Scene& scene, const std::string& name, std::string_view field,
@@ -152,16 +146,6 @@ Setup SceneModel::setup_at(const Setup& base, std::span<const double> values) co
   return setup;
 }
 
-std::vector<SceneCurve> SceneModel::run(std::span<const double> values, std::size_t count,
-                                        int threads, StopFlag stop) const {
-  BatchOptions how;
-  how.threads = threads;
-  how.stop = stop;
-  std::vector<SceneCurve> curves = run(false, values, count, how);
-  if (extended_) extend(values, how, curves);
-  return curves;
-}
-
 std::vector<std::string> SceneModel::warnings(std::span<const double> values) const {
   const Setup at = setup_at(setup_, values);
   try {
@@ -197,59 +181,6 @@ std::vector<bool> SceneModel::joints_of_the_limit(const Setup& setup, const Mode
     joints.push_back(limited_[chain.layout.regions[joint.owner].scene_region]);
   }
   return joints;
-}
-
-/// Runs those again whose path ends early.
-void SceneModel::extend(std::span<const double> values, const BatchOptions& how,
-                        std::vector<SceneCurve>& curves) const {
-  std::vector<std::size_t> early;
-  std::vector<double> their_values;
-  const std::size_t n = fields_.size();
-  for (std::size_t i = 0; i < curves.size(); ++i) {
-    if (!curves[i].ends_early) continue;
-    early.push_back(i);
-    const std::span<const double> at = values.subspan(i * n, n);
-    their_values.insert(their_values.end(), at.begin(), at.end());
-  }
-  if (early.empty()) return;
-  std::vector<SceneCurve> extended = run(true, their_values, early.size(), how);
-  for (std::size_t k = 0; k < early.size(); ++k) {
-    SceneCurve& curve = curves[early[k]];
-    extended[k].segment_iterations += curve.segment_iterations;
-    if (!extended[k].usable) {
-      extended[k].reason += fmt::format(" (its ramps going on to {} times their ends)", kMaxTimes);
-    }
-    curve = std::move(extended[k]);
-  }
-}
-
-std::vector<SceneCurve> SceneModel::run(bool is_extended, std::span<const double> values,
-                                        std::size_t count, const BatchOptions& how) const {
-  const Setup& setup = is_extended ? *extended_setup_ : setup_;
-  const Model& model = is_extended ? *extended_ : model_;
-  std::vector<SceneCurve> curves(count);
-  const std::size_t n = fields_.size();
-  const auto values_of = [&](std::size_t i) { return values.subspan(i * n, n); };
-  const auto curve = [&](std::size_t i, const Response& response) {
-    return curve_of(response, joints_of_the_limit(setup, model, values_of(i)), is_extended);
-  };
-  if (prepared_) {
-    run_batch(
-        model, values, count,
-        [&](std::size_t i, Response&& response) { curves[i] = curve(i, response); }, how);
-    return curves;
-  }
-  run_batch(
-      count,
-      [&](std::size_t i) {
-        const Setup at = setup_at(setup, values_of(i));
-        return BatchCase{std::to_string(i), at.scene, at.solver};
-      },
-      [&](std::size_t i, BatchRow&& row) {
-        curves[i] = row.reason.empty() ? curve(i, row.response) : failed(row.reason);
-      },
-      how);
-  return curves;
 }
 
 SceneCurve SceneModel::curve_of(const Response& response, const std::vector<bool>& limited,

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "calibrate/target/scene_target.hpp"
-#include "plastica/run/batch.hpp"
+#include "plastica/run/companions.hpp"
 
 namespace plastica::calibrate {
 
@@ -34,6 +34,7 @@ struct StrainAtBreak {
 
 /// What a scene gives where a target was measured.
 struct SceneCurve {
+  bool was_run = true;      ///< not beside a lead that has no curve
   bool usable = false;      ///< whether there is a curve over the whole measured abscissa
   std::string reason;       ///< else why not
   bool reverses = false;    ///< whether that is because the abscissa's probe turns round on the way
@@ -58,14 +59,19 @@ class SceneModel {
   /// @throws InputError if the scene is bad input, cannot follow the target or lacks its probes
   SceneModel(const Setup& setup, const SceneTarget& target, std::vector<const Field*> fields);
 
-  /// Runs the scene at several points, in parallel, with the same bits in every company.
+  /// Runs the scene at several points, in parallel, with the same bits in every company but that
+  /// of its lead.
   /// @param values  of the fields [SI] (count x n_fields), row by row
   /// @param threads  0: as many as the machine has
   /// @param stop  once raised, no further run is begun, and what is not finished has no curve; may
-  /// be
-  ///              null
+  ///              be null
+  /// @param leads  the point near to it whose companion each may be (plastica/run/companions.hpp),
+  ///               or its own number (count); empty: all are on their own
   std::vector<SceneCurve> run(std::span<const double> values, std::size_t count, int threads = 1,
-                              StopFlag stop = nullptr) const;
+                              StopFlag stop = nullptr,
+                              std::span<const std::size_t> leads = {}) const;
+  /// Whether companions cost less than runs of their own.
+  bool has_companions() const { return why_no_companion(model_).empty(); }
 
   Level level() const { return model_.level; }
   /// What a reader must not overlook of the scene with values of the fields, which it runs with:
@@ -81,10 +87,24 @@ class SceneModel {
   static constexpr double kRounding = 1e-9;
 
   Setup setup_at(const Setup& base, std::span<const double> values) const;
-  std::vector<SceneCurve> run(bool is_extended, std::span<const double> values, std::size_t count,
-                              const BatchOptions& how) const;
-  void extend(std::span<const double> values, const BatchOptions& how,
-              std::vector<SceneCurve>& curves) const;
+  std::vector<SceneCurve> run(bool is_extended, std::span<const double> values,
+                              std::span<const std::size_t> leads, const BatchOptions& how) const;
+  void run_alone(bool is_extended, std::span<const double> values,
+                 std::span<const std::size_t> which, const BatchOptions& how,
+                 std::vector<SceneCurve>& curves) const;
+  /// @param which  the lead first
+  std::vector<SceneCurve> run_together(bool is_extended, std::span<const double> values,
+                                       std::span<const std::size_t> which, StopFlag stop) const;
+  /// Of some of the points, row by row.
+  std::vector<double> values_of(std::span<const double> values,
+                                std::span<const std::size_t> which) const;
+  // Of one point, by its values:
+  SceneCurve curve_at(bool is_extended, std::span<const double> values,
+                      const Response& response) const;
+  SceneCurve curve_at(bool is_extended, std::span<const double> values, const BatchRow& row) const;
+  BatchCase case_at(bool is_extended, std::span<const double> values, std::size_t number) const;
+  void extend(std::span<const double> values, std::span<const std::size_t> leads,
+              const BatchOptions& how, std::vector<SceneCurve>& curves) const;
   /// Which joints take a limit of the scene's material (N + 1): those of its regions, the weaker
   /// one of two that meet, which the values decide. Of a coupon none.
   std::vector<bool> joints_of_the_limit(const Setup& setup, const Model& model,

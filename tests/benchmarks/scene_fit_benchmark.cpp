@@ -78,22 +78,27 @@ void screened_points(benchmark::State& state) {
 
 BENCHMARK(screened_points)->ArgName("lanes")->Arg(0)->Arg(1)->Unit(benchmark::kMillisecond);
 
-/// A point and its forward differences: 1, 3 and 8 points at once, for 0, 2 and 7 parameters.
+/// A point and its forward differences: 1, 3, 8 and 21 points at once, for 0, 2, 7 and 20
+/// parameters, side by side or as companions.
 void slopes(benchmark::State& state) {
   const auto count = static_cast<std::size_t>(state.range(0));
+  const std::vector<std::size_t> leads(state.range(1) == 0 ? 0 : count, 0);
   const WeightedTarget weighted = bent_bar(Lanes::On);
   const SceneModel model(
       weighted.setup, weighted.target,
       {&find_field("material.youngs_modulus"), &find_field("material.yield_stress")});
   std::vector<double> points;
   for (std::size_t i = 0; i < count; ++i) {
-    points.push_back(205e9 + 1e6 * static_cast<double>(i));
-    points.push_back(380e6 + 1e3 * static_cast<double>(i));
+    points.push_back(205e9 * (1.0 + 1e-5 * static_cast<double>(i % 2)));
+    points.push_back(380e6 * (1.0 + 1e-5 * static_cast<double>((i + 1) / 2)));
   }
-  for (auto _ : state) benchmark::DoNotOptimize(model.run(points, count, 1));
+  for (auto _ : state) benchmark::DoNotOptimize(model.run(points, count, 1, nullptr, leads));
 }
 
-BENCHMARK(slopes)->ArgName("points")->Arg(1)->Arg(3)->Arg(8)->Unit(benchmark::kMillisecond);
+BENCHMARK(slopes)
+    ->ArgNames({"points", "companions"})
+    ->ArgsProduct({{1, 3, 8, 21}, {0, 1}})
+    ->Unit(benchmark::kMillisecond);
 
 }  // namespace
 }  // namespace plastica::calibrate

@@ -23,6 +23,13 @@ std::unique_ptr<ChainProgram> make_float_program(const ChainModel& model) {
 
 }  // namespace
 
+std::vector<bool> ChainProgram::run_with(std::span<const LaneCase> cases) {
+  run(*cases.front().material, *cases.front().hooks, *cases.front().response);
+  std::vector<bool> done(cases.size(), false);
+  done.front() = true;
+  return done;
+}
+
 std::unique_ptr<ChainProgram> make_chain_program(const ChainModel& model) {
   if (steps_in_lanes(model)) return make_lone_lane(model);
   if (model.options.precision == Precision::Float) return make_float_program(model);

@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "plastica/run/chain_body.hpp"
+#include "plastica/run/chain_companion.hpp"
 #include "plastica/run/out_of_plane.hpp"
 #include "plastica/solve/path.hpp"
 
@@ -18,6 +19,7 @@ class ChainRunner final : public ChainProgram, private solve::PathObserver<L, kE
 
   void run(const MaterialValues<double>& material, const Workspace& hooks,
            Response& response) override;
+  std::vector<bool> run_with(std::span<const LaneCase> cases) override;
 
   // The same in steps, for beams whose equilibria are sought side by side.
   /// @return whether an equilibrium is sought at the time in `body().work`, from the unknowns there
@@ -94,6 +96,7 @@ class ChainRunner final : public ChainProgram, private solve::PathObserver<L, kE
   std::vector<law::SectionForce<typename L::Scalar>> last_forces_;
   std::vector<typename L::Scalar> last_aside_;
   MaterialValues<double> beside_material_{};
+  std::vector<std::unique_ptr<ChainCompanion<L, kElastic>>> companions_;  ///< of `run_with`
   PlanarEquilibrium seen_;
 };
 

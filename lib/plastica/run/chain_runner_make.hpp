@@ -12,6 +12,7 @@
 #include "plastica/run/chain_motion.hpp"
 #include "plastica/run/chain_runner.hpp"
 #include "plastica/run/check_plane.hpp"
+#include "plastica/run/lane_program.hpp"
 
 /// Defines `ChainRunner`, and which program a scene of one level has.
 namespace plastica {
@@ -64,6 +65,25 @@ void ChainRunner<L, kElastic>::run(const MaterialValues<double>& material, const
 }
 
 template <class L, bool kElastic>
+std::vector<bool> ChainRunner<L, kElastic>::run_with(std::span<const LaneCase> cases) {
+  const auto began = std::chrono::steady_clock::now();
+  const LaneCase& lead = cases.front();
+  for (const LaneCase& one : cases.subspan(1)) {
+    companions_.push_back(std::make_unique<ChainCompanion<L, kElastic>>(one, body_.view));
+  }
+  if (begin(*lead.material, *lead.hooks, *lead.response)) proceed();
+  finish();
+  std::vector<bool> done{true};
+  for (const auto& companion : companions_) {
+    done.push_back(companion->finish(*lead.response));
+  }
+  companions_.clear();
+  const std::chrono::duration<double> took = std::chrono::steady_clock::now() - began;
+  share_seconds(took.count(), cases);
+  return done;
+}
+
+template <class L, bool kElastic>
 bool ChainRunner<L, kElastic>::begin(const MaterialValues<double>& material, const Workspace& hooks,
                                      Response& response) {
   material_ = material;
@@ -95,6 +115,7 @@ bool ChainRunner<L, kElastic>::begin_path() {
   checked_at_ = -1.0;
   checked_moment_ = 0.0;
   body_.record.begin_frames(*response_);
+  for (const auto& companion : companions_) companion->begin();
   solve::PathObserver<L, kElastic>& observer = *this;
   continuation_.emplace(body_.build.chain, *body_.joints, options_, control_, body_.work,
                         committed_, previous_, elastic_, observer);
@@ -256,6 +277,10 @@ bool ChainRunner<L, kElastic>::accept(const Work& w) {
   body_.record.add_work(w, *body_.joints);
   has_yielded_ = has_yielded_ || yields();
   last_time_ = w.time;
+  for (const auto& companion : companions_) {
+    if (continuation_->loaded_gradually()) companion->leave();
+    companion->take(w, previous_);
+  }
   if (L::kTranslations == 2) {
     check_plane_while_moments_grow(w);
     check_plane_where_loads_turn(w);
@@ -288,6 +313,7 @@ bool ChainRunner<L, kElastic>::record(const Work& w) {
   body_.record.write(w, *body_.joints, body_.strains, response_->samples, *response_);
   response_->chain.iterations[response_->samples] = continuation_->counters().iterations;
   ++response_->samples;
+  for (const auto& companion : companions_) companion->record();
   if (!response_->unheld_thrust) response_->unheld_thrust = is_pushed(w) && !has_space_beside();
   return response_->samples < body_.model.samples;
 }

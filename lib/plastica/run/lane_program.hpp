@@ -9,14 +9,6 @@
 
 namespace plastica {
 
-/// One of the scenarios that are stepped together.
-struct LaneCase {
-  const ChainModel* model = nullptr;
-  const MaterialValues<double>* material = nullptr;  ///< of the scene's own material
-  const Workspace* hooks = nullptr;
-  Response* response = nullptr;
-};
-
 /// Runs motions or paths at rest, several at a time; one a thread. A case has the same bits in
 /// whatever company.
 class LaneProgram {

@@ -21,6 +21,9 @@ bool same_path_lanes(const ChainModel& a, const ChainModel& b);
 /// Paths that one program takes: more than lanes, so that few of those are empty at the end.
 inline constexpr std::size_t kPathsTogether = 4 * solve::kPathLanes;
 std::unique_ptr<LaneProgram> make_path_lanes(const ChainModel& model);
+/// Fewer paths than this are faster one by one, with the same bits: an iteration of all lanes costs
+/// what it costs, however many are empty (tests/benchmarks/README.md).
+std::size_t fewest_paths(const ChainModel& model);
 
 /// Follows the paths of several beams of one shape, each at its own pace: whoever has found an
 /// equilibrium goes on by itself to where it seeks the next, and who has ended makes room for a
@@ -31,7 +34,7 @@ class PathLanes final : public LaneProgram {
  public:
   /// @param model  has a `lane_law`
   PathLanes(const ChainModel& model, solve::LaneNewtonTable::Make newton)
-      : law_(*lane_law(model)), newton_(newton()) {}
+      : law_(*lane_law(model)), newton_(newton()), fewest_(fewest_paths(model)) {}
 
   void run(std::span<const LaneCase> cases) override;
 
@@ -49,6 +52,12 @@ class PathLanes final : public LaneProgram {
     double unstable_modes = -1.0;  ///< see `PathContinuation::take`
   };
 
+  /// Whether lanes are slower than beams one by one, with so many beside those in them.
+  bool are_few(std::size_t more) const {
+    const auto seek =
+        std::count_if(lanes_.begin(), lanes_.end(), [](const Lane& lane) { return lane.seeks; });
+    return static_cast<std::size_t>(seek) + waiting_.size() + more < fewest_;
+  }
   bool any_seeks() const {
     return std::any_of(lanes_.begin(), lanes_.end(), [](const Lane& lane) { return lane.seeks; });
   }
@@ -66,6 +75,7 @@ class PathLanes final : public LaneProgram {
 
   solve::LaneLaw law_;
   std::unique_ptr<solve::LaneNewton> newton_;
+  std::size_t fewest_;  ///< see `are_few`
   std::array<Lane, solve::kPathLanes> lanes_;
   std::span<const LaneCase> waiting_;
   std::vector<std::size_t> shape_;  ///< of what is in the lanes

@@ -77,10 +77,8 @@ bool PathLanes<L>::begin(int lane, const LaneCase& next) {
       joints.visit(writer, [](auto& v, auto& law) { chain::visit_law(v, law); });
     });
     const auto one_sided = [](const auto& constraint) { return constraint.one_sided; };
-    // A lone beam is faster without lanes, and has the same bits.
-    const bool lone = waiting_.empty() && !any_seeks();
     const bool fits =
-        !lone && std::none_of(chain.constraints.begin(), chain.constraints.end(), one_sided);
+        !are_few(1) && std::none_of(chain.constraints.begin(), chain.constraints.end(), one_sided);
     if (fits && shape_ != new_shape_ && !any_seeks()) {
       shape_ = new_shape_;
       newton_->take_shape(shape_.data());
@@ -171,12 +169,12 @@ void PathLanes<L>::take_found(int lane) {
   }
   const bool goes_on = one.runner->take(one.converged, one.iteration, false, one.unstable_modes);
   one.seeks = false;
-  if (goes_on && (any_seeks() || !waiting_.empty())) {
+  if (goes_on && !are_few(1)) {
     one.seeks = true;
     begin_seeking(lane);
     return;
   }
-  if (goes_on) one.runner->proceed();  // the last one is faster without lanes
+  if (goes_on) one.runner->proceed();
   one.runner->finish();
   fill(lane);
 }

@@ -57,7 +57,7 @@ NewtonOutcome<typename L::Scalar> equilibrate(const chain::Chain<L>& chain,
     if (may_end && any(hold)) {
       w.recursion.sum(chain, w.q, w.placement, w.stage, w.joints, w.outer_forces, w.transmitted);
       const S imbalance = detail::relative_imbalance(chain, w);
-      const S little = constant<S>(reachable<S>(kOneSolveTolerance, iteration));
+      const S little = constant<S>(reachable<S>(options.one_solve_tolerance, iteration));
       note(imbalance);
       outcome.iterations = iteration;
       ended = ended | (hold & (imbalance <= little));

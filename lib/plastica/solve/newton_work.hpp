@@ -143,6 +143,8 @@ struct NewtonOptions {
   /// `kConstraintTolerance` of the length, or a joint is out of balance by more than
   /// `kOneSolveTolerance` of the largest moment: it has begun to yield, or turned far.
   bool one_solve = false;
+  /// In the place of `kOneSolveTolerance`.
+  double one_solve_tolerance = kOneSolveTolerance;
   /// Solves once more after convergence: what is left is rounding then, not the tolerance.
   bool polishes = false;
   /// Gives up when the imbalance has not fallen to a tenth in so many iterations; 0: never.

@@ -77,6 +77,8 @@ class PathContinuation {
 
   /// How the path has ended.
   Status status() const;
+  /// Whether what acts at time 0 was put on in parts, which its observer has not seen.
+  bool loaded_gradually() const { return loaded_gradually_; }
 
   /// Number of unstable modes of the last equilibrium; -1: not known.
   int known_unstable_modes() const { return modes_; }
@@ -344,6 +346,7 @@ class PathContinuation {
   bool shortest_ = false;  ///< which cannot be cut back
   Status status_ = Status::NotRun;
   int iterations_ = 0;
+  bool loaded_gradually_ = false;
   bool interrupted_ = false;  ///< the observer does not want to go on, or the path was stopped
   bool overloaded_ = false;   ///< the last trial was an equilibrium that no section carries
   bool factored_ = false;     ///< `w_` holds the tangent at the committed unknowns

@@ -44,6 +44,7 @@ Status PathContinuation<L, kElastic>::find_first() {
 /// The first equilibrium, by steps of the loads that act at time 0 that turn no segment too far.
 template <class L, bool kElastic>
 NewtonOutcome<typename L::Scalar> PathContinuation<L, kElastic>::load_gradually() {
+  loaded_gradually_ = true;
   NewtonOutcome<S> outcome;
   const double most = 1.0 / 16.0;
   double part = 0.0;

@@ -253,8 +253,8 @@ TEST(SceneFit, FailsWithAReasonWhereThePathEndsTooEarly) {
   EXPECT_EQ(fit.reason,
             "the scene gives no curve from the start values: the path goes from 0 to 0.32, and was "
             "measured from 0 to 0.39 (its ramps going on to 4 times their ends)");
-  EXPECT_EQ(fit.runs, 2) << "again with ramps that go on";
-  EXPECT_EQ(fit.failed_runs, 1);
+  EXPECT_EQ(fit.runs, 6) << "with the points of two slopes, and again with ramps that go on";
+  EXPECT_EQ(fit.failed_runs, 3);
 }
 
 /// What a scene leaves out its parameters make up for: here shear, of a bar that is short.

@@ -110,5 +110,52 @@ TEST(LeastSquares, SaysHowItEnded) {
   EXPECT_THROW(minimize_squares(problem, {}), std::runtime_error);
 }
 
+TEST(LeastSquares, KnowWhichPointsLieBeside) {
+  const std::vector<double> points{1.0,        2.0,        1.0 + 1e-4, 2.0, 1.0, 2.1,
+                                   1.0 + 1e-4, 2.1 - 1e-5, 1.0,        2.0, NAN, 2.0};
+  EXPECT_EQ(leads_among(points, 6), (std::vector<std::size_t>{0, 0, 2, 2, 0, 5}));
+  EXPECT_TRUE(leads_among({}, 0).empty());
+}
+
+/// The same problem whose points beside the first one cost little: where that has no residuals
+/// they have none.
+LeastSquaresProblem with_companions(LeastSquaresProblem problem) {
+  problem.has_companions = true;
+  problem.evaluate = [evaluate = problem.evaluate](std::span<const double> points,
+                                                   std::span<double> residuals,
+                                                   std::span<bool> found) {
+    for (const std::size_t lead : leads_among(points, found.size())) EXPECT_EQ(lead, 0U);
+    evaluate(points, residuals, found);
+    for (bool& one : found) one = one && found[0];
+  };
+  return problem;
+}
+
+/// The slopes come with the points, and the way down is the same.
+TEST(LeastSquares, TakeTheSameWayWithCompanions) {
+  LeastSquaresProblem bounded = valley();
+  bounded.upper = {0.5, 5.0};
+  LeastSquaresProblem beside_nothing = valley();  // a difference ahead finds nothing
+  beside_nothing.evaluate = one_by_one([](std::span<const double> x, std::span<double> r) {
+    r[0] = 10.0 * (x[1] - x[0] * x[0]);
+    r[1] = 1.0 - x[0];
+    return x[1] <= 1.0;
+  });
+  for (const LeastSquaresProblem& problem : {valley(), bounded, beside_nothing}) {
+    const LeastSquares alone = minimize_squares(problem, {});
+    const LeastSquares found = minimize_squares(with_companions(problem), {});
+    EXPECT_EQ(found.x, alone.x);
+    EXPECT_EQ(found.residual, alone.residual);
+    EXPECT_EQ(found.outcome, alone.outcome);
+    EXPECT_EQ(residual_slopes(with_companions(problem), found.x, found.residual, 1e-4),
+              residual_slopes(problem, found.x, found.residual, 1e-4));
+  }
+  for (int most = 1; most < 12; ++most) {
+    const LeastSquares few = minimize_squares(with_companions(valley()), {.max_evaluations = most});
+    EXPECT_LE(few.evaluations, most);
+    EXPECT_EQ(few.outcome, LeastSquaresOutcome::EvaluationsReached);
+  }
+}
+
 }  // namespace
 }  // namespace plastica::calibrate

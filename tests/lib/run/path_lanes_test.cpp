@@ -111,11 +111,12 @@ Scene askew(std::size_t i, YieldModel model) {
   return scene;
 }
 
-/// Eleven cases: more than lanes, so that some wait for a free one.
+/// Sixteen cases: more than lanes, so that some wait for a free one, and enough for lanes where
+/// every other one has another shape (`fewest_paths`).
 template <class MakeScene>
-std::vector<BatchCase> eleven(const MakeScene& make, InstructionSet level) {
+std::vector<BatchCase> sixteen(const MakeScene& make, InstructionSet level) {
   std::vector<BatchCase> cases;
-  for (std::size_t i = 0; i < 11; ++i) {
+  for (std::size_t i = 0; i < 16; ++i) {
     BatchCase one{std::to_string(i), make(i), {}};
     one.options.isa = level;
     one.options.steps = 3 + static_cast<int>(i % 3);
@@ -129,14 +130,14 @@ std::vector<BatchCase> eleven(const MakeScene& make, InstructionSet level) {
     EXPECT_TRUE(has_lanes(*model.chain)) << one.id;
     if (same_lanes(*first.chain, *model.chain)) ++together;
   }
-  EXPECT_GE(together, 3U);
+  EXPECT_GE(together, 8U);
   return cases;
 }
 
 template <class MakeScene>
 void expect_lanes_like_alone(const MakeScene& make) {
   for (const InstructionSet level : testing::instruction_sets()) {
-    expect_bits_of_alone(eleven(make, level));
+    expect_bits_of_alone(sixteen(make, level));
   }
 }
 
@@ -212,7 +213,7 @@ TEST(PathLanes, HaveTheBitsOfLoneBeamsWhoseRegionsEndElsewhere) {
 }
 
 TEST(PathLanes, LeaveTheOthersAloneWhenOneEnds) {
-  std::vector<BatchCase> cases = eleven(
+  std::vector<BatchCase> cases = sixteen(
       [](std::size_t i) {
         Scene scene = bent(i, YieldModel::PerAxis);
         if (i % 3 == 0) scene.material.break_strain = 2e-3;
@@ -260,8 +261,8 @@ TEST(PathLanes, EndWhereNoStepMayBeCut) {
   const BatchRow alone = run_case(one);
   EXPECT_GT(alone.response.counters.cutbacks, 0);
   EXPECT_NE(alone.response.status, Status::Completed);
-  const std::vector<BatchCase> two{one, one};
-  for (const BatchRow& row : run_batch(two, {.threads = 1})) {
+  const std::vector<BatchCase> many(8, one);
+  for (const BatchRow& row : run_batch(many, {.threads = 1})) {
     EXPECT_TRUE(bits_of(row.response) == bits_of(alone.response));
   }
 }
