@@ -12,6 +12,7 @@
 #include "calibrate/inference/moved_by_segments.hpp"
 #include "calibrate/search/fit_interrupted.hpp"
 #include "calibrate/store/journaled_scene_fits.hpp"
+#include "calibrate/trial/scene_model.hpp"
 #include "cli/chosen_segments.hpp"
 #include "cli/common_options.hpp"
 #include "cli/dry_run.hpp"
@@ -47,8 +48,9 @@ void print_dry_run(const SceneFitFile& file, const std::string& output) {
       const std::string segments =
           file.chooses_segments ? "segments to be found"
                                 : fmt::format("{} segments", weighted.setup.scene.beam.segments);
-      say("{}: {} samples, {}, {}\n", weighted.target.name, weighted.target.ordinate.size(),
-          segments, model.level_reason);
+      const calibrate::SceneModel fitted(weighted.setup, weighted.target, {});
+      say("{}: {} samples, {}, {}; slopes by {}\n", weighted.target.name,
+          weighted.target.ordinate.size(), segments, model.level_reason, fitted.slopes_from());
     }
   }
   say("up to {} points of each search, {} {} a fit", file.options.evaluations, file.options.starts,

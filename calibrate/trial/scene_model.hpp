@@ -71,7 +71,11 @@ class SceneModel {
                               StopFlag stop = nullptr,
                               std::span<const std::size_t> leads = {}) const;
   /// Whether companions cost less than runs of their own.
-  bool has_companions() const { return why_no_companion(model_).empty(); }
+  bool has_companions() const {
+    return most_companions(extended_ ? *extended_ : model_) > 0;  // the larger one, if there are two
+  }
+  /// What the points of differences are: "companions", or "runs of their own:" and why.
+  std::string slopes_from() const;
 
   Level level() const { return model_.level; }
   /// What a reader must not overlook of the scene with values of the fields, which it runs with:

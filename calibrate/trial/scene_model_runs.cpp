@@ -32,15 +32,15 @@ std::vector<Group> groups_of(std::span<const std::size_t> leads) {
   return groups;
 }
 
-/// Makes work for threads that would have none: each part runs the lead for itself.
-std::vector<Group> dealt(const std::vector<Group>& groups, int threads) {
-  if (groups.empty()) return {};
-  const std::size_t most =
-      std::max<std::size_t>(static_cast<std::size_t>(threads) / groups.size(), 1);
+/// In parts that have each a lead of their own: for threads that would have no work, and where the
+/// companions of one would be too many.
+std::vector<Group> dealt(const std::vector<Group>& groups, int threads, std::size_t most) {
   std::vector<Group> parts;
   for (const Group& group : groups) {
     const std::size_t companions = group.size() - 1;
-    const std::size_t count = std::min(most, companions);
+    const std::size_t free_threads = static_cast<std::size_t>(threads) / groups.size();
+    const std::size_t count =
+        std::max(std::min(free_threads, companions), (companions + most - 1) / most);
     for (std::size_t part = 0; part < count; ++part) {
       Group& own = parts.emplace_back(Group{group.front()});
       for (std::size_t k = part; k < companions; k += count) own.push_back(group[1 + k]);
@@ -63,6 +63,12 @@ std::vector<SceneCurve> SceneModel::run(std::span<const double> values, std::siz
   std::vector<SceneCurve> curves = run(false, values, leads, how);
   if (extended_) extend(values, leads, how, curves);
   return curves;
+}
+
+std::string SceneModel::slopes_from() const {
+  if (has_companions()) return "companions";
+  const std::string_view why = why_no_companion(model_);
+  return fmt::format("runs of their own: {}", why.empty() ? "it is too large for companions" : why);
 }
 
 /// Runs those again whose path ends early.
@@ -99,7 +105,9 @@ std::vector<SceneCurve> SceneModel::run(bool is_extended, std::span<const double
   });
   std::vector<SceneCurve> curves(leads.size());
   if (!alone.empty()) run_alone(is_extended, values, alone, how, curves);
-  const std::vector<Group> parts = dealt(together, resolved_threads(how.threads));
+  const Model& model = is_extended ? *extended_ : model_;
+  const std::vector<Group> parts =
+      dealt(together, resolved_threads(how.threads), most_companions(model));
   std::vector<std::vector<SceneCurve>> found(parts.size());
   parallel_for(parts.size(), {how.threads, how.stop}, [&](std::size_t k, int) {
     found[k] = run_together(is_extended, values, parts[k], how.stop);

@@ -137,7 +137,14 @@ TEST(SceneFitCommand, SaysWhatWouldRun) {
       result.out.starts_with("2 fits of 2 targets, written to fit.h5\n"
                              "a: 4 samples, 6 segments, planar"))
       << result.out;
+  EXPECT_NE(result.out.find("; slopes by companions\nb: "), std::string::npos) << result.out;
   EXPECT_FALSE(place.has("fit.h5"));
+  place.write("bar.toml", std::string(kFittedScene) + "[solver]\ncontrol = \"arc_length\"\n");
+  const std::string plan = place.run({"calibrate", "fit.toml", "--dry-run"}).out;
+  EXPECT_NE(plan.find("; slopes by runs of their own: its path is not followed by the load "
+                      "(solver.control)\n"),
+            std::string::npos)
+      << plan;
 }
 
 TEST(SceneFitCommand, SaysHowTheErrorOfTheSegmentsWouldBeFound) {

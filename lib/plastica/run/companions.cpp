@@ -6,6 +6,7 @@
 
 #include "plastica/run/chain_run.hpp"
 #include "plastica/run/guarded_cases.hpp"
+#include "plastica/run/lane_pool.hpp"
 #include "plastica/run/parameters.hpp"
 #include "plastica/run/response_size.hpp"
 
@@ -72,6 +73,12 @@ void run_beside(std::span<const LaneCase> cases) {
 
 std::string_view why_no_companion(const Model& model) {
   return model.chain ? why_no_companion(*model.chain) : "it is a coupon";
+}
+
+std::size_t most_companions(const Model& model) {
+  if (!why_no_companion(model).empty()) return 0;
+  const std::size_t beams = kMaxLaneBytes / response_size(model).needed_bytes();
+  return beams > 1 ? beams - 1 : 0;
 }
 
 std::vector<Response> run_with_companions(const Model& model, std::span<const double> values,

@@ -13,6 +13,9 @@ namespace plastica {
 /// can, by any law and at any level, with double precision.
 std::string_view why_no_companion(const Model& model);
 
+/// How many companions of a model run beside it at most: no more than take a quarter of a gigabyte.
+std::size_t most_companions(const Model& model);
+
 /// Runs cases that differ in their numbers by little, such as a point and those of its differences:
 /// the first one as if it were alone, the others as its *companions*. A companion is in equilibrium
 /// at each sample and at each step between, to the tolerance of any run, but takes the steps of the
