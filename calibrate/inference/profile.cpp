@@ -157,6 +157,7 @@ LeastSquaresOptions search_options(const ProfileStart& best, const ProfileOption
 LeastSquaresProblem without(const LeastSquaresProblem& problem, std::size_t held, double at) {
   LeastSquaresProblem others;
   others.residuals = problem.residuals;
+  others.has_companions = problem.has_companions;
   for (std::size_t i = 0; i < problem.lower.size(); ++i) {
     if (i == held) continue;
     others.lower.push_back(problem.lower[i]);

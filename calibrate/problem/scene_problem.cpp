@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <optional>
 #include <set>
 
@@ -111,9 +112,17 @@ std::vector<double> SceneProblem::point(std::span<const double> points, std::siz
   return {x.begin(), x.end()};
 }
 
+std::vector<std::size_t> SceneProblem::leads_of(std::span<const double> points,
+                                                std::size_t count) const {
+  if (squares_.has_companions) return leads_among(points, count);
+  std::vector<std::size_t> own(count);
+  std::iota(own.begin(), own.end(), std::size_t{0});
+  return own;
+}
+
 std::vector<std::vector<SceneCurve>> SceneProblem::curves(std::span<const double> points,
                                                           std::size_t count) {
-  const std::vector<std::size_t> leads = leads_among(points, count);
+  const std::vector<std::size_t> leads = leads_of(points, count);
   const auto key = [&](std::size_t i) {
     std::vector<double> both = point(points, leads[i]);
     const std::vector<double> own = point(points, i);
@@ -196,8 +205,8 @@ std::vector<PointRun> SceneProblem::evaluate(std::span<const double> points, std
                                              std::span<const std::size_t> leads) {
   std::vector<std::vector<double>> each;
   for (std::size_t i = 0; i < count; ++i) each.push_back(point(points, i));
-  const std::vector<std::size_t> among = leads_among(points, count);
-  return compare(run(each, leads.empty() ? among : leads), points, residuals);
+  const std::vector<std::size_t> own = leads_of(points, count);
+  return compare(run(each, leads.empty() ? own : leads), points, residuals);
 }
 
 std::vector<PointRun> SceneProblem::compare(const std::vector<std::vector<SceneCurve>>& curves,

@@ -86,16 +86,21 @@ class SceneProblem {
   std::vector<double> unscaled(std::size_t t, std::span<const double> residuals) const;
 
   /// The curves of all targets at several points, run in parallel; what was run there lately is not
-  /// run again, if it was beside the same lead (`leads_among`).
+  /// run again, if it was beside the same lead (`leads_of`).
   /// @param points  coordinates (count x n), row by row
   /// @return by target and point (n_targets, count)
   std::vector<std::vector<SceneCurve>> curves(std::span<const double> points, std::size_t count);
+
+  /// Whose companion each point of a list is, if it is not said: `leads_among` them, or where
+  /// companions cost what runs cost none's.
+  /// @param points  coordinates (count x n), row by row
+  std::vector<std::size_t> leads_of(std::span<const double> points, std::size_t count) const;
 
   /// Residuals at several points, which are run whatever was run before: what that took depends on
   /// the points alone.
   /// @param points  coordinates (count x n), row by row
   /// @param residuals  to be filled where they are found (count x m)
-  /// @param leads  whose companion each may be; empty: `leads_among` them (count)
+  /// @param leads  whose companion each may be; empty: `leads_of` them (count)
   /// @return of each point (count)
   std::vector<PointRun> evaluate(std::span<const double> points, std::size_t count,
                                  std::span<double> residuals,

@@ -29,9 +29,6 @@ struct LeastSquaresProblem {
   bool has_companions = false;
 };
 
-/// In each coordinate.
-inline constexpr double kBeside = 2e-4;
-
 /// For each point the first one that it lies beside, or itself.
 /// @param points  (count x n), row by row
 std::vector<std::size_t> leads_among(std::span<const double> points, std::size_t count);
@@ -78,6 +75,9 @@ LeastSquares minimize_squares(const LeastSquaresProblem& problem,
 /// Of the central differences at a solution, in scaled parameters: fibres that yield one after the
 /// other, and Newton's tolerance, are smooth over it.
 inline constexpr double kErrorStep = 1e-4;
+
+/// In each coordinate: more than any step of differences.
+inline constexpr double kBeside = 1.5 * kErrorStep;
 
 /// d residual / d x at a point by central differences, one-sided at bounds and where residuals are
 /// missing on one side (m x n), row by row; NaN of a coordinate that has none on either.

@@ -80,7 +80,7 @@ void LeastSquaresSearch::ask_point(Phase phase, const VectorXd& x) {
     want_all_slopes();
     add_moved(x, points);
   }
-  evaluations_ += 1 + static_cast<int>(within_.size());
+  ++evaluations_;  // of slopes once they are used
   ask(phase, std::move(points), 1 + within_.size());
 }
 
@@ -111,6 +111,7 @@ void LeastSquaresSearch::begin_slopes(std::span<const double> residuals,
                                       std::span<const bool> found) {
   jacobian_ = MatrixXd::Zero(r_.size(), x_.size());
   if (has_slopes_) {
+    evaluations_ += static_cast<int>(within_.size());
     take_slopes_beside(residuals, found);
   } else {
     want_all_slopes();
@@ -139,15 +140,14 @@ void LeastSquaresSearch::ask_slopes() {
   std::vector<double> points;
   if (has_companions_) points.assign(x_.data(), x_.data() + x_.size());
   add_moved(x_, points);
-  const std::size_t count = within_.size() + (has_companions_ ? 1 : 0);
   const int most = options_.max_evaluations - evaluations_;
-  if (static_cast<int>(count) > most) {
+  if (static_cast<int>(within_.size()) > most) {
     end(LeastSquaresOutcome::EvaluationsReached);
   } else if (within_.empty()) {
     take_slopes({}, {});
   } else {
-    evaluations_ += static_cast<int>(count);
-    ask(Phase::Slopes, std::move(points), count);
+    evaluations_ += static_cast<int>(within_.size());
+    ask(Phase::Slopes, std::move(points), within_.size() + (has_companions_ ? 1 : 0));
   }
 }
 

@@ -95,7 +95,9 @@ std::vector<double> SceneSearch::screened_costs(const Points& points) {
   std::vector<double> all;
   for (const std::vector<double>& x : points) all.insert(all.end(), x.begin(), x.end());
   std::vector<double> residuals(points.size() * m);
-  const std::vector<PointRun> runs = problem_.evaluate(all, points.size(), residuals);
+  std::vector<std::size_t> own(points.size());
+  std::iota(own.begin(), own.end(), std::size_t{0});
+  const std::vector<PointRun> runs = problem_.evaluate(all, points.size(), residuals, own);
   ScreenRecord record;
   for (std::size_t k = 0; k < points.size(); ++k) {
     double cost = runs[k].found ? 0.0 : std::numeric_limits<double>::infinity();
@@ -169,7 +171,7 @@ void SceneSearch::search_together(std::string_view stage, const Points& starts, 
     for (const LeastSquaresSearch& search : searches) {
       const std::size_t before = leads.size();
       points.insert(points.end(), search.points().begin(), search.points().end());
-      for (const std::size_t lead : leads_among(search.points(), search.count())) {
+      for (const std::size_t lead : problem_.leads_of(search.points(), search.count())) {
         leads.push_back(before + lead);
       }
     }

@@ -34,7 +34,7 @@ struct StrainAtBreak {
 
 /// What a scene gives where a target was measured.
 struct SceneCurve {
-  bool was_run = true;      ///< not beside a lead that has no curve
+  bool was_run = true;      ///< a companion is not, whose lead has no curve
   bool usable = false;      ///< whether there is a curve over the whole measured abscissa
   std::string reason;       ///< else why not
   bool reverses = false;    ///< whether that is because the abscissa's probe turns round on the way
@@ -72,7 +72,8 @@ class SceneModel {
                               std::span<const std::size_t> leads = {}) const;
   /// Whether companions cost less than runs of their own.
   bool has_companions() const {
-    return most_companions(extended_ ? *extended_ : model_) > 0;  // the larger one, if there are two
+    return most_companions(extended_ ? *extended_ : model_) >
+           0;  // the larger one, if there are two
   }
   /// What the points of differences are: "companions", or "runs of their own:" and why.
   std::string slopes_from() const;
@@ -93,9 +94,9 @@ class SceneModel {
   Setup setup_at(const Setup& base, std::span<const double> values) const;
   std::vector<SceneCurve> run(bool is_extended, std::span<const double> values,
                               std::span<const std::size_t> leads, const BatchOptions& how) const;
-  void run_alone(bool is_extended, std::span<const double> values,
-                 std::span<const std::size_t> which, const BatchOptions& how,
-                 std::vector<SceneCurve>& curves) const;
+  std::vector<SceneCurve> run_alone(bool is_extended, std::span<const double> values,
+                                    std::span<const std::size_t> which,
+                                    const BatchOptions& how) const;
   /// @param which  the lead first
   std::vector<SceneCurve> run_together(bool is_extended, std::span<const double> values,
                                        std::span<const std::size_t> which, StopFlag stop) const;

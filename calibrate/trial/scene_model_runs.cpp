@@ -33,7 +33,7 @@ std::vector<Group> groups_of(std::span<const std::size_t> leads) {
 }
 
 /// In parts that have each a lead of their own: for threads that would have no work, and where the
-/// companions of one would be too many.
+/// companions of one would be too many. A lead counts once, however many parts run it.
 std::vector<Group> dealt(const std::vector<Group>& groups, int threads, std::size_t most) {
   std::vector<Group> parts;
   for (const Group& group : groups) {
@@ -86,6 +86,10 @@ void SceneModel::extend(std::span<const double> values, std::span<const std::siz
   std::vector<SceneCurve> extended = run(true, values_of(values, early), their_leads, how);
   for (std::size_t k = 0; k < early.size(); ++k) {
     SceneCurve& curve = curves[early[k]];
+    if (!extended[k].was_run) {
+      curve.reason = std::move(extended[k].reason);
+      continue;
+    }
     extended[k].segment_iterations += curve.segment_iterations;
     if (!extended[k].usable) {
       extended[k].reason += fmt::format(" (its ramps going on to {} times their ends)", kMaxTimes);
@@ -104,7 +108,8 @@ std::vector<SceneCurve> SceneModel::run(bool is_extended, std::span<const double
     return group.size() == 1;
   });
   std::vector<SceneCurve> curves(leads.size());
-  if (!alone.empty()) run_alone(is_extended, values, alone, how, curves);
+  std::vector<SceneCurve> own = run_alone(is_extended, values, alone, how);
+  for (std::size_t i = 0; i < alone.size(); ++i) curves[alone[i]] = std::move(own[i]);
   const Model& model = is_extended ? *extended_ : model_;
   const std::vector<Group> parts =
       dealt(together, resolved_threads(how.threads), most_companions(model));
@@ -148,9 +153,11 @@ BatchCase SceneModel::case_at(bool is_extended, std::span<const double> values,
   return {std::to_string(number), at.scene, at.solver};
 }
 
-void SceneModel::run_alone(bool is_extended, std::span<const double> values,
-                           std::span<const std::size_t> which, const BatchOptions& how,
-                           std::vector<SceneCurve>& curves) const {
+std::vector<SceneCurve> SceneModel::run_alone(bool is_extended, std::span<const double> values,
+                                              std::span<const std::size_t> which,
+                                              const BatchOptions& how) const {
+  std::vector<SceneCurve> curves(which.size());
+  if (which.empty()) return curves;
   const std::vector<double> own = values_of(values, which);
   const std::size_t n = fields_.size();
   const auto at = [&](std::size_t i) { return std::span<const double>(own).subspan(i * n, n); };
@@ -158,17 +165,18 @@ void SceneModel::run_alone(bool is_extended, std::span<const double> values,
     run_batch(
         is_extended ? *extended_ : model_, own, which.size(),
         [&](std::size_t i, Response&& response) {
-          curves[which[i]] = curve_at(is_extended, at(i), response);
+          curves[i] = curve_at(is_extended, at(i), response);
         },
         how);
-    return;
+    return curves;
   }
   run_batch(
       which.size(), [&](std::size_t i) { return case_at(is_extended, at(i), i); },
-      [&](std::size_t i, BatchRow&& row) { curves[which[i]] = curve_at(is_extended, at(i), row); },
-      how);
+      [&](std::size_t i, BatchRow&& row) { curves[i] = curve_at(is_extended, at(i), row); }, how);
+  return curves;
 }
 
+/// A lead that ends at a limit load may have a curve all the same: its companions run alone then.
 std::vector<SceneCurve> SceneModel::run_together(bool is_extended, std::span<const double> values,
                                                  std::span<const std::size_t> which,
                                                  StopFlag stop) const {
@@ -186,13 +194,21 @@ std::vector<SceneCurve> SceneModel::run_together(bool is_extended, std::span<con
     for (std::size_t i = 0; i < which.size(); ++i) cases.push_back(case_at(is_extended, at(i), i));
     rows = run_with_companions(cases, stop);
   }
-  std::vector<SceneCurve> curves;
-  for (std::size_t i = 0; i < rows.size(); ++i) {
-    const bool was_run = i == 0 || rows[i].response.status != Status::NotRun;
+  std::vector<SceneCurve> curves{curve_at(is_extended, at(0), rows.front())};
+  std::vector<std::size_t> left;
+  for (std::size_t i = 1; i < rows.size(); ++i) {
+    const bool was_run = rows[i].response.status != Status::NotRun;
     curves.push_back(was_run ? curve_at(is_extended, at(i), rows[i])
                              : failed(curves.front().reason));
     curves.back().was_run = was_run;
+    if (!was_run) left.push_back(i);
   }
+  if (!curves.front().usable) return curves;
+  std::vector<std::size_t> their_points;
+  for (const std::size_t i : left) their_points.push_back(which[i]);
+  std::vector<SceneCurve> alone =
+      run_alone(is_extended, values, their_points, {.threads = 1, .stop = stop});
+  for (std::size_t k = 0; k < left.size(); ++k) curves[left[k]] = std::move(alone[k]);
   return curves;
 }
 

@@ -5,6 +5,7 @@
 
 #include "plastica/run/chain_body.hpp"
 #include "plastica/run/chain_run.hpp"
+#include "plastica/solve/path_options.hpp"
 
 namespace plastica {
 
@@ -53,14 +54,14 @@ class ChainCompanion {
     start_beside(lead.q, before, w.q);
     const auto outcome = solve::equilibrate(body_.build.chain, *body_.joints, newton_, w);
     counters_.iterations += outcome.iterations;
-    accompanies_ = outcome.converged && !body_.joints->overloaded() && w.closed == lead.closed;
+    accompanies_ = outcome.converged && !body_.joints->overloaded() && w.closed == lead.closed &&
+                   is_near(lead.q);
     if (!accompanies_) return;
     const bool first = response_->samples == 0;
     const bool flows = first || body_.flows();
     if (flows) body_.set_trial_strains(first);
     body_.joints->commit();
-    std::swap(committed_, w.q);
-    w.q = committed_;
+    committed_ = w.q;
     ++counters_.steps;
     if (flows) body_.accept_strains();
     body_.record.add_work(w, *body_.joints);
@@ -100,10 +101,22 @@ class ChainCompanion {
   /// One step of Newton's method leaves the square of a small difference. Who needs many more is
   /// not near.
   static constexpr int kMostIterations = 6;
+  /// How far joints may be off the lead's angles, over the largest of these. Farther away there may
+  /// be another branch.
+  static constexpr double kNear = 0.05;
 
   bool has_shape_of(const chain::Coordinates<L>& q) const {
     return q.angle.size() == committed_.angle.size() &&
            q.multiplier.size() == committed_.multiplier.size();
+  }
+
+  bool is_near(const chain::Coordinates<L>& lead) const {
+    double off = 0.0, largest = 0.0;
+    for (std::size_t i = 0; i < lead.angle.size(); ++i) {
+      off = std::max(off, static_cast<double>(size_of(body_.work.q.angle[i] - lead.angle[i])));
+      largest = std::max(largest, static_cast<double>(size_of(lead.angle[i])));
+    }
+    return off <= std::max(kNear * largest, solve::kNoRotation);
   }
 
   /// As far from the lead as before its step.

@@ -107,6 +107,8 @@ class ChainRecord {
  private:
   /// Of these, that of the beam alone.
   std::array<double, 6> support_force(const Work& w, std::size_t support) const;
+  /// Of what its springs push, about where it begins; of a support that is no bed 0.
+  Space moment_of_bed(const Work& w, std::size_t support) const;
   typename L::Point spring_force(const chain::Spring<L>& spring, const Work& w) const;
   /// That the joint at a node transmits, in its axes.
   Space force_at(const Work& w, std::size_t node) const;

@@ -277,8 +277,9 @@ bool ChainRunner<L, kElastic>::accept(const Work& w) {
   body_.record.add_work(w, *body_.joints);
   has_yielded_ = has_yielded_ || yields();
   last_time_ = w.time;
+  const bool unseen = continuation_->loaded_gradually();
   for (const auto& companion : companions_) {
-    if (continuation_->loaded_gradually()) companion->leave();
+    if (unseen) companion->leave();
     companion->take(w, previous_);
   }
   if (L::kTranslations == 2) {

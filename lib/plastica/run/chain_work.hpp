@@ -176,7 +176,26 @@ std::array<double, 6> ChainRecord<L, kElastic>::reaction(const Work& w, std::siz
     const Space moment = joint_spin(factor * held.moment);
     for (std::size_t k = 0; k < 3; ++k) all[3 + k] -= moment[k];
   }
+  const Space moment = moment_of_bed(w, support);
+  for (std::size_t k = 0; k < 3; ++k) all[3 + k] += moment[k];
   return all;
+}
+
+template <class L, bool kElastic>
+typename ChainRecord<L, kElastic>::Space ChainRecord<L, kElastic>::moment_of_bed(
+    const Work& w, std::size_t support) const {
+  Space sum{};
+  const Support& bed = model_->scene.supports[support];
+  if (!bed.to) return sum;
+  const double begin = fraction_of(bed.at, model_->layout.ends);
+  const chain::SegmentPoint start = chain::segment_point(model_->layout, begin);
+  const Space from = in_space(w.placement.point(start.segment, view_.point(start.arm)));
+  for (const auto& spring : build_->chain.springs) {
+    if (spring.support != support) continue;
+    const Space arm = in_space(w.placement.point(spring.segment, spring.arm)) - from;
+    sum += cross(arm, in_space(spring_force(spring, w)));
+  }
+  return sum;
 }
 
 template <class L, bool kElastic>

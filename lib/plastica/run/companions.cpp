@@ -69,6 +69,27 @@ void run_beside(std::span<const LaneCase> cases) {
   for (const LaneCase& one : alone) run_alone(one);
 }
 
+/// Runs the cases whose models there are. Without the first one none is run.
+/// @param models  null: no case (n_cases); @param materials  likewise
+std::vector<Response> run_beside(std::span<const Model* const> models,
+                                 std::span<const MaterialValues<double>> materials, StopFlag stop) {
+  Workspace hooks;
+  hooks.stop = stop;
+  std::vector<Response> responses(models.size());
+  if (models.empty() || models.front() == nullptr) return responses;
+  run_guarded(0, std::span(responses), [&](std::size_t first, std::span<Response> out) {
+    std::vector<LaneCase> beams;
+    for (std::size_t k = 0; k < out.size(); ++k) {
+      const Model* model = models[first + k];
+      if (model == nullptr) continue;
+      out[k] = make_response(*model);
+      beams.push_back({model->chain.get(), &materials[first + k], &hooks, &out[k]});
+    }
+    if (!beams.empty()) run_beside(beams);
+  });
+  return responses;
+}
+
 }  // namespace
 
 std::string_view why_no_companion(const Model& model) {
@@ -84,62 +105,48 @@ std::size_t most_companions(const Model& model) {
 std::vector<Response> run_with_companions(const Model& model, std::span<const double> values,
                                           std::size_t cases, StopFlag stop) {
   const std::size_t width = model.parameters.size();
+  if (!model.chain) return run_batch(model, values, cases, {.threads = 1, .stop = stop});
   check_memory(std::vector<std::size_t>(cases, response_size(model).needed_bytes()),
                static_cast<int>(cases));
-  Workspace hooks;
-  hooks.stop = stop;
-  std::vector<Response> responses(cases);
-  run_guarded(0, std::span(responses), [&](std::size_t first, std::span<Response> out) {
-    std::vector<MaterialValues<double>> materials(out.size());
-    std::vector<LaneCase> beams;
-    for (std::size_t k = 0; k < out.size(); ++k) {
-      out[k] = make_response(model);
-      const ParameterValues at = values.subspan((first + k) * width, width);
-      if (take_parameters(model, at, materials[k])) {
-        beams.push_back({model.chain.get(), &materials[k], &hooks, &out[k]});
-      } else {
-        out[k].status = Status::InvalidParameter;
-      }
+  std::vector<const Model*> models(cases, &model);
+  std::vector<MaterialValues<double>> materials(cases);
+  for (std::size_t i = 0; i < cases; ++i) {
+    if (!take_parameters(model, values.subspan(i * width, width), materials[i])) {
+      models[i] = nullptr;
     }
-    if (!beams.empty()) run_beside(beams);
-  });
+  }
+  std::vector<Response> responses = run_beside(models, materials, stop);
+  for (std::size_t i = 0; i < cases; ++i) {
+    if (models[i] == nullptr) responses[i].status = Status::InvalidParameter;
+  }
   return responses;
 }
 
 std::vector<BatchRow> run_with_companions(std::span<const BatchCase> cases, StopFlag stop) {
-  Workspace hooks;
-  hooks.stop = stop;
   std::vector<BatchRow> rows(cases.size());
-  std::vector<std::unique_ptr<Model>> models(cases.size());
+  std::vector<std::unique_ptr<Model>> prepared(cases.size());
+  std::vector<const Model*> models(cases.size());
+  std::vector<MaterialValues<double>> materials(cases.size());
   for (std::size_t i = 0; i < cases.size(); ++i) {
-    rows[i].id = cases[i].id;
     try {
       check_memory(cases[i].scene, cases[i].options);
-      models[i] = std::make_unique<Model>(prepare(cases[i].scene, cases[i].options));
+      prepared[i] = std::make_unique<Model>(prepare(cases[i].scene, cases[i].options));
     } catch (const InputError& error) {
       rows[i].response.status = Status::Rejected;
       rows[i].reason = error.what();
+      continue;
     }
+    if (!prepared[i]->chain) return run_batch(cases, {.threads = 1, .stop = stop});
+    models[i] = prepared[i].get();
+    materials[i] = prepared[i]->material;
   }
-  std::vector<std::size_t> which;
+  std::vector<Response> responses = run_beside(models, materials, stop);
   for (std::size_t i = 0; i < cases.size(); ++i) {
-    if (models[i]) which.push_back(i);
-  }
-  std::vector<Response> responses(which.size());
-  run_guarded(0, std::span(responses), [&](std::size_t first, std::span<Response> out) {
-    std::vector<LaneCase> beams;
-    for (std::size_t k = 0; k < out.size(); ++k) {
-      const Model& model = *models[which[first + k]];
-      out[k] = make_response(model);
-      beams.push_back({model.chain.get(), &model.material, &hooks, &out[k]});
-    }
-    run_beside(beams);
-  });
-  for (std::size_t k = 0; k < which.size(); ++k) {
-    BatchRow& row = rows[which[k]];
-    row.response = std::move(responses[k]);
-    row.level = models[which[k]]->level;
-    row.in_motion = is_motion(*models[which[k]]);
+    rows[i].id = cases[i].id;
+    if (models[i] == nullptr) continue;
+    rows[i].response = std::move(responses[i]);
+    rows[i].level = models[i]->level;
+    rows[i].in_motion = is_motion(*models[i]);
   }
   return rows;
 }

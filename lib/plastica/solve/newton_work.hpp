@@ -141,9 +141,8 @@ struct NewtonOptions {
   double tolerance = 1e-10;  ///< see SolverOptions::tolerance
   /// One linear solve is enough; more are made only while a constraint is off by more than
   /// `kConstraintTolerance` of the length, or a joint is out of balance by more than
-  /// `kOneSolveTolerance` of the largest moment: it has begun to yield, or turned far.
+  /// `one_solve_tolerance` of the largest moment: it has begun to yield, or turned far.
   bool one_solve = false;
-  /// In the place of `kOneSolveTolerance`.
   double one_solve_tolerance = kOneSolveTolerance;
   /// Solves once more after convergence: what is left is rounding then, not the tolerance.
   bool polishes = false;

@@ -257,6 +257,52 @@ TEST(SceneFit, FailsWithAReasonWhereThePathEndsTooEarly) {
   EXPECT_EQ(fit.failed_runs, 3);
 }
 
+/// A test under load control that goes on to collapse: the path of the scene ends at a limit load
+/// beyond what was measured, with a curve all the same, and slopes.
+TEST(SceneFit, HasSlopesWhereTheSceneEndsAtALimitLoad) {
+  plastica::Setup setup = bend_test(12);
+  Scene& scene = setup.scene;
+  scene.beam.length = 0.2;
+  scene.material.hardening = {};
+  scene.material.break_strain.reset();
+  setup.solver = {};
+  setup.solver.steps = 60;
+  scene.supports[1].translation = {};
+  scene.supports[1].history = {};
+  const SectionProperties section = section_properties(scene.section, scene.material.poisson_ratio);
+  const double first_yield = scene.material.yield_stress * section.section_modulus_x;
+  Load load;
+  load.at = {0.5, {}};
+  load.force = {0.0, -11.0 * first_yield / scene.beam.length, 0.0};  // the limit is near 9
+  scene.loads = {load};
+  scene.probes = {{.name = "way",
+                   .quantity = ProbeQuantity::Displacement,
+                   .at = load.at,
+                   .component = Component::Y},
+                  {.name = "factor", .quantity = ProbeQuantity::LoadFactor}};
+  const Response truth = simulate(scene, setup.solver);
+  ASSERT_EQ(truth.status, Status::LimitLoad);
+  SceneTarget target;
+  target.name = "collapse";
+  target.kind = Abscissa::Probe;
+  target.abscissa_probe = "way";
+  target.abscissa_factor = -1.0;
+  target.ordinate_probe = "factor";
+  for (std::size_t k = 0; k + 3 < truth.samples; ++k) {
+    target.abscissa.push_back(-truth.probes[0][k]);
+    target.ordinate.push_back(truth.probes[1][k]);
+  }
+  const double yield = scene.material.yield_stress;
+  scene.material.yield_stress *= 0.97;
+  const SceneFitResult fit =
+      fit_scene(setup, target,
+                {.parameters = {free_parameter("yield_stress", 0.5 * yield, 2.0 * yield)},
+                 .starts = 1,
+                 .segments_error = false});
+  ASSERT_EQ(fit.status, FitStatus::Fitted) << fit.reason;
+  EXPECT_NEAR(fit.parameters[0].value, yield, 1e-5 * yield);
+}
+
 /// What a scene leaves out its parameters make up for: here shear, of a bar that is short.
 TEST(SceneFit, PassesOnWhatItsScenesWarnOf) {
   plastica::Setup setup = bend_test(10);

@@ -56,6 +56,30 @@ double deflection(int segments, double at, double force) {
   return last_of(response, 0);
 }
 
+/// The bed holds a free beam against a load at its end: its moment about where it begins is the
+/// load's, turned round, also of one in space.
+TEST(ElasticBed, HasTheMomentThatItsForcesHave) {
+  Scene scene = testing::chain_scene(12);
+  scene.supports = {{.at = {0.25, {}},
+                     .kind = SupportKind::Elastic,
+                     .stiffness = {1e5, 2e5, 3e5},
+                     .to = Place::end()}};
+  scene.supports.push_back(
+      {.at = Place::start(), .hold = HeldFreedoms{false, false, false, false, false, true}});
+  scene.loads.push_back({.at = Place::end(), .force = {2.0, 5.0, 0.0}});
+  for (const Component component : {Component::X, Component::Y, Component::Z}) {
+    add_probe(scene, ProbeQuantity::ReactionMoment, {0.25, {}}, component);
+    add_probe(scene, ProbeQuantity::Reaction, {0.25, {}}, component);
+  }
+  const Response response = completed(scene, {.level = Level::Spatial, .steps = 1});
+  // 0.75 m along z, but for how far the beam has moved.
+  EXPECT_NEAR(last_of(response, 0), 0.75 * 5.0, 2e-4);
+  EXPECT_NEAR(last_of(response, 2), -0.75 * 2.0, 2e-4);
+  EXPECT_NEAR(last_of(response, 4), 0.0, 1e-3);
+  EXPECT_NEAR(last_of(response, 1), -2.0, 1e-9);
+  EXPECT_NEAR(last_of(response, 3), -5.0, 1e-9);
+}
+
 TEST(ElasticBed, BendsUnderALoadInTheMiddleAsHetenyiSays) {
   const double b = kBetaL;
   const double shape = (std::cosh(b) + std::cos(b) + 2.0) / (std::sinh(b) + std::sin(b));

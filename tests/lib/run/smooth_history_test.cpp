@@ -55,6 +55,42 @@ TEST(SmoothHistory, OfASineMakesTheForcedVibrationOfTheory) {
   }
 }
 
+/// A free beam that a pin moves from one place to another: nothing else holds it, so that the pin's
+/// force is the rate of its momentum. Where the motion begins and ends its acceleration jumps, by
+/// 6/T^2 of the way.
+TEST(SmoothHistory, OfAMotionHasTheForceThatItsMomentumTakes) {
+  Scene scene = testing::chain_scene(8);
+  scene.material.density = 7800.0;
+  Support pin{.at = Place::start(), .kind = SupportKind::Pin};
+  pin.translation = {0.0, 0.005, 0.0};
+  pin.history = History::smooth_step(0.005, 0.025);
+  scene.supports = {pin};
+  scene.masses.push_back({.at = Place::start(), .mass = 3.0});
+  add_probe(scene, ProbeQuantity::Momentum, Place::start(), Component::Y);
+  add_probe(scene, ProbeQuantity::Reaction, Place::start(), Component::Y);
+  for (const Scheme scheme : {Scheme::GeneralizedAlpha, Scheme::LinearlyImplicitEuler}) {
+    SolverOptions options;
+    options.analysis = Analysis::Dynamics;
+    options.scheme = scheme;
+    options.duration = 0.035;
+    options.steps = 700;
+    options.time_step = 5e-5;
+    const Response response = testing::completed(scene, options);
+    const auto& momentum = response.probes[0];
+    const auto& force = response.probes[1];
+    double largest = 0.0;
+    for (const double f : force) largest = std::max(largest, std::fabs(f));
+    EXPECT_GT(largest, 200.0);
+    for (std::size_t k = 1; k + 1 < response.samples; ++k) {
+      const double time = response.chain.time[k];
+      if (std::fabs(time - 0.005) < 1e-4 || std::fabs(time - 0.025) < 1e-4) continue;
+      const double rate = (momentum[k + 1] - momentum[k - 1]) /
+                          (response.chain.time[k + 1] - response.chain.time[k - 1]);
+      EXPECT_NEAR(force[k], rate, 0.02 * largest) << static_cast<int>(scheme) << " at " << time;
+    }
+  }
+}
+
 TEST(SmoothHistory, ThatStepsAreTooLongForIsWarnedOf) {
   Scene scene = swing(History::sine(1e-3, 10.0));
   SolverOptions options{.analysis = Analysis::Dynamics, .duration = 0.01, .steps = 5};
