@@ -167,6 +167,9 @@ std::vector<std::string> comment_lines(const EngineBeam& beam) {
   lines.emplace_back("A joint of tributary length l = (L_a + L_b)/2, or as the scene gives it; at");
   lines.emplace_back("an end that is held against rotation a half joint, l = L/2:");
   lines.emplace_back("  stiffness [N m/rad]: f_x E I_x/l, f_y E I_y/l, f_z G J/l");
+  if (beam.regions.size() > 1) {
+    lines.emplace_back("    between two regions both halves give way, each by its own share of l");
+  }
   if (beam.yield_model != YieldModel::Elastic) {
     lines.push_back(written(
         "  yield moment [N m]: c_x sigma_y W_x, c_y sigma_y W_y, c_z tau_y W_t ({})",

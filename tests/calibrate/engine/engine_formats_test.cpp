@@ -150,8 +150,8 @@ TEST(EngineText, SaysTheEquationsInEachFormat) {
         EngineFormat::Chrono, EngineFormat::OpenSees}) {
     const std::string text =
         engine_text(format == EngineFormat::Bullet ? beam_of(held) : beam, format);
-    for (const char* line : {"stiffness [N m/rad]: f_x E I_x/l", "c_x sigma_y W_x",
-                             "E = 200000000000 Pa", "eps a/(h/2)"}) {
+    for (const char* line : {"stiffness [N m/rad]: f_x E I_x/l", "between two regions both halves",
+                             "c_x sigma_y W_x", "E = 200000000000 Pa", "eps a/(h/2)"}) {
       EXPECT_NE(text.find(line), std::string::npos) << line;
     }
     // A name ends neither a comment nor its line.
