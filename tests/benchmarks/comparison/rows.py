@@ -81,7 +81,7 @@ class Row:
                 "brief": self.brief}
 
 
-STEP, STATICS, W1, MANY, W2, W3, W4, COUPON, FITS, ORDER = GROUPS = [
+STEP, STATICS, W1, MANY, W2, W3, W4, COUPON, FITS, BENT, ORDER = GROUPS = [
     "A step of a chain in motion, per segment, N = 64",
     "A Newton iteration at rest, per segment, N = 64",
     "falling cantilever, one scenario, N = 64, within 0.5 %",
@@ -91,6 +91,7 @@ STEP, STATICS, W1, MANY, W2, W3, W4, COUPON, FITS, ORDER = GROUPS = [
     "a batch of falling cantilevers, N = 32 at 1 ms, per scenario",
     "A coupon's curve of 300 points",
     "Fits of 300-point curves",
+    "Fits through a planar bend, 32 segments, 200 steps",
     "Order in N: slope of log time over log N",
 ]
 
@@ -154,6 +155,11 @@ def struck(level, scheme, together):
 
 def coupon(name):
     return Ours("coupon_benchmark", name)
+
+
+def slopes(points, companions):
+    """Of a point and its differences."""
+    return Ours("scene_fit_benchmark", f"slopes/points:{points}/companions:{int(companions)}")
 
 
 SCALAR, LANES, FLOATS = "scalar double", "AVX512 double x1", "AVX512 float x1"
@@ -256,6 +262,13 @@ ROWS = [
         want="≥ 1.95"),
     Row(FITS, "cost evaluations a fit", Ours("fit_benchmark", "batch_of_fits/1", "evaluations/fit"),
         unit=""),
+
+    Row(BENT, "E, σ_y, ε_break free, a fit", Ours("scene_fit_benchmark", "scene_fit/lanes:1"),
+        want="≤ 20 ms", brief=True),
+    *(Row(BENT, f"a point and its slopes by {n} parameters", slopes(n + 1, True), "the point",
+          slopes(1, False)) for n in (2, 7, 20)),
+    *(Row(BENT, f"the same by {n}, runs of their own", slopes(n + 1, False), "the point",
+          slopes(1, False)) for n in (2, 7, 20)),
 
     Row(ORDER, "planar step, N = 64 … 4 096",
         Slope("motion_benchmark", "step/level:3/scheme:1/segments:(64|256|1024|4096)",
