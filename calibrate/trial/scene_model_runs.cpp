@@ -205,6 +205,7 @@ std::vector<SceneCurve> SceneModel::run_together(bool is_extended, std::span<con
   }
   if (!curves.front().usable) return curves;
   std::vector<std::size_t> their_points;
+  their_points.reserve(left.size());
   for (const std::size_t i : left) their_points.push_back(which[i]);
   std::vector<SceneCurve> alone =
       run_alone(is_extended, values, their_points, {.threads = 1, .stop = stop});

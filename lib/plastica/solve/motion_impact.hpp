@@ -32,20 +32,59 @@ double MotionStep<L, kElastic>::free_fraction() const {
   return fraction;
 }
 
+/// What struck contacts have lost by the impulses that fit the velocities now: of each its impulse
+/// times the mean of the speeds at which the beam came and goes, as its support sees them. Where
+/// supports stand, that is all that the beam has lost; else their impulses do work besides.
+template <class L, bool kElastic>
+typename MotionStep<L, kElastic>::E MotionStep<L, kElastic>::lost_by_struck() const {
+  E lost{};
+  if constexpr (!kHasLanes<S>) {
+    for (const Struck& one : struck_) {
+      if (!rates_.acts[one.constraint]) continue;  // it would have to pull
+      const E impulse = E(w_.small.b(one.constraint));
+      lost += impulse * E(0.5 * (one.came - one.goes));
+    }
+  }
+  return lost;
+}
+
+/// Books what an impact has taken from the kinetic energy.
+template <class L, bool kElastic>
+void MotionStep<L, kElastic>::book_impact(const E& lost) {
+  const E own = supports_move() ? lost_by_struck() : lost;
+  flows_.impact += own;
+  if (supports_move()) flows_.external += own - lost;
+}
+
+template <class L, bool kElastic>
+bool MotionStep<L, kElastic>::supports_move() const {
+  const auto is_something = [](const S& square) { return any(square > constant<S>(0)); };
+  const auto& root = chain_.root;
+  return is_something(dot(root.motion, root.motion)) ||
+         is_something(dot(root.rotation, root.rotation)) ||
+         std::any_of(chain_.constraints.begin(), chain_.constraints.end(),
+                     [&](const auto& k) { return is_something(abs(k.motion)); });
+}
+
 /// Contacts that touch at the step's begin and would be crossed in it: they are met there.
 template <class L, bool kElastic>
 void MotionStep<L, kElastic>::meet_at_begin() {
+  struck_.clear();
   for (std::size_t k = 0; k < chain_.constraints.size(); ++k) {
     if (!chain_.constraints[k].one_sided || contacts_.rests_on[k]) continue;
     const bool crosses = gap_of(k, w_.placement, w_.time) < -kContactTolerance<S> * chain_.length;
-    if (crosses && gap_of(k, begin_, time_) <= 0.0) contacts_.rests_on[k] = true;
+    if (crosses && gap_of(k, begin_, time_) <= 0.0) {
+      contacts_.rests_on[k] = true;
+      struck_.push_back({k});
+    }
   }
   w_.q = q_begin_;
   w_.time = time_;
   w_.placement = begin_;
+  for (Struck& one : struck_) one.came = approach_of(one.constraint);
   const double before = kinetic();
   fit_velocities(motion_);
-  flows_.impact += before - kinetic();
+  book_impact(before - kinetic());
   h_before_ = 0.0;
   restart();
 }
@@ -198,7 +237,11 @@ void MotionStep<L, kElastic>::settle() {
   }
   const E lost = before - kinetic();
   // The work of an impulse that makes a support start or stop comes from outside.
-  (touches ? flows_.impact : flows_.external) += touches ? lost : -lost;
+  if (touches) {
+    book_impact(lost);
+  } else {
+    flows_.external -= lost;
+  }
   jumped();
   restart();
 }
@@ -212,6 +255,7 @@ void MotionStep<L, kElastic>::jumped() {
 
 template <class L, bool kElastic>
 void MotionStep<L, kElastic>::strike(bool corner) {
+  struck_.clear();
   const std::size_t count = chain_.constraints.size();
   bool strikes = corner;
   set_support_rates();
@@ -226,6 +270,7 @@ void MotionStep<L, kElastic>::strike(bool corner) {
     contacts_.rests_on[k] = away == 0.0;
     rates_.acts[k] = !w_.q.released_constraint[k];
     rates_.rate[k] += constant<S>(away);
+    struck_.push_back({k, speed, away});
     strikes = true;
   }
   if (strikes) fit_to_rates(motion_);

@@ -78,6 +78,7 @@ class MotionStep {
     if constexpr (!kHasLanes<S>) {
       contacts_.rests_on.assign(constraints, false);
       contacts_.bounces.assign(constraints, 0);
+      struck_.reserve(constraints);
     }
     multiplier_.assign(constraints, constant<S>(0));
     root_wrench_.reset();
@@ -311,7 +312,16 @@ class MotionStep {
   bool note_contacts();
   void settle();
   void jumped();
+  /// A contact that the beam has come to, and the speeds at which it came and goes [m/s].
+  struct Struck {
+    std::size_t constraint = 0;
+    double came = 0.0;
+    double goes = 0.0;
+  };
   void strike(bool corner);
+  E lost_by_struck() const;
+  void book_impact(const E& lost);
+  bool supports_move() const;
   bool passes_corner() const;
   void restart();
 
@@ -355,6 +365,7 @@ class MotionStep {
   double h_before_ = 0.0;                        ///< its length; 0: none, or a jump since
   std::vector<CenterForce<L>> inertia_;
   std::conditional_t<kHasLanes<S>, NoContacts, Contacts> contacts_;
+  std::vector<Struck> struck_;                   ///< at the last impact
   std::vector<S> multiplier_;                    ///< (constraints)
   std::optional<chain::Wrench<L>> root_wrench_;  ///< what the root passed on; none: not known
   std::vector<typename L::Spin> ground_moment_;  ///< of ground joints on their segments

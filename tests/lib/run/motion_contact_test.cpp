@@ -97,6 +97,54 @@ TEST(MotionContact, MakesNoEnergyByRingingOnTwoPillars) {
   EXPECT_LT(response.energy_balance_error, kBalanceTolerance);
 }
 
+/// A free rod of one segment, 3.14 kg.
+Scene rod() {
+  Scene scene = testing::chain_scene(1);
+  scene.material.density = 7850.0;
+  return scene;
+}
+
+Support moving_at_one(Support support) {
+  support.translation = {0.0, 1.0, 0.0};
+  support.history = {{0.0, 1.0}, {0.0, 1.0}};
+  return support;
+}
+
+/// Two pillars strike a rod at rest: it leaves with (1 + e) v, of which 1/2 m (1 - e^2) v^2 was
+/// lost of the work m (1 + e) v^2 of the pillars.
+TEST_P(Contact, TellsTheWorkOfMovingPillarsFromWhatIsLost) {
+  for (const double restitution : {0.0, 0.6, 1.0}) {
+    Scene scene = rod();
+    for (const Place& at : {Place::start(), Place::end()}) {
+      Support pillar{.at = at, .kind = SupportKind::Pillar};
+      pillar.gap = 0.01;
+      pillar.restitution = restitution;
+      scene.supports.push_back(moving_at_one(pillar));
+    }
+    const double mass = 7850.0 * 4e-4;
+    const Energies energy = last_energy(simulate(scene, motion_options(GetParam(), 1e-3, 30)));
+    const double lost = 0.5 * mass * (1.0 - restitution * restitution);
+    EXPECT_NEAR(energy.impact, lost, 1e-6) << restitution;
+    EXPECT_NEAR(energy.external, mass * (1.0 + restitution), 1e-6) << restitution;
+    EXPECT_NEAR(energy.kinetic, energy.external - lost, 1e-6) << restitution;
+  }
+}
+
+/// A rod that a moving pin takes along meets a pillar that stands: seen from the pin, it turns with
+/// a moment of inertia of m L^2/3 about it.
+TEST_P(Contact, TellsTheWorkOfOtherSupportsFromWhatIsLost) {
+  Scene scene = rod();
+  scene.supports.push_back(moving_at_one({.at = Place::start(), .kind = SupportKind::Pin}));
+  Support pillar{.at = Place::end(), .kind = SupportKind::Pillar, .normal = {0.0, -1.0, 0.0}};
+  pillar.gap = 0.01;
+  pillar.restitution = 0.6;
+  scene.supports.push_back(pillar);
+  scene.initial_motions.push_back({.velocity = {0.0, 1.0, 0.0}});
+  const double mass = 7850.0 * 4e-4;
+  const Energies energy = last_energy(simulate(scene, motion_options(GetParam(), 1e-3, 15)));
+  EXPECT_NEAR(energy.impact, mass / 3.0 * 0.5 * (1.0 - 0.36), 1e-3);
+}
+
 TEST(MotionContact, FollowsASupportThatStartsAtOnce) {
   Scene scene = testing::cantilever_scene(8);
   scene.supports[0].translation = {0.0, 0.01, 0.0};
