@@ -60,8 +60,12 @@ template <class L, bool kElastic>
 bool MotionStep<L, kElastic>::supports_move() const {
   const auto is_something = [](const S& square) { return any(square > constant<S>(0)); };
   const auto& root = chain_.root;
-  return is_something(dot(root.motion, root.motion)) ||
-         is_something(dot(root.rotation, root.rotation)) ||
+  // A spring at the start moves, too, but has no impulse.
+  const auto any_of = [](const auto& holds) {
+    return std::any_of(holds.begin(), holds.end(), [](bool one) { return one; });
+  };
+  return (any_of(root.held) && is_something(dot(root.motion, root.motion))) ||
+         (any_of(root.clamped) && is_something(dot(root.rotation, root.rotation))) ||
          std::any_of(chain_.constraints.begin(), chain_.constraints.end(),
                      [&](const auto& k) { return is_something(abs(k.motion)); });
 }
@@ -73,16 +77,22 @@ void MotionStep<L, kElastic>::meet_at_begin() {
   for (std::size_t k = 0; k < chain_.constraints.size(); ++k) {
     if (!chain_.constraints[k].one_sided || contacts_.rests_on[k]) continue;
     const bool crosses = gap_of(k, w_.placement, w_.time) < -kContactTolerance<S> * chain_.length;
-    if (crosses && gap_of(k, begin_, time_) <= 0.0) {
-      contacts_.rests_on[k] = true;
-      struck_.push_back({k});
-    }
+    if (crosses && gap_of(k, begin_, time_) <= 0.0) struck_.push_back({k});
   }
   w_.q = q_begin_;
   w_.time = time_;
   w_.placement = begin_;
-  for (Struck& one : struck_) one.came = approach_of(one.constraint);
-  const double before = kinetic();
+  double before = kinetic();
+  if (supports_move()) {
+    // As in `settle`: what velocities lack to fit the joints is no work of supports.
+    fit_velocities(motion_);
+    flows_.numerical_dissipation += before - kinetic();
+    before = kinetic();
+  }
+  for (Struck& one : struck_) {
+    one.came = approach_of(one.constraint);
+    contacts_.rests_on[one.constraint] = true;
+  }
   fit_velocities(motion_);
   book_impact(before - kinetic());
   h_before_ = 0.0;
