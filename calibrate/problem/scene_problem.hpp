@@ -91,8 +91,8 @@ class SceneProblem {
   /// @return by target and point (n_targets, count)
   std::vector<std::vector<SceneCurve>> curves(std::span<const double> points, std::size_t count);
 
-  /// Whose companion each point of a list is, if it is not said: `leads_among` them, or where
-  /// companions cost what runs cost none's.
+  /// Whose companion each point of a list is, where that is not said: `leads_among` them; without
+  /// companions its own.
   /// @param points  coordinates (count x n), row by row
   std::vector<std::size_t> leads_of(std::span<const double> points, std::size_t count) const;
 

@@ -1,7 +1,6 @@
 #include "plastica/run/companions.hpp"
 
 #include <algorithm>
-#include <exception>
 #include <memory>
 
 #include "plastica/run/chain_run.hpp"

@@ -12,7 +12,8 @@ struct StepEnd {
   double reach = 0.0;
 };
 
-/// Whether the speed of what a history moves jumps at the end of a step, as its scheme sees it.
+/// Whether the speed of what a history moves jumps at the end of a step, as its scheme sees it; of
+/// a smooth history where it begins or ends, whether the speed or the acceleration does.
 /// @param midpoint  whether forces act half way
 bool speed_jumps(const History& history, const StepEnd& end, bool midpoint);
 

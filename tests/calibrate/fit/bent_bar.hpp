@@ -65,4 +65,26 @@ inline calibrate::SceneTarget measured(const Setup& setup, const Truth& truth = 
   return target;
 }
 
+/// The end's way up to 4 mm, of a bar that is pushed by a force.
+inline calibrate::SceneTarget pushed() {
+  calibrate::SceneTarget target;
+  target.name = "pushed";
+  target.abscissa_probe = "displacement";
+  target.ordinate_probe = "force";
+  target.abscissa_factor = -1.0;
+  for (int i = 0; i <= 40; ++i) target.abscissa.push_back(1e-4 * i);
+  target.ordinate.assign(target.abscissa.size(), 0.0);
+  return target;
+}
+
+/// The bar pushed at its end.
+inline Setup pushed_bar(double force) {
+  Setup setup = bend_test(5);
+  Scene& scene = setup.scene;
+  scene.supports.pop_back();
+  scene.loads = {{.at = Place::end(), .force = {0.0, -force, 0.0}}};
+  scene.probes[1] = {"force", ProbeQuantity::LoadFactor};
+  return setup;
+}
+
 }  // namespace plastica::testing

@@ -73,53 +73,41 @@ TEST(SceneCompanions, AreNotRunBesideALeadThatIsNot) {
   }
 }
 
-/// The bar pushed by a force up to 2.3 mm, measured up to 4.
-struct Pushed {
-  plastica::Setup setup = bend_test(5);
-  SceneTarget target;
+/// The same points as runs of their own, and beside the first.
+struct Both {
+  std::vector<SceneCurve> alone, beside;
 
-  explicit Pushed(double force) {
-    setup.scene.supports.pop_back();
-    setup.scene.loads = {{.at = Place::end(), .force = {0.0, -force, 0.0}}};
-    setup.scene.probes[1] = {"force", ProbeQuantity::LoadFactor};
-    target.name = "pushed";
-    target.abscissa_probe = "displacement";
-    target.ordinate_probe = "force";
-    target.abscissa_factor = -1.0;
-    for (int i = 0; i <= 40; ++i) target.abscissa.push_back(1e-4 * i);
-    target.ordinate.assign(target.abscissa.size(), 0.0);
+  explicit Both(const plastica::Setup& setup) {
+    const SceneModel model = model_of(setup, testing::pushed());
+    const std::vector<double> points = points_about(250e9, 355e6);
+    alone = model.run(points, 5);
+    beside = model.run(points, 5, 1, nullptr, kBesideTheFirst);
   }
 };
 
+/// The scene pushes up to 2.3 mm, and 4 were measured.
 TEST(SceneCompanions, GoOnWithTheirLeadWhereItsRampEndsTooEarly) {
-  const Pushed pushed(300.0);
-  const SceneModel model = model_of(pushed.setup, pushed.target);
-  const std::vector<double> points = points_about(250e9, 355e6);
-  const auto alone = model.run(points, 5);
-  const auto beside = model.run(points, 5, 1, nullptr, kBesideTheFirst);
+  const Both both(testing::pushed_bar(300.0));
   for (std::size_t i = 0; i < 5; ++i) {
-    ASSERT_TRUE(beside[i].usable) << beside[i].reason;
-    EXPECT_TRUE(beside[i].is_extended);
-    EXPECT_NEAR(beside[i].ordinate.back(), alone[i].ordinate.back(), 1e-8);
+    ASSERT_TRUE(both.beside[i].usable) << both.beside[i].reason;
+    EXPECT_TRUE(both.beside[i].is_extended);
+    EXPECT_NEAR(both.beside[i].ordinate.back(), both.alone[i].ordinate.back(), 1e-8);
   }
 }
 
 /// A lead that is lost beyond what was measured has a curve all the same, as its companions have.
 TEST(SceneCompanions, RunAloneWhereTheLeadIsLostBeyondWhatWasMeasured) {
-  Pushed pushed(450.0);
-  pushed.setup.solver.steps = 3;
-  pushed.setup.solver.max_iterations = 2;
-  pushed.setup.solver.smallest_step = 1.0;
-  const SceneModel model = model_of(pushed.setup, pushed.target);
-  const std::vector<double> points = points_about(250e9, 355e6);
-  const auto alone = model.run(points, 5);
-  const auto beside = model.run(points, 5, 1, nullptr, kBesideTheFirst);
+  plastica::Setup setup = testing::pushed_bar(450.0);
+  setup.solver.steps = 3;
+  setup.solver.max_iterations = 2;
+  setup.solver.smallest_step = 1.0;
+  const Both both(setup);
   for (std::size_t i = 0; i < 5; ++i) {
-    ASSERT_TRUE(beside[i].usable) << beside[i].reason;
-    EXPECT_TRUE(beside[i].was_run);
-    EXPECT_EQ(beside[i].ordinate, alone[i].ordinate);
+    ASSERT_TRUE(both.beside[i].usable) << both.beside[i].reason;
+    EXPECT_TRUE(both.beside[i].was_run);
+    EXPECT_EQ(both.beside[i].ordinate, both.alone[i].ordinate);
   }
-  EXPECT_NE(beside[1].ordinate, beside[0].ordinate);
+  EXPECT_NE(both.beside[1].ordinate, both.beside[0].ordinate);
 }
 
 }  // namespace

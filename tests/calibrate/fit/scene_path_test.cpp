@@ -14,28 +14,13 @@ using testing::all_three;
 using testing::bend_test;
 using testing::free_parameter;
 using testing::measured;
+using testing::pushed;
 
 /// The bar pushed by a force of 300 N, which moves its end by 2.3 mm if it is of 205 GPa.
 plastica::Setup pushed_bar() {
-  plastica::Setup setup = bend_test(5);
-  Scene& scene = setup.scene;
-  scene.supports.pop_back();
-  scene.loads = {{.at = Place::end(), .force = {0.0, -300.0, 0.0}}};
-  scene.probes[1] = {"force", ProbeQuantity::LoadFactor};
-  scene.material.youngs_modulus = 100e9;
+  plastica::Setup setup = testing::pushed_bar(300.0);
+  setup.scene.material.youngs_modulus = 100e9;
   return setup;
-}
-
-/// The end's way up to 4 mm.
-SceneTarget pushed() {
-  SceneTarget target;
-  target.name = "pushed";
-  target.abscissa_probe = "displacement";
-  target.ordinate_probe = "force";
-  target.abscissa_factor = -1.0;
-  for (int i = 0; i <= 40; ++i) target.abscissa.push_back(1e-4 * i);
-  target.ordinate.assign(target.abscissa.size(), 0.0);
-  return target;
 }
 
 std::vector<SceneCurve> curves_at(const plastica::Setup& setup, const SceneTarget& target,
