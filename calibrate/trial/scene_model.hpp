@@ -42,8 +42,8 @@ struct SceneCurve {
   bool is_extended = false;      ///< whether it is of a path beyond the scene's end (`kMaxTimes`)
   std::vector<double> ordinate;  ///< at the measured abscissa and by the target's factor [SI] (n)
   StrainAtBreak strain;
-  /// Work, in a measure that no machine changes: segments x Newton iterations of the runs that led to
-  /// it. What a companion has done before it had to run alone is not in it.
+  /// Work, in a measure that no machine changes: segments x Newton iterations of the runs that led
+  /// to it. What a companion has done before it had to run alone is not in it.
   std::int64_t segment_iterations = 0;
 };
 

@@ -90,7 +90,8 @@ void slopes(benchmark::State& state) {
   std::vector<double> points;
   for (std::size_t i = 0; i < count; ++i) {
     points.push_back(205e9 * (1.0 + 1e-5 * static_cast<double>(i % 2)));
-    points.push_back(380e6 * (1.0 + 1e-5 * static_cast<double>((i + 1) / 2)));
+    const std::size_t off = (i + 1) / 2;
+    points.push_back(380e6 * (1.0 + 1e-5 * static_cast<double>(off)));
   }
   for (auto _ : state) benchmark::DoNotOptimize(model.run(points, count, 1, nullptr, leads));
 }

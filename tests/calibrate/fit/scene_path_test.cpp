@@ -153,7 +153,7 @@ TEST(ScenePath, TakesTheBreakStrainOfTheMaterialThatIsFitted) {
 TEST(ScenePath, TakesTheBreakStrainAtARegionOfAnotherMaterialFromEitherEnd) {
   plastica::Setup setup = bar_of_two(0.5);
   setup.scene.regions[0].section.height = 0.032;
-  setup.scene.regions[0].own.push_back("section.height");
+  setup.scene.regions[0].own.emplace_back("section.height");
   plastica::Setup mirrored = setup;
   mirrored.scene.regions[0].from = Place{0.5, {}};
   mirrored.scene.regions[0].to = Place::end();
@@ -170,8 +170,8 @@ TEST(ScenePath, TakesTheBreakStrainAtARegionOfAnotherMaterialFromEitherEnd) {
 TEST(ScenePath, TakesTheBreakStrainOfTheRegionThatIsWeakerAtTheValues) {
   plastica::Setup setup = bar_of_two(0.5);
   Region& region = setup.scene.regions[0];
-  region.own.push_back("material.yield_stress");
-  region.own.push_back("section.height");
+  region.own.emplace_back("material.yield_stress");
+  region.own.emplace_back("section.height");
   region.section.height = 0.025;
   const auto strain_from = [&](double nominal, double at) {
     setup.scene.material.yield_stress = nominal;
