@@ -17,6 +17,8 @@
 #include "cli/interrupt.hpp"
 #include "cli/page_output.hpp"
 #include "cli/run_files.hpp"
+#include "cli/run_team.hpp"
+#include "cli/shard_option.hpp"
 #include "cli/tell.hpp"
 #include "cli/terminal_line.hpp"
 #include "plastica/io/result_file.hpp"
@@ -25,6 +27,7 @@
 #include "plastica/report/format.hpp"
 #include "plastica/report/picture.hpp"
 #include "sweeps/report/web/scan_page.hpp"
+#include "sweeps/stability/point_journal.hpp"
 #include "sweeps/stability/scene_scan_text.hpp"
 #include "sweeps/stability/summary.hpp"
 
@@ -43,8 +46,11 @@ struct StabilityArguments {
   std::string map;
   std::optional<double> width;  ///< of the map [mm]
   std::string report;
+  bool resume = false;
   bool force = false;
   bool quiet = false;
+  RunTeam* launched = nullptr;  ///< other processes, which may join; null: none
+  Team* team = nullptr;         ///< those that have joined; null: none
 };
 
 void check_stability_outputs(const StabilityArguments& arguments) {
@@ -72,6 +78,39 @@ bool any_undetected(const std::vector<stability::StabilityRow>& rows) {
   });
 }
 
+/// Where the points are kept until the output has them: beside it, so nowhere without one.
+std::unique_ptr<stability::PointJournal> open_journal(const StabilityArguments& arguments,
+                                                      const io::SceneFile& file, double within,
+                                                      const std::string& instruction_set,
+                                                      StopFlag stop) {
+  const auto require_output = [&](std::string_view option, std::string_view rule) {
+    throw InputError({}, option, "", std::string(rule) + ": give -o FILE");
+  };
+  if (arguments.output.empty()) {
+    if (arguments.resume) require_output("--resume", "goes on from what stands beside the output");
+    if (arguments.team != nullptr) {
+      require_output("--output", "is where processes keep what they have finished");
+    }
+    return nullptr;
+  }
+  const io::JournalPolicy policy =
+      policy_of(arguments.output, {}, arguments.resume, arguments.force, instruction_set, nullptr,
+                arguments.team);
+  if (arguments.launched != nullptr) arguments.launched->watch(stop, policy.path, arguments.output);
+  auto journal = std::make_unique<stability::PointJournal>(policy, file.setup, within);
+  if (journal->journal().dropped_bytes() > 0) {
+    tell("plastica: dropped {} bytes of an unfinished record from the journal\n",
+         journal->journal().dropped_bytes());
+  }
+  if (journal->journal().damaged() > 0) tell_of_damage();
+  if (!arguments.quiet && journal->resumed() > 0) {
+    tell("{} resumed from an earlier run\n", report::counted(journal->resumed(), "point"));
+  }
+  // Another run may have had the journal until now, and have written the output.
+  io::check_output_path(arguments.output, arguments.force);
+  return journal;
+}
+
 int scan_file(const StabilityArguments& arguments) {
   expect_input(arguments.file, {InputKind::Scene});
   io::SceneFile file = io::read_scene_file(arguments.file);
@@ -88,6 +127,9 @@ int scan_file(const StabilityArguments& arguments) {
   meta.instruction_set = name_of(resolved(file.setup.solver.isa));
   const InterruptGuard interrupt;
   options.stop = &interrupt.flag();
+  const auto journal =
+      open_journal(arguments, file, options.within, meta.instruction_set, options.stop);
+  options.journal = journal.get();
   TerminalLine line(arguments.quiet);
   options.progress = [&line](std::size_t points) {
     if (line.is_due()) line.draw(fmt::format("scanning: {} points", points));
@@ -96,11 +138,19 @@ int scan_file(const StabilityArguments& arguments) {
   stability::SceneScan scan = io::with_place_in(
       file, [&] { return stability::scan_scene(name, file.setup, fields, options); });
   const bool valid = scan.own.validity == stability::Validity::Valid;
-  std::vector<stability::StabilityRow> grid;
+  stability::PairScan pair{{}, true};
   if (!arguments.map.empty() && valid && scan.complete) {
-    grid = stability::scan_pair(name, file.setup, scan.fields[0], scan.fields[1], options);
+    pair = stability::scan_pair(name, file.setup, scan.fields[0], scan.fields[1], options);
   }
+  const std::vector<stability::StabilityRow>& grid = pair.rows;
   line.clear();
+  const bool stopped = !scan.complete || !pair.complete;
+  if (arguments.team != nullptr && !arguments.team->leads()) return kDone;
+  if (stopped && journal) {
+    journal->sync();
+    tell_interrupted(arguments.output);
+    return kInterrupted;
+  }
   const io::Overwrite overwrite = io::overwrite_if(arguments.force);
   std::vector<stability::StabilityRow> all = scan.rows;
   all.insert(all.end(), grid.begin(), grid.end());
@@ -113,8 +163,8 @@ int scan_file(const StabilityArguments& arguments) {
     write_page(arguments.report, stability::scan_page(scan, grid, options, file, meta), overwrite);
     tell("wrote {}\n", arguments.report);
   }
-  if (interrupt.flag()) {
-    const bool lost = arguments.output.empty() && arguments.report.empty() && !all.empty();
+  if (stopped) {
+    const bool lost = arguments.report.empty() && !all.empty();
     tell("plastica: interrupted after {}{}\n", report::counted(all.size(), "point"),
          lost ? ", which are lost: -o FILE keeps them" : "");
     return kInterrupted;
@@ -125,6 +175,7 @@ int scan_file(const StabilityArguments& arguments) {
                          arguments.map, std::cout, overwrite);
     if (arguments.map != "-") tell("wrote {}\n", arguments.map);
   }
+  if (journal) journal->finish();
   if (!arguments.quiet) say(stability::scene_scan_text(scan, options));
   return valid && !any_undetected(scan.rows) && !any_undetected(grid) ? kDone : kNotAcceptable;
 }
@@ -162,16 +213,27 @@ void add_stability(CLI::App& app, const Invocation& invocation, Action& action) 
       ->option_text("FILE");
   add_report_option(*sub, arguments->report);
   add_threads_option(*sub, options.threads);
-  add_force_option(*sub, arguments->force, "files that are there");
+  sub->add_flag("--resume", arguments->resume,
+                "Run only what an interrupted run has not kept beside the output");
+  add_force_option(*sub, arguments->force, "files that are there, and an interrupted run");
   add_quiet_option(*sub, arguments->quiet, "no table, no progress");
   group_options(*sub, "What to vary, and how far", {"--vary", "--reach", "--within", "--max-work"});
-  group_options(*sub, "Results", {"--output", "--map", "--width", "--report", "--force"});
+  group_options(*sub, "Results",
+                {"--output", "--map", "--width", "--report", "--resume", "--force"});
   sub->footer(
       "Example:\n"
       "  plastica stability scene.toml --vary beam.segments,beam.length --map m.svg\n"
+      "  mpirun -np 64 plastica stability scene.toml -o p.csv   # share a run\n"
       "Exit code 1 if the scene's own result is not valid, or one has an undetected\n"
-      "error.");
-  sub->callback([&action, arguments] { action = [arguments] { return scan_file(*arguments); }; });
+      "error; 130 after Ctrl-C: with -o, --resume goes on.");
+  arguments->launched = invocation.team;
+  sub->callback([&action, arguments] {
+    action = [arguments] {
+      arguments->team =
+          join_team(arguments->launched, arguments->command_line, arguments->options.threads);
+      return scan_file(*arguments);
+    };
+  });
 }
 
 }  // namespace plastica::cli

@@ -10,6 +10,7 @@
 #include "sweeps/advise/grading.hpp"
 #include "sweeps/run/case_warnings.hpp"
 #include "sweeps/run/limited_run.hpp"
+#include "sweeps/stability/point_journal.hpp"
 
 namespace plastica::sweeps::stability {
 namespace {
@@ -71,28 +72,28 @@ BatchRow PointRunner::simulated(const Setup& setup, double& steps) const {
 }
 
 bool PointRunner::is_own(const Outcome& outcome) const {
-  const Outcome& own = own_.outcome;
   const auto same = [](const OneNumber& a, const OneNumber& b) {
     return a.name == b.name && a.value == b.value;
   };
-  return outcome.status == own.status && outcome.time == own.time &&
-         outcome.history == own.history && outcome.segments == own.segments &&
-         outcome.break_place == own.break_place &&
-         std::equal(outcome.numbers.begin(), outcome.numbers.end(), own.numbers.begin(),
-                    own.numbers.end(), same);
+  return outcome.status == own_.status && outcome.time == own_.time &&
+         outcome.history == own_.history && outcome.segments == own_.segments &&
+         outcome.break_place == own_.break_place &&
+         std::equal(outcome.numbers.begin(), outcome.numbers.end(), own_.numbers.begin(),
+                    own_.numbers.end(), same);
 }
 
-void PointRunner::compare_with_finer(const Setup& setup, JudgedRun& run) const {
+void PointRunner::compare_with_finer(const Setup& setup, const Outcome& outcome,
+                                     JudgedRun& run) const {
   const std::optional<Setup> fine = finer(setup);
   if (!fine) return;
   double steps = 0.0;
   const Outcome other = outcome_of(simulated(*fine, steps), watched_);
-  const Deviation off = deviation(run.outcome, other, watched_);
+  const Deviation off = deviation(outcome, other, watched_);
   run.compared = true;
   run.deviation = off.largest;
   run.quantity = off.quantity;
   const bool of_limit =
-      off.largest <= options_.within && is_further_off_limit(setup, *fine, other, run);
+      off.largest <= options_.within && is_further_off_limit(setup, *fine, outcome, other, run);
   if (run.deviation <= options_.within) return;
   run.verdict.validity = Validity::Inaccurate;
   if (!usable(other.status)) {
@@ -107,7 +108,8 @@ void PointRunner::compare_with_finer(const Setup& setup, JudgedRun& run) const {
 }
 
 bool PointRunner::is_further_off_limit(const Setup& setup, const Setup& fine,
-                                       const Outcome& of_fine, JudgedRun& run) const {
+                                       const Outcome& outcome, const Outcome& of_fine,
+                                       JudgedRun& run) const {
   if (!has_first_order_errors(setup)) return false;
   const std::optional<Setup> between = finer(setup, kOfOthers);
   const double own = 1.0 / setup.scene.beam.segments;
@@ -116,7 +118,7 @@ bool PointRunner::is_further_off_limit(const Setup& setup, const Setup& fine,
   if (middle == own || middle == finest) return false;
   double steps = 0.0;
   const Outcome of_middle = outcome_of(simulated(*between, steps), watched_);
-  const Deviation coarse = deviation(run.outcome, of_middle, watched_);
+  const Deviation coarse = deviation(outcome, of_middle, watched_);
   const SignedDeviation both = off_limit_of_two_orders({finest, middle, own}, coarse,
                                                        deviation(of_middle, of_fine, watched_));
   if (std::abs(both.value) <= run.deviation) return false;
@@ -125,34 +127,50 @@ bool PointRunner::is_further_off_limit(const Setup& setup, const Setup& fine,
   return true;
 }
 
-JudgedRun PointRunner::run(const Setup& setup, bool warned) const {
+JudgedRun PointRunner::judged(const Setup& setup, Outcome& outcome, bool warned) const {
   const auto begin = PointClock::now();
   JudgedRun run;
   try {
     double steps = 0.0;
     const BatchRow row = simulated(setup, steps);
-    run.outcome = outcome_of(row, watched_);
+    outcome = outcome_of(row, watched_);
     run.energy_balance_error = row.response.energy_balance_error;
     run.segment_steps = steps * setup.scene.beam.segments;
     run.level = row.level;
     run.verdict = judge(setup, row.response, nothing_known());
-    const bool limit = run.verdict.validity == Validity::Failed && usable(run.outcome.status);
+    const bool limit = run.verdict.validity == Validity::Failed && usable(outcome.status);
     if (limit) run.verdict = {};  // of an elastic beam that snaps: an answer, if it converges
     if (!row.reason.empty()) run.verdict.reason = row.reason;
     if (warned) run.warnings = warnings_of_run(setup, row.response);
-    if (run.verdict.validity == Validity::Valid) compare_with_finer(setup, run);
+    if (run.verdict.validity == Validity::Valid) compare_with_finer(setup, outcome, run);
   } catch (const InputError& error) {
-    run.outcome.status = Status::Rejected;
+    outcome.status = Status::Rejected;
     run.verdict = {Validity::Failed, error.what()};
   }
+  run.status = outcome.status;
   run.seconds = std::chrono::duration<double>(PointClock::now() - begin).count();
   return run;
 }
 
 JudgedRun PointRunner::run_own() {
   prepare(setup_.scene, setup_.solver);
-  own_ = run(setup_, true);
-  return own_;
+  return judged(setup_, own_, true);
+}
+
+std::optional<JudgedRun> PointRunner::recall(const Setup& setup) const {
+  if (options_.journal == nullptr) return std::nullopt;
+  return options_.journal->find(setup);
+}
+
+std::optional<JudgedRun> PointRunner::run(const Setup& setup) const {
+  if (is_raised(options_.stop)) return std::nullopt;
+  if (std::optional<JudgedRun> known = recall(setup)) return known;
+  Outcome outcome;
+  JudgedRun run = judged(setup, outcome, false);
+  if (is_raised(options_.stop)) return std::nullopt;
+  run.as_own = is_own(outcome);
+  if (options_.journal != nullptr) options_.journal->keep(setup, run);
+  return run;
 }
 
 }  // namespace plastica::sweeps::stability

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -12,8 +13,9 @@ namespace plastica::sweeps::stability {
 /// A run of one setup, judged.
 struct JudgedRun {
   Verdict verdict{};
-  Outcome outcome{};
+  Status status = Status::NotRun;
   Level level = Level::Auto;
+  bool as_own = false;     ///< whether it gave what the scene as it is gives, bit by bit
   double deviation = 0.0;  ///< from the finer run [1]
   std::string quantity{};  ///< whose that is
   bool compared = false;   ///< whether there was one
@@ -23,7 +25,8 @@ struct JudgedRun {
   std::vector<std::string> warnings{};  ///< where they are asked for, see `run_warnings`
 };
 
-/// Runs setups that differ from a scene, and judges them.
+/// Runs setups that differ from a scene, and judges them; of what is kept in the options' journal,
+/// none is run again.
 class PointRunner {
  public:
   /// @throws InputError if the scene has no probe to look at
@@ -31,29 +34,31 @@ class PointRunner {
 
   /// The scene as it is; to be run first. @throws InputError if it is bad input
   JudgedRun run_own();
-  /// One that differs. @param warned  whether its warnings are asked for
-  JudgedRun run(const Setup& setup, bool warned = false) const;
+  /// One that differs; nothing if it was stopped. @throws io::StorageError
+  std::optional<JudgedRun> run(const Setup& setup) const;
+  /// What is kept of one; nothing if it was not run.
+  std::optional<JudgedRun> recall(const Setup& setup) const;
   /// Segments times steps that a run is estimated to take [1].
   double work(const Setup& setup) const;
   double own_work() const { return own_work_; }
 
-  /// Whether a run gave what the scene's own gives, bit by bit.
-  bool is_own(const Outcome& outcome) const;
-
  private:
+  /// @param outcome  of the run
+  JudgedRun judged(const Setup& setup, Outcome& outcome, bool warned) const;
   BatchRow simulated(const Setup& setup, double& steps) const;
-  void compare_with_finer(const Setup& setup, JudgedRun& run) const;
+  bool is_own(const Outcome& outcome) const;
+  void compare_with_finer(const Setup& setup, const Outcome& outcome, JudgedRun& run) const;
   /// Where there are errors of first and second order (`has_first_order_errors`), they may cancel
   /// between a run and a finer one: the limit of both and of one between them may be further off.
   /// @return whether it is; `run` has that then
-  bool is_further_off_limit(const Setup& setup, const Setup& fine, const Outcome& of_fine,
-                            JudgedRun& run) const;
+  bool is_further_off_limit(const Setup& setup, const Setup& fine, const Outcome& outcome,
+                            const Outcome& of_fine, JudgedRun& run) const;
 
   const Setup& setup_;
   const SceneScanOptions& options_;
   std::vector<WatchedProbe> watched_;
   double own_work_ = 0.0;
-  JudgedRun own_{};
+  Outcome own_{};  ///< of the scene as it is
 };
 
 }  // namespace plastica::sweeps::stability

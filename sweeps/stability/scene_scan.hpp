@@ -16,6 +16,8 @@
 /// and recorded steps.
 namespace plastica::sweeps::stability {
 
+class PointJournal;
+
 struct SceneScanOptions {
   double within = 0.05;  ///< largest deviation from the finer run of a valid one [1], 0 ... 1
   double reach = 1e3;    ///< no value is followed by more than this factor, > 1
@@ -25,7 +27,10 @@ struct SceneScanOptions {
   int threads = 0;  ///< 0: as many as the machine has; changes nothing but times
   /// Once raised, no further run is begun, and those under way end within a step. May be null.
   StopFlag stop = nullptr;
-  /// Told after each point how many there have been, one call at a time; may be empty.
+  /// Keeps every point, and has the processes that do the scan together; null: nothing is kept.
+  PointJournal* journal = nullptr;
+  /// Told after each point how many there have been, those of other processes and of earlier runs
+  /// included, one call at a time; may be empty. Of a team only the leader's has them all.
   std::function<void(std::size_t points)> progress{};
 };
 
@@ -68,7 +73,13 @@ struct SceneScan {
   std::vector<std::string> warnings{};  ///< of the scene as it is, see `run_warnings`
   std::vector<ScannedField> fields;
   std::vector<StabilityRow> rows;  ///< every point that was run
-  bool complete = false;           ///< false after a stop
+  bool complete = false;           ///< false after a stop, of whichever process
+};
+
+/// A grid of two fields.
+struct PairScan {
+  std::vector<StabilityRow> rows;  ///< every point that was run
+  bool complete = false;           ///< false after a stop, of whichever process
 };
 
 /// The fields of names, or, without names, all numbers of the scene that are set and not 0, the
@@ -77,15 +88,16 @@ struct SceneScan {
 std::vector<const Field*> scanned_fields(const Setup& setup, const std::vector<std::string>& names);
 
 /// Follows each field from its value both ways, in factors of the root of ten, then in ever smaller
-/// ones between the last valid value and the next. @throws InputError if the scene has no probe to
-/// look at
+/// ones between the last valid value and the next. Where several processes do it together, each has
+/// the whole scan in the end.
+/// @throws InputError if the scene has no probe to look at; io::StorageError and TeamLeft of the
+///         journal
 SceneScan scan_scene(const std::string& name, const Setup& setup,
                      const std::vector<const Field*>& fields, const SceneScanOptions& options);
 
 /// Runs a grid of two fields that were scanned, from one end of each to the other and a step beyond
-/// what is not valid; rows have both. @throws InputError as above
-std::vector<StabilityRow> scan_pair(const std::string& name, const Setup& setup,
-                                    const ScannedField& first, const ScannedField& second,
-                                    const SceneScanOptions& options);
+/// what is not valid; rows have both. Throws as above.
+PairScan scan_pair(const std::string& name, const Setup& setup, const ScannedField& first,
+                   const ScannedField& second, const SceneScanOptions& options);
 
 }  // namespace plastica::sweeps::stability

@@ -163,6 +163,51 @@ class Team(unittest.TestCase):
             self.expect_same("one.h5", output)
         self.assertEqual(self.journals(), [])
 
+    def points(self, name):
+        """The points of a scan, without what each took."""
+        with open(self.path(name)) as file:
+            return [line.rsplit(",", 1)[0] for line in file]
+
+    def test_a_scan_is_that_of_one_process(self):
+        """Which points a map has depends on where the scan of each field ended."""
+        self.assertEqual(self.run_alone("init", "sweep").returncode, 0)
+        words = ("stability", "cantilever.toml", "--vary", "beam.segments,scale.loads",
+                 "--reach", "100", "--map")
+        alone = self.run_alone(*words, "one.gp", "-o", "one.csv")
+        self.assertEqual(alone.returncode, 0, alone.stderr)
+        for size in (2, 5):
+            team = self.run_team(size, *words, f"{size}.gp", "-o", f"{size}.csv")
+            self.assertEqual(team.returncode, 0, team.stderr)
+            self.assertEqual(team.stdout, alone.stdout)
+            self.assertEqual(self.points(f"{size}.csv"), self.points("one.csv"))
+            with open(self.path("one.gp")) as one, open(self.path(f"{size}.gp")) as other:
+                self.assertEqual(one.read(), other.read())
+        self.assertEqual(self.journals(), [])
+
+        lone = self.run_team(2, *words, "-")
+        self.assertEqual(lone.returncode, 2, lone.stderr)
+        self.assertEqual(self.own_lines(lone.stderr), [
+            "plastica: --output: is where processes keep what they have finished: give -o FILE"
+        ])
+
+    def test_a_scan_whose_process_was_killed_goes_on(self):
+        self.assertEqual(self.run_alone("init", "sweep").returncode, 0)
+        words = ("stability", "cantilever.toml", "--vary", "beam.segments,scale.loads",
+                 "--threads", "1")
+        team = self.start(3, *words, "-o", "out.csv")
+        victim = self.process_of(team, 1, "out.csv")
+        self.assertIsNotNone(victim, team.poll())
+        os.kill(victim, signal.SIGKILL)
+        out, err = team.communicate(timeout=120)
+        kept = [line for line in self.own_lines(err) if "what is finished is kept" in line]
+        self.assertEqual(len(kept), 1, err)
+        self.assertFalse(os.path.exists(self.path("out.csv")))
+        last = self.run_alone(*words, "-o", "out.csv", "--resume")
+        self.assertEqual(last.returncode, 0, last.stderr)
+        self.assertEqual(self.run_alone(*words, "-o", "one.csv").returncode, 0)
+        self.assertEqual(self.points("out.csv"), self.points("one.csv"))
+        self.assertEqual(self.journals(), [])
+
     def test_killed_processes_lose_nothing(self):
         self.write_fits(300, 0.005)
         words = ("calibrate", "fit.toml", "-o", "out.h5", "--threads", "1")
@@ -194,7 +239,7 @@ class Team(unittest.TestCase):
         self.assertEqual(self.journals(), [])
         self.expect_same("one.h5", "out.h5")
 
-    def process_of(self, team, rank):
+    def process_of(self, team, rank, output="out.h5"):
         """The process of a rank, once each has a journal, so that the run is under way."""
         begun = time.time()
         end = time.monotonic() + 60
@@ -203,7 +248,7 @@ class Team(unittest.TestCase):
                 environment = self.environment_of(process)
                 if f"OMPI_COMM_WORLD_RANK={rank}" not in environment:
                     continue
-                name = self.path("out.h5.journal" + (f".{rank}" if rank else ""))
+                name = self.path(output + ".journal" + (f".{rank}" if rank else ""))
                 # Not that of an earlier run.
                 if os.path.exists(name) and os.path.getmtime(name) > begun:
                     return process

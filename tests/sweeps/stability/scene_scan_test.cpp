@@ -209,7 +209,9 @@ TEST(SceneScan, ScansAPair) {
   const Field& loads = find_axis_field("scale.loads");
   const SceneScanOptions options{.within = 0.01, .reach = 10.0};
   const SceneScan scan = scan_of(setup, {"beam.segments", "scale.loads"}, options);
-  const auto rows = scan_pair("scene", setup, scan.fields.at(0), scan.fields.at(1), options);
+  const PairScan pair = scan_pair("scene", setup, scan.fields.at(0), scan.fields.at(1), options);
+  EXPECT_TRUE(pair.complete);
+  const std::vector<StabilityRow>& rows = pair.rows;
   ASSERT_GT(rows.size(), 80U);
   // Few segments are off under the scene's own load, as in the scan of segments alone.
   const auto class_at = [&](double n) {
