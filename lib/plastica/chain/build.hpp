@@ -31,6 +31,9 @@ struct BuildOptions {
   RotaryInertia rotary = RotaryInertia::On;
   bool shifts = false;      ///< whether joints stretch and shear
   bool sees_axial = false;  ///< whether joints that do not stretch yield by their axial force, too
+  /// Whether a joint may let go of its segment: what stands there is then of both sides. Empty:
+  /// none does (N).
+  std::vector<bool> may_open{};
 };
 
 /// Turns a laid-out scene into the chain of a level. Compiled once for each level (build.cpp).

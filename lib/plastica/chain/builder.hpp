@@ -167,7 +167,7 @@ class Builder {
       constraint.direction = unit_vector<typename L::Point>(k);
       constraint.target = undeformed_point(point)[k];
       constraint.motion = translation[k];
-      build_.chain.constraints.push_back(constraint);
+      add_constraint(constraint);
     }
     hold_rotation(support, index, history, point);
   }
@@ -271,6 +271,20 @@ class Builder {
   void add_point_load(const Load& load, std::size_t history, const SegmentPoint& point,
                       double size);
   void add_gravity();
+
+  bool may_open(std::size_t joint) const {
+    return joint < options_.may_open.size() && options_.may_open[joint];
+  }
+
+  /// Of a point; with its twin where the joint there may let go.
+  void add_constraint(LoopConstraint<L> constraint) {
+    build_.chain.constraints.push_back(constraint);
+    const std::size_t beyond = constraint.segment + 1;
+    if (constraint.node != beyond || !may_open(beyond)) return;
+    constraint.segment = constraint.waits_for = beyond;
+    constraint.arm = {};
+    build_.chain.constraints.push_back(constraint);
+  }
 
   LoopConstraint<L> constraint_at(std::size_t support, const SegmentPoint& point) const {
     LoopConstraint<L> constraint;

@@ -63,6 +63,9 @@ struct LoopConstraint {
   typename L::Scalar motion;    ///< how far it moves, times the history [m] (rotational: [rad])
   bool rotational = false;
   bool one_sided = false;  ///< the multiplier is not negative: a pillar
+  /// Of a twin: the joint whose segment it holds as the constraint before it in the list holds the
+  /// segment before, from when the joint lets go. Others act from the beginning.
+  std::size_t waits_for = kInside;
 };
 
 /// Springs between a point and the ground along the world axes.

@@ -103,6 +103,7 @@ void visit_attached(V& v, C& chain) {
     v.index(constraint.history);
     v.flag(constraint.rotational);
     v.flag(constraint.one_sided);
+    v.index(constraint.waits_for);
     visit_numbers(v, constraint.arm);
     visit_numbers(v, constraint.direction);
     visit_numbers(v, constraint.axis);

@@ -23,7 +23,18 @@ JointAngles times(double factor, JointAngles angles) {
   return angles;
 }
 
+bool has_limit(const Material& material) {
+  return material.break_strain || material.break_shear_strain;
+}
+
 }  // namespace
+
+bool has_break_limits(const Scene& scene) {
+  return has_limit(scene.material) || scene.break_limit_x || scene.break_limit_y ||
+         scene.break_limit_z || std::ranges::any_of(scene.regions, [](const Region& region) {
+           return has_limit(region.material);
+         });
+}
 
 Localization localization_of(const Scene& scene) {
   const Hardening& hardening = scene.material.hardening;

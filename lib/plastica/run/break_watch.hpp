@@ -46,6 +46,9 @@ class NodeStrains {
 /// equilibrium.)
 inline constexpr double kBreakTolerance = 1e-4;
 
+/// Whether a scene limits the strains of any joint.
+bool has_break_limits(const Scene& scene);
+
 /// How a joint's law distributes permanent rotation along a beam whose moment varies.
 enum class Localization {
   Concentrated,  ///< in the joint of largest moment: ideal plasticity of the whole section

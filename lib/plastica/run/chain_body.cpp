@@ -18,6 +18,16 @@ bool sees_axial(const ChainModel& model) {
          yields != YieldModel::PerAxis;
 }
 
+/// At rest a break ends the path.
+std::vector<bool> joints_that_may_open(const ChainModel& model) {
+  const bool moves = model.options.analysis == Analysis::Dynamics;
+  std::vector<bool> may_open(model.layout.size(), moves && has_break_limits(model.scene));
+  for (const JointCut& cut : model.cuts) {
+    if (cut.node < may_open.size()) may_open[cut.node] = true;
+  }
+  return may_open;
+}
+
 /// Of the plastic work of a joint in a step.
 template <class S>
 bool is_flow(const S& work) {
@@ -29,8 +39,9 @@ bool is_flow(const S& work) {
 template <class L, bool kElastic>
 ChainBody<L, kElastic>::ChainBody(const ChainModel& of, const chain::View<L>& seen)
     : model(of), view(seen) {
-  build = chain::build_chain<L>(model.scene, model.layout, view,
-                                {model.options.rotary_inertia, kElastic, sees_axial(model)});
+  build = chain::build_chain<L>(
+      model.scene, model.layout, view,
+      {model.options.rotary_inertia, kElastic, sees_axial(model), joints_that_may_open(model)});
   record.prepare(model, view, build, joint_models, watch);
   const std::size_t nodes = model.layout.size() + 1;
   strains.reset(nodes);

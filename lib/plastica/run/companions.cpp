@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <memory>
 
+#include "plastica/run/break_watch.hpp"
 #include "plastica/run/chain_run.hpp"
 #include "plastica/run/guarded_cases.hpp"
 #include "plastica/run/lane_pool.hpp"
@@ -12,18 +13,6 @@
 namespace plastica {
 namespace {
 
-bool has_limit(const Material& material) {
-  return material.break_strain || material.break_shear_strain;
-}
-
-/// Whether a limit on strains may end the path, or shorten its steps.
-bool may_break(const Scene& scene) {
-  return has_limit(scene.material) || scene.break_limit_x || scene.break_limit_y ||
-         scene.break_limit_z || std::ranges::any_of(scene.regions, [](const Region& region) {
-           return has_limit(region.material);
-         });
-}
-
 std::string_view why_no_companion(const ChainModel& model) {
   const SolverOptions& options = model.options;
   if (options.analysis != Analysis::Statics) return "it is a motion";
@@ -32,7 +21,8 @@ std::string_view why_no_companion(const ChainModel& model) {
     return "its path is not followed by the load (solver.control)";
   }
   if (options.buckling > 0 || options.frequencies > 0) return "it is asked for modes";
-  if (may_break(model.scene)) return "it may break";
+  // Which may end the path, or shorten its steps.
+  if (has_break_limits(model.scene)) return "it may break";
   return "";
 }
 

@@ -159,6 +159,7 @@ class MotionStep {
       w_.q.open[joint] = true;
       w_.q.pose[joint] = {w_.placement.position[joint], w_.placement.frame[joint]};
       flows_.fracture += joints_.elastic_energy()[joint];
+      wake_twins(joint);
       return;
     }
     for (std::size_t g = 0; g < chain_.ground_joints.size(); ++g) {
@@ -170,6 +171,16 @@ class MotionStep {
     for (std::size_t k = 0; k < chain_.constraints.size(); ++k) {
       const auto& constraint = chain_.constraints[k];
       if (constraint.node == n && !constraint.one_sided) w_.q.released_constraint[k] = true;
+    }
+  }
+
+  /// Supports at an open joint hold the segment beyond, too, as they hold the one before.
+  void wake_twins(std::size_t joint) {
+    for (std::size_t k = 1; k < chain_.constraints.size(); ++k) {
+      if (chain_.constraints[k].waits_for != joint) continue;
+      w_.q.released_constraint[k] = false;
+      w_.closed[k] = w_.closed[k - 1];
+      contacts_.rests_on[k] = contacts_.rests_on[k - 1];
     }
   }
 

@@ -84,6 +84,10 @@ struct NewtonWork {
     q.open.assign(n, never);
     q.pose.assign(n, {});
     q.released_constraint.assign(constraints, never);
+    for (std::size_t k = 0; k < constraints; ++k) {
+      const bool waits = chain.constraints[k].waits_for != chain::kInside;
+      if (waits) q.released_constraint[k] = mask_t<S>{constant<S>(0) < constant<S>(1)};
+    }
     q.released_ground_joint.assign(chain.ground_joints.size(), never);
     time = 0.0;
     placement.resize(n);
