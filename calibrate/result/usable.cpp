@@ -52,4 +52,12 @@ std::string why_unusable(const SceneFitResult& result) {
   return why_unusable(result, misfit);
 }
 
+std::string why_no_answer(const FittedParameter& parameter) {
+  const std::string name = parameter.name();
+  if (parameter.role == ParameterRole::Fixed) return name + " is fixed: nothing was fitted";
+  if (!parameter.identified) return name + " is not identified by the curves";
+  const bool at_zero = parameter.at_lower && parameter.lower == 0.0;
+  return parameter.at_bound() && !at_zero ? name + " ended at its bound" : std::string();
+}
+
 }  // namespace plastica::calibrate

@@ -16,6 +16,10 @@ std::string why_unusable(const FitResult& result);
 /// The same of the target with the largest misfit.
 std::string why_unusable(const SceneFitResult& result);
 
+/// Why the value of one parameter is no answer: it was fixed, the curves do not identify it, or it
+/// ended at a bound, beyond which the optimum lies (0 is where many numbers end). Empty: it is one.
+std::string why_no_answer(const FittedParameter& parameter);
+
 /// Whether a fit succeeded and may be used.
 template <typename Result>
 bool is_usable(const Result& result) {

@@ -73,14 +73,12 @@ ParameterNumber number_of(const Claim& claim, const JudgedFit& fit) {
   const calibrate::FittedParameter* parameter = fit.outcome.find_parameter(claim.parameter);
   const std::string name(calibrate::last_part(claim.parameter));
   if (parameter == nullptr) return {std::nullopt, "has no parameter " + name};
-  if (parameter->role == calibrate::ParameterRole::Fixed) {
-    return {std::nullopt, name + " is fixed: nothing was fitted"};
-  }
-  if (!parameter->identified) return {std::nullopt, name + " is not identified by the curves"};
-  // Where the optimum is beyond, a bound says nothing of it; 0 is where many numbers end.
-  const bool at_zero = parameter->at_lower && parameter->lower == 0.0;
-  if (parameter->at_bound() && !at_zero) {
-    return {std::nullopt, name + " ended at its bound, " + parameter_text(claim, parameter->value)};
+  std::string why = calibrate::why_no_answer(*parameter);
+  if (!why.empty()) {
+    if (parameter->identified && parameter->at_bound()) {
+      why += ", " + parameter_text(claim, parameter->value);
+    }
+    return {std::nullopt, why};
   }
   switch (claim.kind) {
     case ClaimKind::Value: return {parameter->value, name + " has no value"};

@@ -153,6 +153,13 @@ void draw_samples(const TomlTable& root, const std::vector<SampledAxis>& sampled
   }
 }
 
+/// The field that a derived one sets, and nothing else; empty: it multiplies, or sets several.
+std::string_view field_set_by(const Field& derived) {
+  if (derived.path == "beam.slenderness") return "beam.length";
+  if (derived.path == "beam.segment_depth") return "beam.segments";
+  return {};
+}
+
 /// Axes that move together have the same number of values, and no field has two axes.
 /// @param axes  those of [set], then one of each table
 void check_groups(const std::vector<TomlTable>& tables, const std::vector<Axis>& axes) {
@@ -164,6 +171,12 @@ void check_groups(const std::vector<TomlTable>& tables, const std::vector<Axis>&
     for (std::size_t b = 0; b < a; ++b) {
       if (axes[a].field == axes[b].field) {
         throw table.at("field").error(b < settings ? "is fixed by [set]" : "has an axis already");
+      }
+      for (const auto& [one, other] : {std::pair{a, b}, std::pair{b, a}}) {
+        if (field_set_by(*axes[one].field) != axes[other].field->path) continue;
+        throw table.at("field").error("sets the same number as " +
+                                      std::string(axes[b].field->path) + ", which has " +
+                                      (b < settings ? "a value in [set]" : "an axis"));
       }
       if (axes[a].group.empty() || axes[a].group != axes[b].group) continue;
       if (axes[a].values.size() != axes[b].values.size()) {

@@ -242,7 +242,9 @@ std::string remark_of(const SweepRecord& record, std::size_t index) {
   const std::string same = same_run_text(record, index);
   if (!usable(result.status)) {
     std::string text(name_of(result.status));
-    if (result.last_time > 0.0) text += fmt::format(" at {:.4g} s", result.last_time);
+    // An unstable path goes on to its end.
+    const bool ends_there = result.status != Status::Unstable && result.last_time > 0.0;
+    if (ends_there) text += fmt::format(" at {:.4g} s", result.last_time);
     if (!result.reason.empty()) text += ": " + result.reason;
     return text + same;
   }

@@ -41,23 +41,28 @@ Points all_points(const Chart& chart) {
   return all;
 }
 
-/// Errors of zero have no logarithm: they lie where the least others do.
-void lift_zeros(Chart& chart) {
+/// Errors of zero have no logarithm: they lie a decade below the least others, and the chart says
+/// so. @param zeros  how many cases have none
+void lift_zeros(Chart& chart, std::size_t zeros) {
+  if (zeros == 0) return;
   double least = 0.0;
   for (const auto& point : all_points(chart)) {
     if (point[1] > 0.0 && (least == 0.0 || point[1] < least)) least = point[1];
   }
-  if (least == 0.0) least = 1e-14;  // all of them are exact
+  const double lowest = least == 0.0 ? 1e-14 : 0.1 * least;  // all of them are exact
   for (ChartSeries& series : chart.series) {
-    for (auto& point : series.hollow) point[1] = std::max(point[1], least);
-    for (auto& point : series.points) point[1] = std::max(point[1], least);
+    for (auto& point : series.hollow) point[1] = std::max(point[1], lowest);
+    for (auto& point : series.points) point[1] = std::max(point[1], lowest);
   }
+  chart.subtitle += fmt::format("; at the lower edge, open: {} without any error",
+                                report::counted(zeros, "case"));
 }
 
 /// Points of one line of refinement: (what is refined, error in %).
 struct ErrorLine {
   ChartSeries series;
   std::optional<double> order;
+  std::size_t zeros = 0;  ///< points without any error
 };
 
 ErrorLine error_line(const SweepRecord& record, const CaseLine& line, bool count) {
@@ -70,6 +75,8 @@ ErrorLine error_line(const SweepRecord& record, const CaseLine& line, bool count
     stops = stops || !record.comparison.coarser_in[i].empty();
     const bool picked = std::find(line.cases.begin(), line.cases.end(), i) != line.cases.end();
     if (!picked || !record.comparison.error[i]) continue;
+    // Cases that come to one run are one.
+    if (std::find(sizes.begin(), sizes.end(), group.size[k]) != sizes.end()) continue;
     sizes.push_back(group.size[k]);
     errors.push_back(*record.comparison.error[i]);
   }
@@ -79,6 +86,7 @@ ErrorLine error_line(const SweepRecord& record, const CaseLine& line, bool count
   if (!stops) fit = theory::observed_order(sizes, errors);
   out.order = fit.order;
   for (std::size_t k = 0; k < sizes.size(); ++k) {
+    if (errors[k] == 0.0) ++out.zeros;
     const bool floor = (fit.order && !fit.used[k]) || errors[k] == 0.0;
     (floor ? out.series.hollow : out.series.points)
         .push_back({count ? 1.0 / sizes[k] : sizes[k], 100.0 * std::abs(errors[k])});
@@ -221,6 +229,7 @@ Chart convergence_chart(const PlotCases& cases) {
   const std::vector<CaseLine> lines = refinement_lines(cases);
   LineLooks looks = looks_of(record, lines, *record.refined);
   Chart chart{report::printable(record.name), subtitle_of(record), {}, {}};
+  std::size_t zeros = 0;
   for (std::size_t k = 0; k < lines.size(); ++k) {
     ErrorLine line = error_line(record, lines[k], count);
     line.series.look = looks.looks[k];
@@ -228,11 +237,12 @@ Chart convergence_chart(const PlotCases& cases) {
     if (!line.series.name.empty() && line.order) {
       line.series.name = fmt::format("order {:.2f}: {}", *line.order, line.series.name);
     }
+    zeros += line.zeros;
     chart.series.push_back(std::move(line.series));
   }
   const Points all = all_points(chart);
   if (all.empty()) refuse_empty("an error");
-  lift_zeros(chart);
+  lift_zeros(chart, zeros);
   if (!looks.entries.empty()) add_order_guides(chart, count);
   chart.entries = std::move(looks.entries);
   chart.x = axis_at_values(convergence_label(axis), column(all, 0), true);
@@ -294,24 +304,37 @@ Chart trade_chart(const PlotCases& cases) {
   const std::vector<CaseLine> lines = refined ? refinement_lines(cases) : lines_along(cases, along);
   LineLooks looks = looks_of(record, lines, along);
   Chart chart{report::printable(record.name), subtitle_of(record), {}, {}};
-  // Behind the points.
+  const auto is_drawn = [&](std::size_t i) {
+    return std::isfinite(points[i].error) && points[i].cost > 0.0;
+  };
+  // Behind the points; of several problems none is better than the other.
   ChartSeries front{"Pareto front", {"#C4C4C4", 7, true, false, false, 7.0}, {}, {}};
-  for (const std::size_t i : pareto_front(points)) {
-    if (points[i].cost > 0.0) front.points.push_back(place(i));
+  if (!has_problems(record)) {
+    for (const std::size_t i : pareto_front(points)) {
+      if (is_drawn(i)) front.points.push_back(place(i));
+    }
+    chart.series.push_back(std::move(front));
   }
-  if (front.points.empty()) refuse_empty("an error and a cost");
-  chart.series.push_back(std::move(front));
+  std::size_t zeros = 0;
+  std::size_t free = 0;
   for (std::size_t k = 0; k < lines.size(); ++k) {
     ChartSeries series{looks.names[k], looks.looks[k], {}, {}};
     series.look.line = refined && lines.size() <= 3 * kLooks;
     series.look.width = 0.8;
     for (const std::size_t i : lines[k].cases) {
-      if (std::isfinite(points[i].error) && points[i].cost > 0.0) series.points.push_back(place(i));
+      if (std::isfinite(points[i].error) && points[i].cost <= 0.0) ++free;
+      if (!is_drawn(i)) continue;
+      const bool exact = points[i].error == 0.0;
+      if (exact) ++zeros;
+      (exact ? series.hollow : series.points).push_back(place(i));
     }
     chart.series.push_back(std::move(series));
   }
   chart.entries = std::move(looks.entries);
-  lift_zeros(chart);
+  if (all_points(chart).empty()) refuse_empty("an error and a cost");
+  if (free > 0)
+    chart.subtitle += "; without " + report::counted(free, "case") + " that cost nothing";
+  lift_zeros(chart, zeros);
   const Points all = all_points(chart);
   chart.x = logarithmic_axis(timed ? "time [ms]" : "work [segment-iterations]", column(all, 0));
   chart.y = logarithmic_axis("size of the error [%]", column(all, 1));

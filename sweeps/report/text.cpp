@@ -94,7 +94,8 @@ std::string case_report(const SweepRecord& record, std::size_t index) {
   add("cut-backs", fmt::format("{}", result.cutbacks));
   add("segment-iterations", fmt::format("{}", result.segment_iterations()));
   add("energy balance error", percent_text(result.energy_balance_error) + " %");
-  add("last good state", fmt::format("{:.6g} s", result.last_time));
+  add(result.status == Status::Unstable ? "end of the path" : "last good state",
+      fmt::format("{:.6g} s", result.last_time));
   add_number("probe there", result.last_value, unit);
   add("time", fmt::format("{:.4g} ms", 1e3 * result.seconds));
   return fmt::format("case {} of {}\n", record.ids[index], report::printable(record.name)) +

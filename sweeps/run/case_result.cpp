@@ -160,6 +160,11 @@ CaseResult result_of_run(const BatchRow& row, const Quantity& quantity) {
   } else if (!usable(response.status)) {
     result.reason = advice(response.status, row.in_motion);
   }
+  if (response.status == Status::Unstable && response.critical) {
+    result.reason = "it bifurcates at factor " +
+                    report::significant(response.critical->factor.front(), 5) + ": " +
+                    result.reason;
+  }
   return result;
 }
 

@@ -25,7 +25,8 @@ struct CaseResult {
   std::int64_t segments = 0;           ///< of a coupon 1
   std::int64_t iterations = 0;         ///< Newton iterations or linear solves; of a coupon samples
   int cutbacks = 0;                    ///< steps that were tried again shorter
-  double last_time = 0.0;              ///< of the last good state [s]; of a coupon its samples
+  /// Of the last good state, of an unstable path its end [s]; of a coupon its samples.
+  double last_time = 0.0;
   std::optional<double> last_value{};  ///< of the probe there [SI]
   double energy_balance_error = 0.0;   ///< `Response::energy_balance_error` [1]
   std::optional<double> standard_error{};  ///< of a fitted value, from the noise of the data [SI]

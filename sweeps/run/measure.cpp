@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "calibrate/result/usable.hpp"
 #include "plastica/run/natural_frequencies.hpp"
 #include "plastica/run/simulate.hpp"
 #include "sweeps/run/case_warnings.hpp"
@@ -86,10 +87,12 @@ CaseResult fit(const Sweep& sweep, const Setup& setup, StopFlag stop) {
   }
   const calibrate::FittedParameter& parameter = fitted.parameter(sweep.quantity.parameter);
   result.status = Status::Completed;
+  result.warnings = fitted.warnings;
+  const std::string no_use = calibrate::why_unusable(fitted);
+  result.reason = no_use.empty() ? calibrate::why_no_answer(parameter) : "is of no use: " + no_use;
+  if (!result.reason.empty()) return result;
   result.value = parameter.value;
   if (std::isfinite(parameter.standard_error)) result.standard_error = parameter.standard_error;
-  if (parameter.at_bound()) result.reason = "the parameter is at its bound";
-  result.warnings = fitted.warnings;
   return result;
 }
 

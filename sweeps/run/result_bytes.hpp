@@ -10,7 +10,7 @@
 namespace plastica::sweeps {
 
 /// Raised whenever what a journal's record holds changes.
-inline constexpr std::uint64_t kResultVersion = 3;
+inline constexpr std::uint64_t kResultVersion = 4;
 
 /// A result as a record of a journal.
 std::vector<std::byte> bytes_of(const CaseResult& result);

@@ -63,6 +63,10 @@ double nominal_size(const Axis& axis, const FieldValue& value) {
   return refinement == Refinement::Count ? 1.0 / *number : *number;
 }
 
+bool makes_problems(const Axis& axis) {
+  return axis.values.size() > 1 && role_of(*axis.field) == AxisRole::Problem;
+}
+
 }  // namespace
 
 std::vector<TradePoint> trade_points(const SweepRecord& record, CostKind cost) {
@@ -108,9 +112,13 @@ std::vector<TradePoint> promised_points(const SweepRecord& record, CostKind cost
   return points;
 }
 
+bool has_problems(const SweepRecord& record) {
+  return std::any_of(record.axes.begin(), record.axes.end(), makes_problems);
+}
+
 void check_settings(const SweepRecord& record) {
   for (const Axis& axis : record.axes) {
-    if (axis.values.size() == 1 || role_of(*axis.field) != AxisRole::Problem) continue;
+    if (!makes_problems(axis)) continue;
     throw InputError({}, axis.field->path, std::to_string(axis.values.size()) + " values",
                      "makes other problems of the scene: a recommendation is for one; fix it by "
                      "[set] in the sweep");

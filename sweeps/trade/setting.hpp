@@ -27,6 +27,9 @@ std::vector<TradePoint> promised_points(const SweepRecord& record, CostKind cost
 /// The error that `promised_points` promises of a case [1]; none: nothing.
 std::optional<double> promised_error(const SweepRecord& record, std::size_t index);
 
+/// Whether a sweep varies the problem, such as lengths, materials or loads.
+bool has_problems(const SweepRecord& record);
+
 /// Refuses a sweep that varies the problem, such as lengths, materials or loads: its cases are no
 /// settings of one scene to choose from. What refines, and methods, are: see plan/refining.hpp.
 /// @throws InputError that names the axis

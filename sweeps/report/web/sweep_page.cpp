@@ -78,11 +78,13 @@ Json cases_block(const SweepRecord& record, std::size_t shown, bool details) {
   return table.block();
 }
 
-/// Error over cost, a point a case that says its setting; the front of those that none beats.
+/// Error over cost, a point a case that says its setting; of one problem the front of those that
+/// none beats.
 Json trade_block(const SweepRecord& record) {
   const bool timed = record.timed_runs > 0;
   const auto points = trade_points(record, timed ? CostKind::Seconds : CostKind::Work);
   std::size_t exact = 0;
+  std::size_t free = 0;
   report::FigureCurve all{{}, "cases", report::kBlue, report::Stroke::Points};
   std::vector<std::string> labels;
   const auto is_there = [](const TradePoint& p) {
@@ -90,6 +92,7 @@ Json trade_block(const SweepRecord& record) {
   };
   for (std::size_t i = 0; i < points.size(); ++i) {
     if (points[i].error == 0.0) ++exact;
+    if (points[i].error > 0.0 && points[i].cost == 0.0) ++free;
     if (!is_there(points[i])) continue;
     all.points.push_back({points[i].cost, 100.0 * points[i].error});
     labels.push_back(setting_text(record, i));
@@ -98,12 +101,17 @@ Json trade_block(const SweepRecord& record) {
   for (const std::size_t i : pareto_front(points)) {
     if (is_there(points[i])) front.points.push_back({points[i].cost, 100.0 * points[i].error});
   }
-  const report::FigurePanel panel{
-      exact > 0 ? fmt::format("without {} whose error is 0", report::counted(exact, "case")) : "",
-      timed ? "CPU time [s]" : "work: segments times iterations", "size of the error [%]"};
+  std::string without;
+  if (exact > 0) without = report::counted(exact, "case") + " whose error is 0";
+  if (free > 0) {
+    without += (exact > 0 ? ", " : "") + report::counted(free, "case") + " that cost nothing";
+  }
+  const report::FigurePanel panel{without.empty() ? "" : "without " + without,
+                                  timed ? "CPU time [s]" : "work: segments times iterations",
+                                  "size of the error [%]"};
   const report::LogarithmicAxes logarithmic{true, true};
   Json curves = Json::array();
-  curves.push_back(report::web_curve(front, logarithmic, 0));
+  if (!has_problems(record)) curves.push_back(report::web_curve(front, logarithmic, 0));
   curves.push_back(report::web_curve(all, logarithmic, 0, labels));
   Json panels = Json::array();
   panels.push_back(report::web_panel(panel, logarithmic, std::move(curves)));

@@ -4,6 +4,7 @@
 
 #include "sweeps/run/sweep_run.hpp"
 #include "tests/lib/io/scratch_folder.hpp"
+#include "tests/support/has.hpp"
 #include "tests/support/message.hpp"
 #include "tests/sweeps/sweep_text.hpp"
 
@@ -40,6 +41,30 @@ TEST(FitPlan, IsReadAndFitsEachCase) {
     EXPECT_LT(result.value.value_or(0.0), 900e6);
     EXPECT_GT(result.standard_error, 0.0);
     EXPECT_GT(result.segment_iterations(), 100);
+  }
+}
+
+/// A value that a check of the same fit would not let hold is no result to choose a setting by.
+TEST(FitPlan, GivesNoValueThatIsNoAnswer) {
+  const auto reasons = [](const std::string& bounds, const std::string& set) {
+    std::string fit = kFit;
+    fit.replace(fit.find("['100 MPa', '900 MPa']"), 22, bounds);
+    Sweep sweep = bend(kError, fit);
+    if (!set.empty()) sweep.setup.scene.yield_model = YieldModel::Elastic;
+    std::vector<std::string> all;
+    for (const CaseResult& result : SweepRun(sweep, {}).run()) {
+      EXPECT_FALSE(result.value);
+      all.push_back(result.reason);
+    }
+    return all;
+  };
+  for (const std::string& reason : reasons("['100 MPa', '300 MPa']", "")) {
+    EXPECT_EQ(reason, "yield_stress ended at its bound");
+  }
+  for (const std::string& reason : reasons("['100 MPa', '900 MPa']", "elastic")) {
+    EXPECT_TRUE(plastica::testing::has(reason, "is not identified") ||
+                plastica::testing::has(reason, "is of no use: the misfit is"))
+        << reason;
   }
 }
 

@@ -72,7 +72,19 @@ TEST(ConvergenceChart, LeavesTheRoundOffFloorOpen) {
   EXPECT_EQ(chart.series[0].points.size(), 3U);
   ASSERT_EQ(chart.series[0].hollow.size(), 1U);
   EXPECT_DOUBLE_EQ(chart.series[0].hollow[0][0], 32.0);
-  EXPECT_DOUBLE_EQ(chart.series[0].hollow[0][1], 1e-4) << "an exact zero, with the least other";
+  EXPECT_DOUBLE_EQ(chart.series[0].hollow[0][1], 1e-5) << "an exact zero, below all others";
+  EXPECT_TRUE(has(chart.subtitle, "; at the lower edge, open: 1 case without any error"));
+}
+
+TEST(ConvergenceChart, DrawsCasesOfOneRunOnce) {
+  // Two of the four values come to the same number of segments.
+  const SweepRecord record = record_of(
+      "[set]\nbeam.length = '1 m'\n[[axis]]\nfield = 'beam.segment_depth'\n"
+      "values = [10, 9.9, 5, 2.5]\n" +
+      kTipError);
+  ASSERT_EQ(record.results[0].segments, record.results[1].segments);
+  const Chart chart = convergence_chart(every_case(record));
+  EXPECT_EQ(chart.series.front().points.size(), 3U);
 }
 
 TEST(ConvergenceChart, TellsManyGroupsApartByColourAndSymbol) {
@@ -153,6 +165,29 @@ TEST(TradeChart, HasTheFrontAndGuides) {
   EXPECT_GE(chart.series[0].points.size(), 3U);
   for (std::size_t k = 1; k < chart.series[0].points.size(); ++k) {
     EXPECT_LT(chart.series[0].points[k][1], chart.series[0].points[k - 1][1]);
+  }
+}
+
+TEST(TradeChart, SetsCasesWithoutAnyErrorApart) {
+  SweepRecord record = two_groups();
+  const std::vector<double> errors{0.05, 0.5, 0.0, 0.4, 0.01, 0.3};
+  for (std::size_t i = 0; i < 6; ++i) record.comparison.error[i] = errors[i];
+  record.results[1].iterations = 0;
+  const Chart chart = trade_chart(every_case(record));
+  ASSERT_EQ(chart.series.at(1).hollow.size(), 1U);
+  EXPECT_DOUBLE_EQ(chart.series[1].hollow[0][1], 0.1) << "a tenth of the least other";
+  EXPECT_EQ(chart.series[1].points.size(), 2U);
+  EXPECT_TRUE(has(chart.subtitle,
+                  "; without 1 case that cost nothing; at the lower edge, open: "
+                  "1 case without any error"))
+      << chart.subtitle;
+}
+
+TEST(TradeChart, HasNoFrontThroughSeveralProblems) {
+  const SweepRecord record = record_of(
+      segments_axis("[4, 8]") + "[[axis]]\nfield = 'scale.loads'\nvalues = [0.5, 1]\n" + kTipError);
+  for (const ChartSeries& series : trade_chart(every_case(record)).series) {
+    EXPECT_NE(series.name, "Pareto front");
   }
 }
 

@@ -45,6 +45,16 @@ TEST(CaseResult, TakesNoCutOfTheSceneForABreak) {
   }
 }
 
+TEST(CaseResult, SaysWhereAPathBifurcated) {
+  BatchRow row;
+  row.response.status = Status::Unstable;
+  row.response.chain.joints = 5;
+  row.response.critical.emplace();
+  row.response.critical->factor = {0.50625, 0.9};
+  EXPECT_TRUE(result(row, QuantityKind::LimitLoad)
+                  .reason.starts_with("it bifurcates at factor 0.50625: stay below"));
+}
+
 TEST(CaseResult, HasNoBreakPlaceOfARunThatEndedBefore) {
   BatchRow row = cut_and_broken();
   row.response.status = Status::NotConverged;
