@@ -14,8 +14,8 @@ namespace plastica::testing {
 namespace {
 
 constexpr int kScanKills = 8;
-const std::vector<std::string> kScan{"stability", "cantilever.toml", "--vary",
-                                     "beam.segments,scale.loads"};
+const std::vector<std::string> kScan{
+    "stability", "cantilever.toml", "--vary", "beam.segments,scale.loads", "--max-work", "8"};
 
 /// A scan of some ninety points, of which the slowest take tenths of a second.
 class InterruptedStability : public ::testing::Test {

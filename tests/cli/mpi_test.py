@@ -172,7 +172,7 @@ class Team(unittest.TestCase):
         """Which points a map has depends on where the scan of each field ended."""
         self.assertEqual(self.run_alone("init", "sweep").returncode, 0)
         words = ("stability", "cantilever.toml", "--vary", "beam.segments,scale.loads",
-                 "--reach", "100", "--map")
+                 "--reach", "100", "--max-work", "4", "--map")
         alone = self.run_alone(*words, "one.gp", "-o", "one.csv")
         self.assertEqual(alone.returncode, 0, alone.stderr)
         for size in (2, 5):
@@ -193,7 +193,7 @@ class Team(unittest.TestCase):
     def test_a_scan_whose_process_was_killed_goes_on(self):
         self.assertEqual(self.run_alone("init", "sweep").returncode, 0)
         words = ("stability", "cantilever.toml", "--vary", "beam.segments,scale.loads",
-                 "--threads", "1")
+                 "--threads", "1", "--max-work", "8")
         team = self.start(3, *words, "-o", "out.csv")
         victim = self.process_of(team, 1, "out.csv")
         self.assertIsNotNone(victim, team.poll())
