@@ -94,7 +94,12 @@ Recommendation recommend_for_error(std::span<const TradePoint> points, double wa
     result.why_none = why_none(points, NoChoice::TooInaccurate);
     result.nearest = first_by(
         points, [](std::size_t) { return true; }, accuracy);
-    if (result.nearest) result.margin = wanted_error / points[*result.nearest].error;
+    if (result.nearest) {
+      const std::size_t nearest = *result.nearest;
+      result.margin = wanted_error / points[nearest].error;
+      result.assured_error = assured[nearest];
+      result.lucky = assured[nearest] > points[nearest].error;
+    }
     return result;
   }
   const std::size_t chosen = *result.chosen;

@@ -50,10 +50,10 @@ struct Recommendation {
   std::optional<std::size_t> nearest;
   /// Wanted error over error, or budget over cost [1], >= 1; below 1 it is the nearest point's.
   double margin = std::numeric_limits<double>::quiet_NaN();
-  /// Of the chosen point, in the error's unit.
+  /// Of the chosen point, for a wanted error without a choice of the nearest, in the error's unit.
   double assured_error = std::numeric_limits<double>::quiet_NaN();
-  /// A finer point of the chosen one's group misses the wanted error, or, for a budget, is less
-  /// accurate than the chosen one.
+  /// A finer point of its group misses the wanted error, or, for a budget or of the nearest point,
+  /// is less accurate than it.
   bool lucky = false;
   /// For a wanted error: the cheapest point that meets it by luck and was passed over for that.
   std::optional<std::size_t> passed_over;

@@ -43,7 +43,8 @@ std::string why_nothing(const SweepRecord& record) {
   for (std::size_t i = 0; i < record.cases(); ++i) {
     if (!usable(record.results[i].status)) continue;
     const std::string& lacks = record.comparison.lacks[i];
-    const std::string& reason = record.comparison.reason[i];
+    const std::string& own = record.results[i].reason;
+    const std::string& reason = own.empty() ? record.comparison.reason[i] : own;
     if (!lacks.empty()) {
       return fmt::format("nothing can be recommended: {}\n",
                          error_alone(record.axes[*record.refined].field->path, lacks));
@@ -60,6 +61,20 @@ std::string notes_text(const SweepRecord& record) {
   return text;
 }
 
+std::string luck_text(const Recommendation& choice) {
+  if (!choice.lucky) return {};
+  return fmt::format(
+      "    by luck: a finer case is off by {}; take a finer one, or look at the plot\n",
+      percent(choice.assured_error));
+}
+
+/// What the next case that a budget does not allow has over the one that it does.
+std::string_view better_of_next(const SweepRecord& record, const Recommendation& choice) {
+  const bool is_less =
+      promised_error(record, *choice.next) < promised_error(record, *choice.chosen);
+  return is_less ? "next more accurate, too costly" : "next whose error is no luck, too costly";
+}
+
 std::string none_text(const SweepRecord& record, CostKind cost, const Wish& wish,
                       const Recommendation& choice) {
   switch (choice.why_none) {
@@ -69,7 +84,7 @@ std::string none_text(const SweepRecord& record, CostKind cost, const Wish& wish
   }
   return fmt::format("nothing {}; the nearest is\n  {}", wish_text(cost, wish),
                      case_text(record, cost, *choice.nearest)) +
-         notes_text(record);
+         luck_text(choice) + notes_text(record);
 }
 
 }  // namespace
@@ -81,14 +96,10 @@ std::string recommendation_text(const SweepRecord& record, CostKind cost, const 
                                  wish_text(cost, wish), case_text(record, cost, *choice.chosen));
   text += fmt::format("    margin {:.3g}: {}\n", choice.margin,
                       wish.within ? "the wanted error over its own" : "the budget over its cost");
-  if (choice.lucky) {
-    text += fmt::format(
-        "    by luck: a finer case is off by {}; take a finer one, or look at the plot\n",
-        percent(choice.assured_error));
-  }
+  text += luck_text(choice);
   if (choice.next) {
     text += fmt::format("{}: {}",
-                        wish.within ? "next cheaper, not within" : "next more accurate, too costly",
+                        wish.within ? "next cheaper, not within" : better_of_next(record, choice),
                         case_text(record, cost, *choice.next));
   } else if (!choice.passed_over) {
     text += wish.within ? "nothing is cheaper\n" : "nothing is more accurate\n";

@@ -89,6 +89,8 @@ TEST(RecommendForError, NamesTheMostAccurateWhenNothingMeetsIt) {
   EXPECT_EQ(choice.why_none, NoChoice::TooInaccurate);
   EXPECT_EQ(choice.nearest, 4U);
   EXPECT_DOUBLE_EQ(choice.margin, 0.5);
+  EXPECT_TRUE(choice.lucky);
+  EXPECT_EQ(choice.assured_error, 0.08);
   EXPECT_FALSE(choice.next || choice.passed_over);
 }
 
