@@ -175,7 +175,9 @@ int scan_file(const StabilityArguments& arguments) {
                          arguments.map, std::cout, overwrite);
     if (arguments.map != "-") tell("wrote {}\n", arguments.map);
   }
-  if (journal) journal->finish();
+  if (const std::size_t others = journal ? journal->finish() : 0; others > 0) {
+    tell("its journal has {} of another scan, and is kept\n", report::counted(others, "point"));
+  }
   if (!arguments.quiet) say(stability::scene_scan_text(scan, options));
   return valid && !any_undetected(scan.rows) && !any_undetected(grid) ? kDone : kNotAcceptable;
 }

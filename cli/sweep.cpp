@@ -212,8 +212,10 @@ int sweep_file(const SweepArguments& arguments) {
     fmt::print("{}", sweeps::sweep_report(record));
     tell("wrote {}\n", output);
   }
-  const bool any = std::any_of(record.results.begin(), record.results.end(),
-                               [](const auto& result) { return usable(result.status); });
+  const bool of_fits = sweep.quantity.kind == sweeps::QuantityKind::Fit;
+  const bool any = std::any_of(
+      record.results.begin(), record.results.end(),
+      [&](const auto& result) { return usable(result.status) && (!of_fits || result.value); });
   return any ? kDone : kNotAcceptable;
 }
 

@@ -155,6 +155,14 @@ std::span<const Field> derived_fields() {
   return table;
 }
 
+bool set_one_number(const Field& a, const Field& b) {
+  constexpr std::array<std::array<std::string_view, 2>, 2> kPairs{
+      {{"beam.slenderness", "beam.length"}, {"beam.segment_depth", "beam.segments"}}};
+  return std::ranges::any_of(kPairs, [&](const auto& pair) {
+    return (a.path == pair[0] && b.path == pair[1]) || (a.path == pair[1] && b.path == pair[0]);
+  });
+}
+
 const Field& find_axis_field(std::string_view name, const SourceLocation& where) {
   for (const Field& field : derived_fields()) {
     if (field.path == name) return field;

@@ -153,11 +153,17 @@ void draw_samples(const TomlTable& root, const std::vector<SampledAxis>& sampled
   }
 }
 
-/// The field that a derived one sets, and nothing else; empty: it multiplies, or sets several.
-std::string_view field_set_by(const Field& derived) {
-  if (derived.path == "beam.slenderness") return "beam.length";
-  if (derived.path == "beam.segment_depth") return "beam.segments";
-  return {};
+/// No number is set by two fields, be it in [set] or by axes.
+/// @param settings  how many axes are those of [set]
+void check_numbers(const std::vector<Axis>& axes, std::size_t settings) {
+  for (std::size_t a = 0; a < axes.size(); ++a) {
+    for (std::size_t b = 0; b < a; ++b) {
+      if (!set_one_number(*axes[a].field, *axes[b].field)) continue;
+      throw InputError(axes[a].where, std::string(axes[a].field->path), "",
+                       "sets the same number as " + std::string(axes[b].field->path) +
+                           ", which has " + (b < settings ? "a value in [set]" : "an axis"));
+    }
+  }
 }
 
 /// Axes that move together have the same number of values, and no field has two axes.
@@ -171,12 +177,6 @@ void check_groups(const std::vector<TomlTable>& tables, const std::vector<Axis>&
     for (std::size_t b = 0; b < a; ++b) {
       if (axes[a].field == axes[b].field) {
         throw table.at("field").error(b < settings ? "is fixed by [set]" : "has an axis already");
-      }
-      for (const auto& [one, other] : {std::pair{a, b}, std::pair{b, a}}) {
-        if (field_set_by(*axes[one].field) != axes[other].field->path) continue;
-        throw table.at("field").error("sets the same number as " +
-                                      std::string(axes[b].field->path) + ", which has " +
-                                      (b < settings ? "a value in [set]" : "an axis"));
       }
       if (axes[a].group.empty() || axes[a].group != axes[b].group) continue;
       if (axes[a].values.size() != axes[b].values.size()) {
@@ -245,6 +245,7 @@ void read_axes(const TomlTable& root, Sweep& sweep) {
     axes.push_back(std::move(axis));
   }
   draw_samples(root, sampled, axes);
+  check_numbers(axes, axes.size() - tables.size());
   check_groups(tables, axes);
 }
 

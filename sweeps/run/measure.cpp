@@ -89,7 +89,8 @@ CaseResult fit(const Sweep& sweep, const Setup& setup, StopFlag stop) {
   result.status = Status::Completed;
   result.warnings = fitted.warnings;
   const std::string no_use = calibrate::why_unusable(fitted);
-  result.reason = no_use.empty() ? calibrate::why_no_answer(parameter) : "is of no use: " + no_use;
+  result.reason =
+      no_use.empty() ? calibrate::why_no_answer(parameter) : "the fit is of no use: " + no_use;
   if (!result.reason.empty()) return result;
   result.value = parameter.value;
   if (std::isfinite(parameter.standard_error)) result.standard_error = parameter.standard_error;

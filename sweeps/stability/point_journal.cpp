@@ -77,8 +77,12 @@ std::string PointJournal::id_of(const Setup& at) const {
 
 std::optional<JudgedRun> PointJournal::find(const Setup& at) const {
   const std::string id = id_of(at);
-  if (const auto* bytes = journal_.find(id)) return run_from_bytes(*bytes);
+  const auto* bytes = journal_.find(id);
   const std::lock_guard lock(mutex_);
+  if (bytes != nullptr) {
+    asked_.insert(id);
+    return run_from_bytes(*bytes);
+  }
   const auto kept = kept_.find(id);
   if (kept == kept_.end()) return std::nullopt;
   return run_from_bytes(kept->second);
@@ -91,7 +95,14 @@ void PointJournal::keep(const Setup& at, const JudgedRun& run) {
   const std::string id = id_of(at);
   journal_.keep(id, writer.bytes());
   const std::lock_guard lock(mutex_);
+  asked_.insert(id);
   kept_.insert_or_assign(id, writer.take());
+}
+
+std::size_t PointJournal::finish() {
+  const std::size_t others = journal_.found_besides(asked_);
+  if (others == 0) journal_.finish();
+  return others;
 }
 
 }  // namespace plastica::sweeps::stability

@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 #include <unordered_map>
+#include <unordered_set>
 #include <vector>
 
 #include "plastica/io/case_journal.hpp"
@@ -41,8 +42,9 @@ class PointJournal {
   void gather() { journal_.gather(true); }
   /// Forces all points to the disk now. @throws io::StorageError
   void sync() { journal_.sync(); }
-  /// Deletes the journal, once the points are stored. @throws io::StorageError
-  void finish() { journal_.finish(); }
+  /// Deletes the journal, once the points are stored, unless it has others, which nobody asked for.
+  /// @return how many those are. @throws io::StorageError
+  std::size_t finish();
 
  private:
   std::string id_of(const Setup& at) const;
@@ -52,6 +54,7 @@ class PointJournal {
   io::CaseJournal journal_;
   std::size_t resumed_ = 0;
   mutable std::mutex mutex_;
+  mutable std::unordered_set<std::string> asked_;                 ///< ids that were found or kept
   std::unordered_map<std::string, std::vector<std::byte>> kept_;  ///< by this process
 };
 

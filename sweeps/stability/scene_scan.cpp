@@ -156,6 +156,11 @@ std::vector<const Field*> scanned_fields(const Setup& setup,
     if (!is_number(field)) refuse("is a word, which has no factors");
     if (!is_there(field)) refuse("is not set, or 0, in the scene: there is nothing to multiply");
     if (std::find(found.begin(), found.end(), &field) != found.end()) refuse("is named twice");
+    for (const Field* other : found) {
+      if (set_one_number(field, *other)) {
+        refuse("sets the same number as " + std::string(other->path));
+      }
+    }
     found.push_back(&field);
   }
   if (!names.empty()) return found;

@@ -73,6 +73,8 @@ TEST_F(StabilityCommand, RefusesInOneLine) {
             "plastica: --vary = rules.end_rule: is a word, which has no factors\n");
   EXPECT_EQ(refusal({"--vary", "beam.length,beam.length"}),
             "plastica: --vary = beam.length: is named twice\n");
+  EXPECT_EQ(refusal({"--vary", "beam.segments,beam.segment_depth"}),
+            "plastica: --vary = beam.segment_depth: sets the same number as beam.segments\n");
   EXPECT_EQ(refusal({"--vary", "beam.length", "--within", "1"}),
             "plastica: --within = 1: needs a unit: \"1 %\"\n");
   EXPECT_EQ(refusal({"--vary", "beam.length", "--map", "map.svg"}),

@@ -167,7 +167,7 @@ class Builder {
       constraint.direction = unit_vector<typename L::Point>(k);
       constraint.target = undeformed_point(point)[k];
       constraint.motion = translation[k];
-      add_constraint(constraint);
+      add_with_twin(constraint);
     }
     hold_rotation(support, index, history, point);
   }
@@ -275,9 +275,14 @@ class Builder {
   bool may_open(std::size_t joint) const {
     return joint < options_.may_open.size() && options_.may_open[joint];
   }
+  /// Whether a force at a joint acts by parts on both of its segments: where it stretches and
+  /// shears, has an axial force, or may let go.
+  bool shares_forces(std::size_t joint) const {
+    return options_.shifts || options_.sees_axial || may_open(joint);
+  }
 
-  /// Of a point; with its twin where the joint there may let go.
-  void add_constraint(LoopConstraint<L> constraint) {
+  /// Adds the constraint of a point, and its twin behind it where the joint there may let go.
+  void add_with_twin(LoopConstraint<L> constraint) {
     build_.chain.constraints.push_back(constraint);
     const std::size_t beyond = constraint.segment + 1;
     if (constraint.node != beyond || !may_open(beyond)) return;

@@ -42,15 +42,15 @@ void Builder<L>::add_single_load(Load load, std::size_t history, double fraction
       beyond < layout_.size() && std::abs(fraction - layout_.ends[beyond]) < kSamePlace;
   const bool has_moment = load.moment != std::array<double, 3>{};
   // A follower's direction is then the mean of both segments', that of the axis at the joint.
-  const bool halves = options_.sees_axial || load.follows || may_open(beyond);
-  if (!at_joint || (!has_moment && !options_.shifts && !halves)) {
+  const bool shares = shares_forces(beyond) || load.follows;
+  if (!at_joint || (!has_moment && !shares)) {
     add_point_load(load, history, point, 1.0);
     return;
   }
   const std::array<double, 3> springs = springs_of_node(fraction, beyond);
-  const NodeShares shares = node_shares(layout_, joint_plan(layout_, beyond), springs);
+  const NodeShares parts = node_shares(layout_, joint_plan(layout_, beyond), springs);
   if (has_moment && springs != std::array<double, 3>{}) {
-    hold_by_springs(load, history, fraction, beyond, springs, shares);
+    hold_by_springs(load, history, fraction, beyond, springs, parts);
   }
   const auto outer_part = [&](const std::array<double, 3>& whole,
                               const Mat<double, 3, 3>& shares_of) {
@@ -63,12 +63,12 @@ void Builder<L>::add_single_load(Load load, std::size_t history, double fraction
   };
   // The shares are of the whole moment, of which the spring's is taken from the load.
   Load outer = load;
-  outer.moment = outer_part(moment, shares.rotational);
+  outer.moment = outer_part(moment, parts.rotational);
   // A force does so where the joint stretches and shears; where it has an axial force or may let
   // go, or the load follows, half of it acts on each segment, so that start and end are alike.
   const Mat<double, 3, 3> none{};
   const Mat<double, 3, 3> half = 0.5 * identity<double, 3>();
-  outer.force = outer_part(load.force, options_.shifts ? shares.shifting : halves ? half : none);
+  outer.force = outer_part(load.force, options_.shifts ? parts.shifting : shares ? half : none);
   Load inner = load;
   for (std::size_t k = 0; k < 3; ++k) {
     inner.moment[k] -= outer.moment[k];

@@ -19,7 +19,7 @@ void Builder<L>::add_along_normal(const Support& support, std::size_t index, dou
   constraint.history = support.moves() ? add_history(support.history) : 0;
   constraint.motion = dot(constraint.direction, view_.point(vector(support.translation)));
   constraint.target = dot(constraint.direction, undeformed_point(point)) - constant<S>(support.gap);
-  add_constraint(constraint);
+  add_with_twin(constraint);
 }
 
 /// The joint there has no law for bending. The halves of its segments are not strained, as at an
@@ -75,8 +75,7 @@ void Builder<L>::add_springs(const Support& support, std::size_t index, std::siz
   spring.arm = view_.point(point.arm);
   const std::size_t beyond = point.segment + 1;
   const bool joins = beyond < layout_.size() && fraction == layout_.ends[beyond];
-  const bool halves = options_.shifts || options_.sees_axial || may_open(beyond);
-  const double part = joins && halves ? 0.5 : 1.0;
+  const double part = joins && shares_forces(beyond) ? 0.5 : 1.0;
   const auto stiffness = view_.translations(six(support.stiffness, {}));
   for (std::size_t k = 0; k < kT; ++k) spring.stiffness[k] = constant<S>(part * stiffness[k]);
   spring.rest = undeformed_point(point);

@@ -334,6 +334,12 @@ std::size_t CaseJournal::found_under(std::string_view beginning) const {
                     [&](const auto& record) { return record.first.starts_with(beginning); }));
 }
 
+std::size_t CaseJournal::found_besides(const std::unordered_set<std::string>& ids) const {
+  return static_cast<std::size_t>(
+      std::count_if(found_.begin(), found_.end(),
+                    [&](const auto& record) { return !ids.contains(record.first); }));
+}
+
 void CaseJournal::keep(std::string_view id, std::span<const std::byte> payload) {
   if (merged_) throw std::logic_error("CaseJournal::keep: a case of merged shards was computed");
   journal_->append(id, payload);

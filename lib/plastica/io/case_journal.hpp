@@ -70,6 +70,8 @@ class CaseJournal {
   const std::vector<std::byte>* find(std::string_view id) const;
   /// How many cases an earlier run has stored.
   std::size_t found() const { return found_.size(); }
+  /// How many of these, with those that were gathered, are none of some ids.
+  std::size_t found_besides(const std::unordered_set<std::string>& ids) const;
   /// How many of these have an id that begins so: parts of a case.
   std::size_t found_under(std::string_view beginning) const;
   /// Bytes at the journal's end that were dropped: a record torn by a crash. 0: none.

@@ -21,7 +21,7 @@ std::string_view why_no_companion(const ChainModel& model) {
     return "its path is not followed by the load (solver.control)";
   }
   if (options.buckling > 0 || options.frequencies > 0) return "it is asked for modes";
-  // Which may end the path, or shorten its steps.
+  // A limit may end the path, or shorten its steps.
   if (has_break_limits(model.scene)) return "it may break";
   return "";
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <string>
+#include <utility>
 
 #include "plastica/base/check.hpp"
 #include "plastica/run/chain_modes.hpp"
@@ -105,14 +106,21 @@ int chain_freedoms(const Model& model) {
   return freedoms;
 }
 
-std::vector<double> unloaded_frequencies(const Model& model, int count) {
-  std::vector<double> frequencies;
+std::optional<std::vector<double>> frequencies_at_rest(const Model& model, int count) {
+  std::optional<std::vector<double>> frequencies;
   with_modes_at_rest(model, [&](auto& modes) {
     const int most = modes.freedoms();
     if (count < 1 || count > most) throw wrong_count(count, most);
-    frequencies = modes.vibration(count).value().frequency;  // at rest it is symmetric
+    if (auto found = modes.vibration(count)) frequencies = std::move(found->frequency);
   });
   return frequencies;
+}
+
+std::vector<double> unloaded_frequencies(const Model& model, int count) {
+  std::optional<std::vector<double>> found = frequencies_at_rest(model, count);
+  if (found) return *std::move(found);
+  throw InputError({}, "frequencies", "",
+                   "of this beam are not known: its stiffness is not symmetric");
 }
 
 std::vector<double> unloaded_frequencies(const Scene& scene, const SolverOptions& options,

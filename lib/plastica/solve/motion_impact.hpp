@@ -12,7 +12,7 @@ template <class L, bool kElastic>
 double MotionStep<L, kElastic>::gap_of(std::size_t k, const Placement& placement,
                                        double time) const {
   if (w_.q.released_constraint[k]) return std::numeric_limits<double>::infinity();
-  return chain::constraint_gap(chain_, chain_.constraints[k], placement, time);
+  return chain::constraint_gap(chain_, chain_.constraints[k], placement, time) - w_.held_off[k];
 }
 
 /// The fraction of the step that was solved at whose end a contact has just closed; 1: none does.

@@ -19,6 +19,7 @@ void set_constraints(const chain::Chain<L>& chain, NewtonWork<L, kElastic>& w) {
   const S zero = constant<S>(0);
   for (std::size_t k = 0; k < chain.constraints.size(); ++k) {
     w.gap[k] = chain::constraint_gap(chain, chain.constraints[k], w.placement, w.time);
+    if (chain.constraints[k].waits_for != chain::kInside) w.gap[k] = w.gap[k] - w.held_off[k];
     if (any(w.q.released_constraint[k])) {
       w.closed[k] = w.closed[k] & !w.q.released_constraint[k];
       w.q.multiplier[k] = select(w.closed[k], w.q.multiplier[k], zero);

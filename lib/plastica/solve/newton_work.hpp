@@ -48,6 +48,9 @@ struct NewtonWork {
   std::vector<mask_t<S>> may_close;      ///< whether a one-sided one may
   bool closed_anew = false;              ///< whether one has just closed or opened
   std::vector<S> gap;                    ///< of each constraint
+  /// How far a twin holds its point off the support: where a joint that stretched and sheared has
+  /// let go of it [m] (constraints).
+  std::vector<S> held_off;
   chain::RightSide<L> right;
   /// Of the imbalance, of each constraint, and of the time (1 + constraints + 1).
   std::vector<chain::Solution<L, kElastic>> columns;
@@ -106,6 +109,7 @@ struct NewtonWork {
     closed.assign(constraints, mask_t<S>{constant<S>(0) < constant<S>(1)});
     may_close.assign(constraints, mask_t<S>{constant<S>(0) < constant<S>(1)});
     gap.assign(constraints, {});
+    held_off.assign(constraints, {});
     right.reset(n);
     columns.resize(constraints + 2);
     for (auto& column : columns) column.resize(n);

@@ -258,13 +258,12 @@ INSTANTIATE_TEST_SUITE_P(
                  "6: axis[2].field = beam.segments: has an axis already"},
         BadSweep{kAxis + "values = [8]\n[[axis]]\nfield = 'beam.segment_depth'\nvalues = [1]\n" +
                      kTipError,
-                 "6: axis[2].field = beam.segment_depth: sets the same number as beam.segments, "
-                 "which has an axis"},
+                 "5: beam.segment_depth: sets the same number as beam.segments, which has an axis"},
         BadSweep{"[set]\nbeam.length = '2 m'\n[[axis]]\nfield = 'beam.slenderness'\n"
                  "values = [10]\n" +
                      kTipError,
-                 "4: axis[1].field = beam.slenderness: sets the same number as beam.length, "
-                 "which has a value in [set]"},
+                 "3: beam.slenderness: sets the same number as beam.length, which has a value in "
+                 "[set]"},
         BadSweep{"[[axis]]\nfield = 'beam.segmnts'\nvalues = [8]\n" + kTipError,
                  "3: axis[1].field = beam.segmnts: is not a field; `plastica fields` lists them"},
         BadSweep{"[[axis]]\nfield = 'rules.end_rule'\nlinear = { from = 1, to = 2, count = 2 }\n" +
