@@ -96,10 +96,8 @@ class Reader {
   SceneFitFile read() {
     const auto fit = root_.find_table("fit");
     if (!fit) throw InputError({root_.where().file, 0}, "fit", "", "is missing");
-    if (const auto defaults = root_.find_table("target_defaults")) {
-      throw InputError(defaults->where(), "target_defaults", "",
-                       "is for coupons' curves: a fit through scenes says it in each [[target]]");
-    }
+    const auto defaults = root_.find("target_defaults");
+    if (defaults) throw defaults->error("is for coupons' curves: say it in each [[target]]");
     read_options(*fit);
     const auto shared = fit->find("shared");
     const bool together = !shared || shared->boolean();

@@ -19,16 +19,16 @@ struct CaseResult {
   Status status = Status::NotRun;
   std::string reason{};  ///< of a rejected case its error line; of one that failed what to change
   Level level = Level::Auto;
-  std::optional<double> value{};       ///< the quantity [SI]; none if the case has none
-  std::vector<double> time{};          ///< of a curve [s] (n_samples)
-  std::vector<double> curve{};         ///< (n_samples)
-  std::int64_t segments = 0;           ///< of a coupon 1
-  std::int64_t iterations = 0;         ///< Newton iterations or linear solves; of a coupon samples
-  int cutbacks = 0;                    ///< steps that were tried again shorter
+  std::optional<double> value{};  ///< the quantity [SI]; none if the case has none
+  std::vector<double> time{};     ///< of a curve [s] (n_samples)
+  std::vector<double> curve{};    ///< (n_samples)
+  std::int64_t segments = 0;      ///< of a coupon 1
+  std::int64_t iterations = 0;    ///< Newton iterations or linear solves; of a coupon samples
+  int cutbacks = 0;               ///< steps that were tried again shorter
   /// Of the last good state, of an unstable path its end [s]; of a coupon its samples.
   double last_time = 0.0;
-  std::optional<double> last_value{};  ///< of the probe there [SI]
-  double energy_balance_error = 0.0;   ///< `Response::energy_balance_error` [1]
+  std::optional<double> last_value{};      ///< of the probe there [SI]
+  double energy_balance_error = 0.0;       ///< `Response::energy_balance_error` [1]
   std::optional<double> standard_error{};  ///< of a fitted value, from the noise of the data [SI]
   std::int64_t break_joint = -1;        ///< the first that broke; -1: none did, or it is a coupon
   std::optional<double> break_place{};  ///< of that joint, joints over segments [1]

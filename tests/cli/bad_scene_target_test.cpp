@@ -87,8 +87,7 @@ INSTANTIATE_TEST_SUITE_P(
             "ColumnNumber", "'Force'", "3",
             "7: ordinate = 3: is not a column of a.csv, which has 2 columns: Displacement, Force"),
         scene_fit_change("Defaults", "[[target]]", "[target_defaults]\ncut = 1\n[[target]]",
-                         "3: target_defaults: is for coupons' curves: a fit through scenes says it "
-                         "in each [[target]]"),
+                         "3: target_defaults: is for coupons' curves: say it in each [[target]]"),
         scene_fit_change(
             "Unit", "column = 'Force'", "column = 'Force', unit = 'mm'",
             "7: target[1].ordinate.unit = mm: is not a unit of force (examples: N, kN, "

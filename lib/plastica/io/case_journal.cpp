@@ -357,13 +357,14 @@ void CaseJournal::gather(bool everyone) {
   for (std::size_t rank = 0; rank < team_->size(); ++rank) {
     if (rank == team_->rank() || (!everyone && !team_->leads())) continue;
     const std::string path = team_journal_path(path_, rank);
-    JournalContent content = read_open_journal(path, kind_);
-    if (content.state != JournalState::Usable) throw StorageError(path, "is gone");
-    if (content.damaged > 0 || content.dropped_bytes > 0) {
+    FoundJournal other{path, read_open_journal(path, kind_)};
+    if (other.content.state != JournalState::Usable) throw StorageError(path, "is gone");
+    if (other.content.damaged > 0 || other.content.dropped_bytes > 0) {
       throw StorageError(path, "is damaged: --resume runs again what it has lost");
     }
-    for (const JournalRecord& record : content.records) gathered_.insert(record.id);
-    take_records(std::move(content.records));
+    Marks().take_out_of(other);
+    for (const JournalRecord& record : other.content.records) gathered_.insert(record.id);
+    take_records(std::move(other.content.records));
   }
   team_->meet();
 }

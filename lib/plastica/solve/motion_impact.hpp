@@ -15,6 +15,22 @@ double MotionStep<L, kElastic>::gap_of(std::size_t k, const Placement& placement
   return chain::constraint_gap(chain_, chain_.constraints[k], placement, time) - w_.held_off[k];
 }
 
+template <class L, bool kElastic>
+void MotionStep<L, kElastic>::wake_twins(std::size_t joint) {
+  for (std::size_t k = 1; k < chain_.constraints.size(); ++k) {
+    if (chain_.constraints[k].waits_for != joint) continue;
+    const std::size_t original = k - 1;
+    const auto gap = [&](std::size_t of) {
+      return chain::constraint_gap(chain_, chain_.constraints[of], w_.placement, w_.time);
+    };
+    w_.held_off[k] = gap(k) - gap(original);
+    w_.q.released_constraint[k] = false;
+    w_.closed[k] = w_.closed[original];
+    contacts_.rests_on[k] = contacts_.rests_on[original];
+    contacts_.bounces[k] = contacts_.bounces[original];
+  }
+}
+
 /// The fraction of the step that was solved at whose end a contact has just closed; 1: none does.
 template <class L, bool kElastic>
 double MotionStep<L, kElastic>::free_fraction() const {

@@ -175,20 +175,7 @@ class MotionStep {
   }
 
   /// Supports at an open joint hold the segment beyond, too, as they hold the one before.
-  void wake_twins(std::size_t joint) {
-    for (std::size_t k = 1; k < chain_.constraints.size(); ++k) {
-      if (chain_.constraints[k].waits_for != joint) continue;
-      const std::size_t original = k - 1;
-      const auto gap = [&](std::size_t of) {
-        return chain::constraint_gap(chain_, chain_.constraints[of], w_.placement, w_.time);
-      };
-      w_.held_off[k] = gap(k) - gap(original);
-      w_.q.released_constraint[k] = false;
-      w_.closed[k] = w_.closed[original];
-      contacts_.rests_on[k] = contacts_.rests_on[original];
-      contacts_.bounces[k] = contacts_.bounces[original];
-    }
-  }
+  void wake_twins(std::size_t joint);
 
   /// Goes on with what `open` has changed.
   void opened() {
