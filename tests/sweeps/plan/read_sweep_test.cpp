@@ -258,9 +258,13 @@ INSTANTIATE_TEST_SUITE_P(
                  "6: axis[2].field = beam.segments: has an axis already"},
         BadSweep{kAxis + "values = [8]\n[[axis]]\nfield = 'beam.segment_depth'\nvalues = [1]\n" +
                      kTipError,
-                 "5: beam.segment_depth: sets the same number as beam.segments, which has an axis"},
+                 "6: beam.segment_depth: sets the same number as beam.segments, which has an axis"},
         BadSweep{"[set]\nbeam.length = '2 m'\n[[axis]]\nfield = 'beam.slenderness'\n"
                  "values = [10]\n" +
+                     kTipError,
+                 "5: beam.slenderness: sets the same number as beam.length, which has a value in "
+                 "[set]"},
+        BadSweep{"[set]\nbeam.length = '2 m'\nbeam.slenderness = 30\n" + kAxis + "values = [8]\n" +
                      kTipError,
                  "3: beam.slenderness: sets the same number as beam.length, which has a value in "
                  "[set]"},
