@@ -111,6 +111,55 @@ std::unique_ptr<stability::PointJournal> open_journal(const StabilityArguments& 
   return journal;
 }
 
+/// What was run of a scene, and what of it the outputs say.
+struct Scanned {
+  const io::SceneFile& file;
+  const stability::SceneScanOptions& options;
+  io::RunMeta meta;
+  stability::SceneScan scan{};
+  stability::PairScan pair{{}, true};
+
+  bool complete() const { return scan.complete && pair.complete; }
+  std::vector<stability::StabilityRow> points() const {
+    std::vector<stability::StabilityRow> all = scan.rows;
+    all.insert(all.end(), pair.rows.begin(), pair.rows.end());
+    return all;
+  }
+};
+
+void write_report(const StabilityArguments& arguments, const Scanned& of) {
+  if (arguments.report.empty() || of.points().empty()) return;
+  write_page(arguments.report,
+             stability::scan_page(of.scan, of.pair.rows, of.options, of.file, of.meta),
+             io::overwrite_if(arguments.force));
+  tell("wrote {}\n", arguments.report);
+}
+
+void draw_map(const StabilityArguments& arguments, const Scanned& of) {
+  if (of.pair.rows.empty()) return;
+  const auto map = stability::pair_map(of.pair.rows, of.file.setup, *of.scan.fields[0].field,
+                                       *of.scan.fields[1].field,
+                                       report::sheet_of(arguments.map, arguments.width));
+  report::draw_picture(map, arguments.map, std::cout, io::overwrite_if(arguments.force));
+  if (arguments.map != "-") tell("wrote {}\n", arguments.map);
+}
+
+/// After a stop the points are in the journal, or else in the report, or lost.
+int end_stopped(const StabilityArguments& arguments, const Scanned& of,
+                stability::PointJournal* journal) {
+  if (journal != nullptr) {
+    journal->sync();
+    tell_interrupted(arguments.output);
+    return kInterrupted;
+  }
+  write_report(arguments, of);
+  const std::size_t points = of.points().size();
+  const bool lost = arguments.report.empty() && points > 0;
+  tell("plastica: interrupted after {}{}\n", report::counted(points, "point"),
+       lost ? ", which are lost: -o FILE keeps them" : "");
+  return kInterrupted;
+}
+
 int scan_file(const StabilityArguments& arguments) {
   expect_input(arguments.file, {InputKind::Scene});
   io::SceneFile file = io::read_scene_file(arguments.file);
@@ -123,63 +172,42 @@ int scan_file(const StabilityArguments& arguments) {
   }
   check_stability_outputs(arguments);
   const auto begin = std::chrono::steady_clock::now();
-  io::RunMeta meta = io::begin_meta(arguments.command_line, options.threads);
-  meta.instruction_set = name_of(resolved(file.setup.solver.isa));
+  Scanned of{file, options, io::begin_meta(arguments.command_line, options.threads)};
+  of.meta.instruction_set = name_of(resolved(file.setup.solver.isa));
   const InterruptGuard interrupt;
   options.stop = &interrupt.flag();
   const auto journal =
-      open_journal(arguments, file, options.within, meta.instruction_set, options.stop);
+      open_journal(arguments, file, options.within, of.meta.instruction_set, options.stop);
   options.journal = journal.get();
+  if (journal) of.meta.resumptions = journal->journal().resumptions();
   TerminalLine line(arguments.quiet);
   options.progress = [&line](std::size_t points) {
     if (line.is_due()) line.draw(fmt::format("scanning: {} points", points));
   };
   const std::string& name = file.setup.scene.name;
-  stability::SceneScan scan = io::with_place_in(
+  of.scan = io::with_place_in(
       file, [&] { return stability::scan_scene(name, file.setup, fields, options); });
-  const bool valid = scan.own.validity == stability::Validity::Valid;
-  stability::PairScan pair{{}, true};
-  if (!arguments.map.empty() && valid && scan.complete) {
-    pair = stability::scan_pair(name, file.setup, scan.fields[0], scan.fields[1], options);
+  const bool valid = of.scan.own.validity == stability::Validity::Valid;
+  if (!arguments.map.empty() && valid && of.scan.complete) {
+    of.pair = stability::scan_pair(name, file.setup, of.scan.fields[0], of.scan.fields[1], options);
   }
-  const std::vector<stability::StabilityRow>& grid = pair.rows;
   line.clear();
-  const bool stopped = !scan.complete || !pair.complete;
+  of.meta.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   if (arguments.team != nullptr && !arguments.team->leads()) return kDone;
-  if (stopped && journal) {
-    journal->sync();
-    tell_interrupted(arguments.output);
-    return kInterrupted;
-  }
-  const io::Overwrite overwrite = io::overwrite_if(arguments.force);
-  std::vector<stability::StabilityRow> all = scan.rows;
-  all.insert(all.end(), grid.begin(), grid.end());
-  if (!arguments.output.empty() && !all.empty()) {
-    io::write_text_file(arguments.output, stability::rows_csv(all), overwrite);
+  if (!of.complete()) return end_stopped(arguments, of, journal.get());
+
+  if (!arguments.output.empty()) {
+    io::write_text_file(arguments.output, stability::rows_csv(of.points()),
+                        io::overwrite_if(arguments.force));
     tell("wrote {}\n", arguments.output);
   }
-  if (!arguments.report.empty() && !all.empty()) {
-    meta.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-    write_page(arguments.report, stability::scan_page(scan, grid, options, file, meta), overwrite);
-    tell("wrote {}\n", arguments.report);
-  }
-  if (stopped) {
-    const bool lost = arguments.report.empty() && !all.empty();
-    tell("plastica: interrupted after {}{}\n", report::counted(all.size(), "point"),
-         lost ? ", which are lost: -o FILE keeps them" : "");
-    return kInterrupted;
-  }
-  if (!grid.empty()) {
-    report::draw_picture(stability::pair_map(grid, file.setup, *fields[0], *fields[1],
-                                             report::sheet_of(arguments.map, arguments.width)),
-                         arguments.map, std::cout, overwrite);
-    if (arguments.map != "-") tell("wrote {}\n", arguments.map);
-  }
+  write_report(arguments, of);
+  draw_map(arguments, of);
   if (const std::size_t others = journal ? journal->finish() : 0; others > 0) {
     tell("its journal has {} of another scan, and is kept\n", report::counted(others, "point"));
   }
-  if (!arguments.quiet) say(stability::scene_scan_text(scan, options));
-  return valid && !any_undetected(scan.rows) && !any_undetected(grid) ? kDone : kNotAcceptable;
+  if (!arguments.quiet) say(stability::scene_scan_text(of.scan, options));
+  return valid && !any_undetected(of.points()) ? kDone : kNotAcceptable;
 }
 
 }  // namespace

@@ -11,6 +11,7 @@ namespace {
 
 /// Values of a grid on either side of the scene's own.
 constexpr int kGridValues = 5;
+
 /// Where a grid ends in a direction: a step beyond the first value that is not valid.
 double grid_end(double own, const ScanLimit& limit) {
   if (limit.end != ScanEnd::Verdict) return limit.value;
@@ -42,7 +43,8 @@ PairScan scan_pair(const std::string& name, const Setup& setup, const ScannedFie
   const std::vector<double> b = grid_values(second);
   std::vector<StabilityRow> rows(a.size() * b.size());
   std::vector<char> done(rows.size(), 0);  // left out, or in its row
-  const auto take = [&](std::size_t i, bool recalls) {
+  PointCounter counter(options);
+  const auto take = [&](std::size_t i, Source source) {
     const double x = a[i / b.size()];
     const double y = b[i % b.size()];
     Setup at = setup;
@@ -52,24 +54,18 @@ PairScan scan_pair(const std::string& name, const Setup& setup, const ScannedFie
       set_field(at, *second.field, y);
       done[i] = runner.work(at) > options.max_work * runner.own_work() ? 1 : 0;
       if (done[i] != 0) return;
-      run = recalls ? runner.recall(at) : runner.run(at);
+      run = runner.run(at, source);
     } catch (const InputError& error) {
       run = refused(error);
     }
     if (!run) return;
     rows[i] = point_row(name, at, {scanned(*first.field, x), scanned(*second.field, y)}, *run);
     done[i] = 1;
+    if (source == Source::Run) counter.count();
   };
-  PointCounter counter(options);
   PairScan pair;
-  pair.complete = !share_points(rows.size(), options, [&](std::size_t i) {
-    take(i, false);
-    if (rows[i].begun) counter.count();
-  });
-  for (std::size_t i = 0; i < rows.size(); ++i) {
-    if (done[i] == 0 && team_of(options) != nullptr) take(i, true);
-    pair.complete = pair.complete && done[i] != 0;
-  }
+  pair.complete =
+      share_points(rows.size(), options, take, [&](std::size_t i) { return done[i] != 0; });
   std::erase_if(rows, [](const StabilityRow& row) { return !row.begun; });
   pair.rows = std::move(rows);
   return pair;

@@ -157,14 +157,12 @@ JudgedRun PointRunner::run_own() {
   return judged(setup_, own_, true);
 }
 
-std::optional<JudgedRun> PointRunner::recall(const Setup& setup) const {
-  if (options_.journal == nullptr) return std::nullopt;
-  return options_.journal->find(setup);
-}
-
-std::optional<JudgedRun> PointRunner::run(const Setup& setup) const {
-  if (is_raised(options_.stop)) return std::nullopt;
-  if (std::optional<JudgedRun> known = recall(setup)) return known;
+std::optional<JudgedRun> PointRunner::run(const Setup& setup, Source source) const {
+  const bool runs = source == Source::Run;
+  if (runs && is_raised(options_.stop)) return std::nullopt;
+  std::optional<JudgedRun> known;
+  if (options_.journal != nullptr) known = options_.journal->find(setup);
+  if (known || !runs) return known;
   Outcome outcome;
   JudgedRun run = judged(setup, outcome, false);
   if (is_raised(options_.stop)) return std::nullopt;

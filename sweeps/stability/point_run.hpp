@@ -25,6 +25,12 @@ struct JudgedRun {
   std::vector<std::string> warnings{};  ///< where they are asked for, see `run_warnings`
 };
 
+/// Where a point comes from.
+enum class Source {
+  Run,     ///< it is run, unless the journal has it
+  Recall,  ///< the journal alone: another process has run it
+};
+
 /// Runs setups that differ from a scene, and judges them; of what is kept in the options' journal,
 /// none is run again.
 class PointRunner {
@@ -34,10 +40,9 @@ class PointRunner {
 
   /// The scene as it is; to be run first. @throws InputError if it is bad input
   JudgedRun run_own();
-  /// One that differs; nothing if it was stopped. @throws io::StorageError
-  std::optional<JudgedRun> run(const Setup& setup) const;
-  /// What is kept of one; nothing if it was not run.
-  std::optional<JudgedRun> recall(const Setup& setup) const;
+  /// One that differs; nothing if it was stopped or, recalled, is not known.
+  /// @throws io::StorageError
+  std::optional<JudgedRun> run(const Setup& setup, Source source) const;
   /// Segments times steps that a run is estimated to take [1].
   double work(const Setup& setup) const;
   double own_work() const { return own_work_; }

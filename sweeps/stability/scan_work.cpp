@@ -81,13 +81,19 @@ void PointCounter::tell() const {
 }
 
 bool share_points(std::size_t count, const SceneScanOptions& options,
-                  const std::function<void(std::size_t)>& body) {
+                  const std::function<void(std::size_t, Source)>& take,
+                  const std::function<bool(std::size_t)>& is_done) {
   const bool stopped = share(team_of(options), count, options.stop, [&](const NextIndex& next) {
     parallel_for(count, {options.threads, options.stop, next},
-                 [&](std::size_t i, int) { body(i); });
+                 [&](std::size_t i, int) { take(i, Source::Run); });
   });
   if (options.journal != nullptr) options.journal->gather();
-  return stopped || is_raised(options.stop);
+  bool complete = !stopped && !is_raised(options.stop);
+  for (std::size_t i = 0; i < count; ++i) {
+    if (!is_done(i) && team_of(options) != nullptr) take(i, Source::Recall);
+    complete = complete && is_done(i);
+  }
+  return complete;
 }
 
 }  // namespace plastica::sweeps::stability

@@ -48,9 +48,11 @@ class PointCounter {
   std::size_t others_ = 0;
 };
 
-/// Has `body` do 0 … count-1, in threads and with other processes; then each knows what the others
-/// have kept. @return whether any of them was stopped
+/// Has `take` do 0 … count-1, in threads and with other processes; then each recalls what the
+/// others have run. @param is_done  whether one is there
+/// @return whether all are; false where any process was stopped
 bool share_points(std::size_t count, const SceneScanOptions& options,
-                  const std::function<void(std::size_t)>& body);
+                  const std::function<void(std::size_t, Source)>& take,
+                  const std::function<bool(std::size_t)>& is_done);
 
 }  // namespace plastica::sweeps::stability

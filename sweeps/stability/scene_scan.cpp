@@ -28,15 +28,14 @@ bool is_dimension(const Setup& setup, const Field& field) {
 /// Runs values of one field, one after another.
 class FieldScan {
  public:
-  /// @param recalls  whether it takes what was run elsewhere, and runs nothing
   FieldScan(const std::string& scene, const Setup& setup, const Field& field,
-            const PointRunner& runner, const SceneScanOptions& options, bool recalls)
+            const PointRunner& runner, const SceneScanOptions& options, Source source)
       : scene_(scene),
         setup_(setup),
         field_(field),
         runner_(runner),
         options_(options),
-        recalls_(recalls) {}
+        source_(source) {}
 
   /// @param up  whether to larger values
   ScanLimit follow(bool up, const std::function<void()>& told) {
@@ -90,7 +89,7 @@ class FieldScan {
         limit = ended(limit, ScanEnd::Work);
         return false;
       }
-      run = recalls_ ? runner_.recall(setup) : runner_.run(setup);
+      run = runner_.run(setup, source_);
     } catch (const InputError& error) {
       run = refused(error);
     }
@@ -126,9 +125,16 @@ class FieldScan {
   const Field& field_;
   const PointRunner& runner_;
   const SceneScanOptions& options_;
-  bool recalls_;
+  Source source_;
   bool stopped_ = false;
   std::vector<StabilityRow> rows_;
+};
+
+/// What one direction of a field came to.
+struct Direction {
+  ScanLimit limit{};
+  std::vector<StabilityRow> rows{};
+  bool done = false;
 };
 
 const Field& varied_field(const std::string& name) {
@@ -179,17 +185,6 @@ std::vector<const Field*> scanned_fields(const Setup& setup,
   return found;
 }
 
-namespace {
-
-/// What one direction of a field came to.
-struct Direction {
-  ScanLimit limit{};
-  std::vector<StabilityRow> rows{};
-  bool done = false;
-};
-
-}  // namespace
-
 SceneScan scan_scene(const std::string& name, const Setup& setup,
                      const std::vector<const Field*>& fields, const SceneScanOptions& options) {
   SceneScan scan;
@@ -210,21 +205,17 @@ SceneScan scan_scene(const std::string& name, const Setup& setup,
 
   // Others of a team wait for this process there, even where it was stopped.
   std::vector<Direction> directions(2 * fields.size());
-  const auto follow = [&](std::size_t i, bool recalls, const std::function<void()>& told) {
-    FieldScan one(name, setup, *fields[i / 2], runner, options, recalls);
-    directions[i].limit = one.follow(i % 2 != 0, told);
+  PointCounter counter(options);
+  const auto follow = [&](std::size_t i, Source source) {
+    FieldScan one(name, setup, *fields[i / 2], runner, options, source);
+    directions[i].limit = one.follow(i % 2 != 0, [&] {
+      if (source == Source::Run) counter.count();
+    });
     directions[i].done = !one.stopped();
     directions[i].rows = std::move(one).rows();
   };
-  PointCounter counter(options);
-  const bool stopped = share_points(directions.size(), options, [&](std::size_t i) {
-    follow(i, false, [&counter] { counter.count(); });
-  });
-  scan.complete = !stopped;
-  for (std::size_t i = 0; i < directions.size(); ++i) {
-    if (!directions[i].done && team_of(options) != nullptr) follow(i, true, [] {});
-    scan.complete = scan.complete && directions[i].done;
-  }
+  scan.complete = share_points(directions.size(), options, follow,
+                               [&](std::size_t i) { return directions[i].done; });
   for (std::size_t f = 0; f < fields.size(); ++f) {
     const Field& field = *fields[f];
     scan.fields.push_back(

@@ -24,8 +24,6 @@ struct Standing {
   std::function<void(Scene&, const Place&, double part)> add;
 };
 
-void PrintTo(const Standing& standing, std::ostream* out) { *out << standing.name; }
-
 /// A bar of plastics, bent by loads at both ends, which are alike from the middle.
 Scene bar(double length, int segments) {
   Scene scene = testing::chain_scene(segments);
@@ -61,7 +59,7 @@ Scene whole_bar(const Standing& standing, double cut) {
 }
 
 Response run(const Scene& scene, Scheme scheme) {
-  const Response response = simulate(scene, testing::motion_options(scheme, 1e-4, 300));
+  Response response = simulate(scene, testing::motion_options(scheme, 1e-4, 300));
   EXPECT_TRUE(usable(response.status)) << name_of(response.status);
   return response;
 }

@@ -266,7 +266,7 @@ INSTANTIATE_TEST_SUITE_P(
                  "[set]"},
         BadSweep{"[set]\nbeam.length = '2 m'\nbeam.slenderness = 30\n" + kAxis + "values = [8]\n" +
                      kTipError,
-                 "3: beam.slenderness: sets the same number as beam.length, which has a value in "
+                 "4: beam.slenderness: sets the same number as beam.length, which has a value in "
                  "[set]"},
         BadSweep{"[[axis]]\nfield = 'beam.segmnts'\nvalues = [8]\n" + kTipError,
                  "3: axis[1].field = beam.segmnts: is not a field; `plastica fields` lists them"},
