@@ -332,8 +332,9 @@ Chart trade_chart(const PlotCases& cases) {
   }
   chart.entries = std::move(looks.entries);
   if (all_points(chart).empty()) refuse_empty("an error and a cost");
-  if (free > 0)
+  if (free > 0) {
     chart.subtitle += "; without " + report::counted(free, "case") + " that cost nothing";
+  }
   lift_zeros(chart, zeros);
   const Points all = all_points(chart);
   chart.x = logarithmic_axis(timed ? "time [ms]" : "work [segment-iterations]", column(all, 0));

@@ -6,12 +6,15 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <chrono>
 #include <csignal>
 #include <cstdlib>
 #include <fstream>
 #include <iterator>
 #include <stdexcept>
 #include <system_error>
+#include <thread>
+#include <utility>
 
 namespace plastica::testing {
 namespace {
@@ -146,6 +149,22 @@ RunningCommand Workplace::spawn(const std::string& program, std::vector<std::str
   posix_spawn_file_actions_destroy(&actions);
   if (error != 0) fail(error, program);
   return {process, root_};
+}
+
+CommandResult Workplace::interrupt(std::vector<std::string> arguments, const std::string& journal,
+                                   int signal, std::uintmax_t growth) const {
+  const auto size = [&]() -> std::uintmax_t {
+    std::error_code absent;
+    const auto bytes = fs::file_size(path(journal), absent);
+    return absent ? 0 : bytes;
+  };
+  const std::uintmax_t enough = size() + growth;
+  RunningCommand running = start(std::move(arguments));
+  while (running.runs() && size() < enough) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
+  if (running.runs()) running.send(signal);
+  return running.wait();
 }
 
 std::size_t lines_of(const std::string& text) {

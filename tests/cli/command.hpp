@@ -2,6 +2,7 @@
 
 #include <sys/types.h>
 
+#include <cstdint>
 #include <filesystem>
 #include <map>
 #include <string>
@@ -64,6 +65,9 @@ class Workplace {
   CommandResult run_program(const std::string& program, std::vector<std::string> arguments) const;
   /// Begins `plastica ARGUMENTS…` in the folder.
   RunningCommand start(std::vector<std::string> arguments) const;
+  /// Runs it, and ends it by a signal once its journal has grown by so many bytes.
+  CommandResult interrupt(std::vector<std::string> arguments, const std::string& journal,
+                          int signal, std::uintmax_t growth) const;
 
  private:
   RunningCommand spawn(const std::string& program, std::vector<std::string> arguments,

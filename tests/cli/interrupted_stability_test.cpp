@@ -1,10 +1,8 @@
 #include <gtest/gtest.h>
 
-#include <chrono>
 #include <csignal>
 #include <random>
 #include <sstream>
-#include <thread>
 
 #include "tests/cli/bad_input.hpp"
 #include "tests/cli/command.hpp"
@@ -28,30 +26,20 @@ class InterruptedStability : public ::testing::Test {
     return words;
   }
 
-  std::uintmax_t journal_size() const {
-    std::error_code absent;
-    const auto size = std::filesystem::file_size(place_.path("out.csv.journal"), absent);
-    return absent ? 0 : size;
-  }
-
   /// Begins or goes on, and ends it by a signal once the journal has grown by so much.
   CommandResult interrupt(int signal, std::uintmax_t growth) const {
-    const std::uintmax_t enough = journal_size() + growth;
-    RunningCommand running =
-        place_.start(scan({"--map", "out.gp", "--resume", "--threads", "2", "-o", "out.csv"}));
-    while (running.runs() && journal_size() < enough) {
-      std::this_thread::sleep_for(std::chrono::milliseconds(1));
-    }
-    if (running.runs()) running.send(signal);
-    return running.wait();
+    return place_.interrupt(
+        scan({"--map", "out.gp", "--resume", "--threads", "2", "-o", "out.csv"}), "out.csv.journal",
+        signal, growth);
   }
 
   /// The points of a file, without what each took.
   std::string points(const std::string& name) const {
     std::istringstream lines(place_.read(name));
     std::string all;
-    for (std::string line; std::getline(lines, line);)
+    for (std::string line; std::getline(lines, line);) {
       all += line.substr(0, line.rfind(',')) + '\n';
+    }
     return all;
   }
 

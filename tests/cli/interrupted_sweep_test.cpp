@@ -1,10 +1,8 @@
 #include <gtest/gtest.h>
 
-#include <chrono>
 #include <csignal>
 #include <random>
 #include <regex>
-#include <thread>
 
 #include "tests/cli/results.hpp"
 
@@ -27,22 +25,10 @@ class InterruptedSweep : public ::testing::Test {
                                    "[error]\nprobe = 'tip'\n");
   }
 
-  std::uintmax_t journal_size() const {
-    std::error_code absent;
-    const auto size = std::filesystem::file_size(place_.path("out.h5.journal"), absent);
-    return absent ? 0 : size;
-  }
-
   /// Begins or goes on, and ends it by a signal once the journal has grown by so much.
   CommandResult interrupt(int signal, std::uintmax_t growth) const {
-    const std::uintmax_t enough = journal_size() + growth;
-    RunningCommand running =
-        place_.start({"sweep", "sweep.toml", "--resume", "--threads", "2", "-o", "out.h5"});
-    while (running.runs() && journal_size() < enough) {
-      std::this_thread::sleep_for(std::chrono::milliseconds(1));
-    }
-    if (running.runs()) running.send(signal);
-    return running.wait();
+    return place_.interrupt({"sweep", "sweep.toml", "--resume", "--threads", "2", "-o", "out.h5"},
+                            "out.h5.journal", signal, growth);
   }
 
   /// How many cases a run says that it took from an earlier one.

@@ -28,6 +28,26 @@ class SweepResult : public ::testing::Test {
   CommandResult ran_;
 };
 
+/// Each case ran, and none has a value that is an answer.
+TEST(SweepOfFits, EndsWithOneWhereNoFitIsAnAnswer) {
+  const Workplace place;
+  const std::string data = std::string(PLASTICA_SOURCE_DIR) + "/data/";
+  place.write("sweep.toml",
+              "scene = '" + data +
+                  "scenes/bend_test.toml'\n[set]\nsolver.steps = 40\n"
+                  "rules.yield_model = 'interaction'\n[[axis]]\nfield = 'beam.segments'\n"
+                  "values = [4]\n[error]\nquantity = 'fit'\nparameter = 'material.yield_stress'\n"
+                  "[fit]\ntarget = '" +
+                  data +
+                  "targets/bend_test.csv'\n"
+                  "abscissa = { probe = 'displacement', column = 'Displacement', factor = -1 }\n"
+                  "ordinate = { probe = 'force', column = 'Force', factor = -1 }\n"
+                  "parameters.yield_stress = { bounds = ['100 MPa', '300 MPa'] }\n");
+  const CommandResult result = place.run({"sweep", "sweep.toml"});
+  EXPECT_EQ(result.code, 1) << result.err;
+  EXPECT_TRUE(has(result.out, "yield_stress ended at its bound")) << result.out;
+}
+
 TEST_F(SweepResult, IsShownAsItWasReported) {
   EXPECT_EQ(output_of({"show", "sweep.h5"}), ran_.out);
   EXPECT_EQ(output_of({"show", "sweep.h5", "--all"}), ran_.out);

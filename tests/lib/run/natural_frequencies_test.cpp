@@ -156,6 +156,24 @@ TEST(NaturalFrequencies, OfABarWithElasticJointsHoldItsStretchingWave) {
   EXPECT_LE(nearest, tolerance(5e-4));
 }
 
+/// A clamp at a corner, between joints that stretch.
+TEST(NaturalFrequencies, AreRefusedWhereTheStiffnessIsNotSymmetric) {
+  Scene scene = testing::chain_scene(12);
+  scene.beam.shape = BeamShape::Polyline;
+  scene.beam.points = {{0.0, 0.0, 0.0}, {0.0, 0.2, 0.5}, {0.0, 0.0, 1.0}};
+  scene.beam.length = 2.0 * std::hypot(0.2, 0.5);
+  scene.gravity = {0.0, -9.81, 0.0};
+  scene.supports.push_back({.at = {0.5, {}}, .kind = SupportKind::Clamp});
+  SolverOptions options = kPlanar;
+  options.analysis = Analysis::Dynamics;
+  options.translation = JointTranslation::Elastic;
+  const Model model = prepare(scene, options);
+  EXPECT_FALSE(frequencies_at_rest(model, 3));
+  EXPECT_TRUE(testing::message_of([&] {
+                unloaded_frequencies(model, 3);
+              }).ends_with("of this beam are not known: its stiffness is not symmetric"));
+}
+
 TEST(NaturalFrequencies, OfAPinnedChainAreExact) {
   const Scene scene =
       held_scene(9, {{Place::start(), SupportKind::Pin}, {Place::end(), SupportKind::Roller}});
