@@ -51,9 +51,8 @@ std::string loaded_line(const Setup& setup, const std::vector<double>& unloaded)
 }  // namespace
 
 std::string frequency_line(const Model& model, const Setup& setup) {
-  const auto found = frequencies_at_rest(model, std::min(chain_freedoms(model), kMaxFree + kShown));
-  if (!found) return "not known: the stiffness of the chain is not symmetric\n";
-  std::vector<double> frequencies = *found;
+  std::vector<double> frequencies =
+      unloaded_frequencies(model, std::min(chain_freedoms(model), kMaxFree + kShown));
   const auto first = std::find_if(frequencies.begin(), frequencies.end(),
                                   [](double frequency) { return frequency > 0.0; });
   const auto free = static_cast<std::size_t>(first - frequencies.begin());

@@ -24,6 +24,10 @@ constexpr double kNoStiffness = 1e-24;
 constexpr double kHeldTwice = 1e-10;
 /// How little joints are unloaded, of their elastic deformation.
 constexpr double kUnloading = 1e-9;
+/// Beside it, of a tangent, what rounding and the residual of an equilibrium leave.
+constexpr double kAsymmetry = 1e-6;
+/// Of a root: how near others are that rounding does not tell apart where it is there twice.
+constexpr double kSameRoot = 1e-6;
 /// How far critical loads are sought, of the load that acts.
 constexpr double kFarthest = 1e15;
 /// How far natural frequencies are, of the softest coordinate's omega^2.
@@ -82,6 +86,14 @@ int ChainModes<L, kElastic>::unstable_modes() {
       solve::unstable_modes(body_.build.chain, solve::PathCondition<L>{}, false, w_));
 }
 
+/// Of a symmetric tangent the count falls by rounding alone, which beside a root that is there twice
+/// reaches as far as the square root of its own size.
+template <class L, bool kElastic>
+bool ChainModes<L, kElastic>::is_symmetric(solve::Pencil<L, kElastic>& pencil, double x) {
+  pencil.factor(x);
+  return static_cast<double>(solve::asymmetry(body_.build.chain, w_)) < kAsymmetry;
+}
+
 template <class L, bool kElastic>
 double ChainModes<L, kElastic>::growth(double before, double time, double reach, bool held,
                                        double& about) const {
@@ -131,7 +143,7 @@ std::optional<BucklingModes> ChainModes<L, kElastic>::buckling(int count, OutOfP
   bool falls = false;
   const auto add_roots = [&](bool out_of_plane, const std::function<int(double)>& passed) {
     const solve::Roots found = solve::first_roots(passed, search);
-    falls = falls || found.falls;
+    falls = falls || (found.falls && (out_of_plane || !is_symmetric(pencil, 0.0)));
     for (const double root : found.at) roots.push_back({root, out_of_plane});
   };
   const auto in_plane = [&](double x) {
@@ -156,7 +168,7 @@ std::optional<BucklingModes> ChainModes<L, kElastic>::buckling(int count, OutOfP
       beside->add_mode_after(root.time, modes.mode);
     } else {
       pencil.factor(root.time);
-      add_mode(root.time <= last, modes.mode);
+      add_mode(root.time <= (1.0 + kSameRoot) * last, modes.mode);
       last = root.time;
     }
   }
@@ -195,7 +207,7 @@ std::optional<VibrationModes> ChainModes<L, kElastic>::vibration(int count, Stop
     search.count = count - unresisted;
     if (search.count > 0) {
       const solve::Roots roots = solve::first_roots(passed, search);
-      if (roots.falls) return std::nullopt;
+      if (roots.falls && !is_symmetric(pencil, search.reach)) return std::nullopt;
       squares.resize(static_cast<std::size_t>(unresisted));
       squares.insert(squares.end(), roots.at.begin(), roots.at.end());
     }
@@ -206,7 +218,7 @@ std::optional<VibrationModes> ChainModes<L, kElastic>::vibration(int count, Stop
     modes.frequency.push_back(std::sqrt(square) / (2.0 * std::numbers::pi));
     // Just below, since at 0 nothing may be there to divide by.
     pencil.factor(square > 0.0 ? square : -kUnresisted * softest_square);
-    add_mode(square <= last, modes.mode);
+    add_mode(square <= (1.0 + kSameRoot) * last, modes.mode);
     last = square;
   }
   return modes;

@@ -55,6 +55,7 @@ class ChainModes {
   void unload(const chain::Coordinates<L>& q);
   void gather();
   int unstable_modes();
+  bool is_symmetric(solve::Pencil<L, kElastic>& pencil, double x);
   std::vector<Coordinate> coordinates();
   /// Least omega^2 of a single coordinate that something resists [1/s^2].
   double softest();

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <stdexcept>
 #include <string>
 #include <utility>
 
@@ -106,21 +107,16 @@ int chain_freedoms(const Model& model) {
   return freedoms;
 }
 
-std::optional<std::vector<double>> frequencies_at_rest(const Model& model, int count) {
-  std::optional<std::vector<double>> frequencies;
+std::vector<double> unloaded_frequencies(const Model& model, int count) {
+  std::vector<double> frequencies;
   with_modes_at_rest(model, [&](auto& modes) {
     const int most = modes.freedoms();
     if (count < 1 || count > most) throw wrong_count(count, most);
-    if (auto found = modes.vibration(count)) frequencies = std::move(found->frequency);
+    auto found = modes.vibration(count);
+    if (!found) throw std::logic_error("the stiffness of a beam at rest is not symmetric");
+    frequencies = std::move(found->frequency);
   });
   return frequencies;
-}
-
-std::vector<double> unloaded_frequencies(const Model& model, int count) {
-  std::optional<std::vector<double>> found = frequencies_at_rest(model, count);
-  if (found) return *std::move(found);
-  throw InputError({}, "frequencies", "",
-                   "of this beam are not known: its stiffness is not symmetric");
 }
 
 std::vector<double> unloaded_frequencies(const Scene& scene, const SolverOptions& options,

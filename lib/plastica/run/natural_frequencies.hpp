@@ -1,6 +1,5 @@
 #pragma once
 
-#include <optional>
 #include <vector>
 
 #include "plastica/run/model.hpp"
@@ -19,11 +18,8 @@ namespace plastica {
 /// make. Found by counting negative pivots, in time proportional to segments and `count`.
 /// @param model  of a chain
 /// @param count  1 … `chain_freedoms`
-/// @throws InputError if the model is a coupon, count is out of range, or the chain's stiffness is
-///         not symmetric
+/// @throws InputError if the model is a coupon or count is out of range
 std::vector<double> unloaded_frequencies(const Model& model, int count);
-/// The same; none where the stiffness is not symmetric.
-std::optional<std::vector<double>> frequencies_at_rest(const Model& model, int count);
 
 /// The same of a scene, whether it is one of statics or of dynamics.
 /// @param options  level, translation, fibres and rotary_inertia are read

@@ -14,10 +14,9 @@ std::optional<double> lowest_frequency(const Model& model) {
   constexpr int kRigid = 6;  // modes of motion of a body that nothing holds
   const int freedoms = chain_freedoms(model);
   if (freedoms == 0) return std::nullopt;  // supports hold all of its segments
-  const auto all = frequencies_at_rest(model, std::min(freedoms, kRigid + 1));
-  if (!all) return std::nullopt;
-  const auto first = std::ranges::find_if(*all, [](double frequency) { return frequency > 0.0; });
-  return first == all->end() ? std::nullopt : std::optional(*first);
+  const auto all = unloaded_frequencies(model, std::min(freedoms, kRigid + 1));
+  const auto first = std::ranges::find_if(all, [](double frequency) { return frequency > 0.0; });
+  return first == all.end() ? std::nullopt : std::optional(*first);
 }
 
 /// A sampled swing of frequency f is another one, of a lower frequency, where the interval is above

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <vector>
 
@@ -47,7 +48,57 @@ void set_apart(const chain::Chain<L>& chain,
   }
 }
 
+/// A motion that has a part of every mode.
+/// @param phase  of another one, another
+template <class L>
+std::vector<chain::Motion<L>> any_motion(const chain::Chain<L>& chain, double phase) {
+  using S = typename L::Scalar;
+  std::vector<chain::Motion<L>> motion(chain.size());
+  for (std::size_t i = 0; i < motion.size(); ++i) {
+    const double x = static_cast<double>(i + 1) + phase;
+    for (std::size_t k = 0; k < L::kRotations; ++k) {
+      motion[i].spin[k] = constant<S>(std::sin(1.7 * x + static_cast<double>(k)) + 0.3);
+    }
+    for (std::size_t k = 0; k < L::kTranslations; ++k) {
+      motion[i].shift[k] = chain.length * constant<S>(std::cos(0.9 * x + static_cast<double>(k)));
+    }
+  }
+  return motion;
+}
+
+/// What acts on segments that a motion is sought of, by its weights.
+template <class L, bool kElastic>
+void push_by(const chain::Chain<L>& chain, const std::vector<chain::Motion<L>>& motion,
+             NewtonWork<L, kElastic>& w) {
+  using S = typename L::Scalar;
+  const S weight = constant<S>(1) / (chain.length * chain.length);
+  w.right.reset(chain.size());
+  for (std::size_t i = 0; i < motion.size(); ++i) {
+    w.right.wrench[i] = {weight * motion[i].shift, motion[i].spin};
+  }
+}
+
 }  // namespace detail
+
+/// How far a factored tangent is from symmetric, over its size: of two sets of forces, the work of
+/// each on what the other moves. Rounding leaves some 1e-13.
+/// @param w  its columns and right side are used
+template <class L, bool kElastic>
+typename L::Scalar asymmetry(const chain::Chain<L>& chain, NewtonWork<L, kElastic>& w) {
+  using S = typename L::Scalar;
+  const std::array pushed{detail::any_motion(chain, 0.0), detail::any_motion(chain, 0.31)};
+  for (std::size_t j = 0; j < 2; ++j) {
+    detail::push_by(chain, pushed[j], w);
+    w.recursion.solve(w.right, false, w.columns[j]);
+  }
+  const auto work = [&](std::size_t forces, std::size_t moved) {
+    return detail::weighed(chain, pushed[forces], w.columns[moved].motion);
+  };
+  const S zero = constant<S>(0);
+  // Of two forces that are unlike enough one may do no work on what the other moves.
+  const S size = max(abs(work(0, 0)), max(abs(work(1, 1)), abs(work(0, 1))));
+  return size > zero ? abs(work(0, 1) - work(1, 0)) / size : zero;
+}
 
 /// The motion of the segments that a factored tangent resists least, the largest spin being 1: by
 /// inverse iteration K x' = B x among the motions that the constraints allow. B weighs translations
@@ -61,25 +112,11 @@ std::vector<chain::Motion<L>> softest_motion(
     const std::vector<std::vector<chain::Motion<L>>>& others = {}) {
   using S = typename L::Scalar;
   const std::size_t n = chain.size();
-  const S weight = constant<S>(1) / (chain.length * chain.length);
-  std::vector<chain::Motion<L>> motion(n);
-  for (std::size_t i = 0; i < n; ++i) {
-    // Anything that has a part of every mode.
-    const double x = static_cast<double>(i + 1);
-    for (std::size_t k = 0; k < L::kRotations; ++k) {
-      motion[i].spin[k] = constant<S>(std::sin(1.7 * x + static_cast<double>(k)) + 0.3);
-    }
-    for (std::size_t k = 0; k < L::kTranslations; ++k) {
-      motion[i].shift[k] = chain.length * constant<S>(std::cos(0.9 * x + static_cast<double>(k)));
-    }
-  }
+  std::vector<chain::Motion<L>> motion = detail::any_motion(chain, 0.0);
   const PathCondition<L> at_time;
   for (auto& gap : w.gap) gap = constant<S>(0);
   for (int iteration = 0; iteration < 6; ++iteration) {
-    w.right.reset(n);
-    for (std::size_t i = 0; i < n; ++i) {
-      w.right.wrench[i] = {weight * motion[i].shift, motion[i].spin};
-    }
+    detail::push_by(chain, motion, w);
     w.recursion.solve(w.right, false, w.columns[0]);
     for (std::size_t k = 0; k < chain.constraints.size(); ++k)
       detail::solve_constraint(chain, k, w);
