@@ -93,7 +93,7 @@ int list_fields(const std::vector<std::string>& words) {
 
 void add_fields(CLI::App& app, Action& action) {
   CLI::App* sub = app.add_subcommand(
-      "fields", "List every name that a file may use, with unit, range and default");
+      "fields", "List every number and word of scenes, with unit, range and default");
   auto words = std::make_shared<std::vector<std::string>>();
   sub->add_option("words", *words, "List those lines alone that have all of these words")
       ->option_text("WORD...");

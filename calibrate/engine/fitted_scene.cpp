@@ -83,6 +83,24 @@ void take_stated(const FitRecord& record, const FitOptions& options, FittedScene
   fitted.scene = std::move(out.scene);
 }
 
+/// What an export has of the scene's material that neither the fit nor its file says.
+void note_not_fitted(const Scene& scene, const FitRecord& record, FittedScene& fitted) {
+  for (const char* path : {"material.density", "material.poisson_ratio"}) {
+    const std::string name(last_part(path));
+    const bool is_said = std::ranges::any_of(
+        fitted.notes, [&](const std::string& note) { return note.starts_with(name + " = "); });
+    if (is_said || record.result.find_parameter(path) != nullptr) continue;
+    const Field& field = find_field(path);
+    const FieldValue value = field.get(Setup{fitted.scene, {}});
+    const auto* number = std::get_if<double>(&value);
+    if (number == nullptr) continue;
+    fitted.notes.push_back(fmt::format(
+        "{} = {}, of the scene's {}, not of {}", name,
+        shown(path, field.dimension, *number, std::numeric_limits<double>::quiet_NaN()),
+        scene.material.name.empty() ? "material" : scene.material.name, record.target.name));
+  }
+}
+
 /// What stands at the head of an export, for whoever gets it without the report.
 void note_doubts(const std::string& why_unusable, bool is_poor, std::vector<std::string>& notes) {
   if (!why_unusable.empty()) {
@@ -129,6 +147,7 @@ FittedScene fitted_scene(const Scene& scene, const FitRecord& record, const FitO
         parameter.role == ParameterRole::Free ? "fitted" : word_of(parameter.role),
         parameter.at_lower || parameter.at_upper ? ", at a bound of the fit" : ""));
   }
+  note_not_fitted(scene, record, fitted);
   follow_beam(out);
   const Scene& stated = options.setup.scene;
   if (record.target.test != Test::Tension && stated.yield_cap != scene.yield_cap) {

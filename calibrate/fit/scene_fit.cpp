@@ -132,7 +132,7 @@ class SceneFit {
     }
     warn_of_scenes(problem_, targets_, search_.best().x, result_.warnings);
     warn_of_specimens(targets_, result_.targets, result_.warnings);
-    warn_of_survived(problem_, options_, result_.parameters, curves, result_.warnings);
+    warn_of_limits(problem_, options_, result_.parameters, curves, result_.warnings);
     const FittedScenes fitted(problem_, options_, search_.best(), errors);
     result_.intervals = find_intervals(fitted, work_, result_.warnings);
     if (options_.laws.size() > 1) result_.held_out = held_out(fitted, work_);

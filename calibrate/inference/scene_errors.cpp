@@ -16,6 +16,10 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
+/// In errors of the noise: a parameter that moves all curves together by less, from one of its
+/// bounds to the other, does so by the rounding of their solutions.
+constexpr double kMovesNothing = 1e-2;
+
 /// Drops coordinates that only combinations determine: the largest of each direction that is not
 /// identifiable.
 void drop_unidentifiable(const MatrixXd& normal, std::vector<Index>& kept) {
@@ -93,14 +97,18 @@ void SceneErrors::set_covariance(std::span<const double> residual,
   if (confidence) {
     drop_unbounded_yield(problem_, x_, residual, at_bound_, *confidence, slopes_);
   }
-  identifiable_ = IdentifiableSlopes(slopes_, at_bound_);
   // Rows over the noise, times the root of their weight.
   const MatrixXd j = SlopeRows(slopes_.data(), static_cast<Index>(problem_.squares().residuals), n);
   const MatrixXd normal = gram(j);
   std::vector<Index> kept;
+  std::vector<bool> left_out = at_bound_;
   for (Index k = 0; k < n; ++k) {
-    if (!at_bound_[static_cast<std::size_t>(k)] && normal(k, k) > 0.0) kept.push_back(k);
+    const auto i = static_cast<std::size_t>(k);
+    const double range = problem_.squares().upper[i] - problem_.squares().lower[i];
+    left_out[i] = left_out[i] || !(std::sqrt(normal(k, k)) * range > kMovesNothing);
+    if (!left_out[i]) kept.push_back(k);
   }
+  identifiable_ = IdentifiableSlopes(slopes_, left_out);
   drop_unidentifiable(normal, kept);
   if (kept.empty()) return;
   const VectorXd w = weights();

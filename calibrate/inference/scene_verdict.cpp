@@ -30,6 +30,13 @@ struct HeldLimit {
   double value = 0.0;   ///< [1]
   double margin = 0.0;  ///< more than this beyond it is no noise
   bool fitted = false;
+  bool at_bound = false;
+
+  /// A fitted limit is a mean of those at which targets broke: whether these agree is judged there.
+  bool follows_breaks() const { return fitted && !at_bound; }
+  std::string words() const {
+    return fmt::format("{} {:.4g} %", fitted ? "fitted as" : "held at", 100.0 * value);
+  }
 };
 
 std::optional<HeldLimit> limit_of(const Field& field, const WeightedTarget& target,
@@ -39,7 +46,7 @@ std::optional<HeldLimit> limit_of(const Field& field, const WeightedTarget& targ
   const auto p = std::ranges::find(parameters, field.path, &FittedParameter::path);
   if (p != parameters.end()) {
     const double errors = p->has_error() ? kErrors * p->standard_error : 0.0;
-    return HeldLimit{p->value, std::max(errors, kRounding * p->value), true};
+    return HeldLimit{p->value, std::max(errors, kRounding * p->value), true, p->at_bound()};
   }
   const Setup setup = with_fixed(target.setup, options);
   const Material& material = setup.scene.material;
@@ -47,7 +54,7 @@ std::optional<HeldLimit> limit_of(const Field& field, const WeightedTarget& targ
                                           ? material.break_strain
                                           : material.break_shear_strain;
   if (!held) return std::nullopt;
-  return HeldLimit{*held, kRounding * *held, false};
+  return HeldLimit{*held, kRounding * *held, false, false};
 }
 
 }  // namespace
@@ -106,10 +113,10 @@ void warn_of_specimens(std::span<const WeightedTarget> targets, std::span<const 
   }
 }
 
-void warn_of_survived(const SceneProblem& problem, const SceneFitOptions& options,
-                      std::span<const FittedParameter> parameters,
-                      std::span<const std::vector<SceneCurve>> curves,
-                      std::vector<std::string>& warnings) {
+void warn_of_limits(const SceneProblem& problem, const SceneFitOptions& options,
+                    std::span<const FittedParameter> parameters,
+                    std::span<const std::vector<SceneCurve>> curves,
+                    std::vector<std::string>& warnings) {
   for (std::size_t t = 0; t < curves.size(); ++t) {
     const WeightedTarget& target = problem.targets()[t];
     const StrainAtBreak& strain = curves[t].front().strain;
@@ -117,17 +124,24 @@ void warn_of_survived(const SceneProblem& problem, const SceneFitOptions& option
       const Field& field = find_field(name);
       if (!limits(*field.material, problem.model(t), target)) continue;
       const auto limit = limit_of(field, target, options, parameters);
-      if (!limit || !(strain.survived > limit->value + limit->margin)) continue;
-      // A fitted limit is a mean of those at which targets broke: whether these agree is judged
-      // there.
+      if (!limit) continue;
+      const double broken_at = std::isnan(strain.after) ? strain.at : strain.after;
+      if (target.target.broke && !limit->follows_breaks() &&
+          broken_at < limit->value - limit->margin) {
+        warnings.push_back(fmt::format(
+            "{}: the specimen broke at a permanent strain of {:.4g} %, less than {}, which is {}: "
+            "the fitted beam is intact where it broke",
+            target.target.name, 100.0 * broken_at, name, limit->words()));
+        continue;
+      }
+      if (!(strain.survived > limit->value + limit->margin)) continue;
       const bool only_at_break = target.target.broke && !(strain.survived > strain.before);
-      if (limit->fitted && only_at_break) continue;
+      if (limit->follows_breaks() && only_at_break) continue;
       warnings.push_back(fmt::format(
           "{}: the specimen bore a permanent strain of {:.4g} % and {}, more than {} allows, which "
-          "is {} {:.4g} %",
+          "is {}",
           target.target.name, 100.0 * strain.survived,
-          target.target.broke ? "went on" : "did not break at all", name,
-          limit->fitted ? "fitted as" : "held at", 100.0 * limit->value));
+          target.target.broke ? "went on" : "did not break at all", name, limit->words()));
     }
   }
 }

@@ -29,12 +29,13 @@ void add_warning(const TargetFit& of_target, Law law, std::string_view try_next,
 void warn_of_specimens(std::span<const WeightedTarget> targets, std::span<const TargetFit> fits,
                        std::vector<std::string>& warnings);
 
-/// Of targets that bore more than a break limit, fitted or held, while they were intact.
+/// Of targets that bore more than a break limit, fitted or held, while they were intact, and of
+/// those that broke before one that is held or at its bound.
 /// @param parameters  fitted; one of the break counts with three of its standard errors
 /// @param curves  of the targets at the solution (n_targets, >= 1)
-void warn_of_survived(const SceneProblem& problem, const SceneFitOptions& options,
-                      std::span<const FittedParameter> parameters,
-                      std::span<const std::vector<SceneCurve>> curves,
-                      std::vector<std::string>& warnings);
+void warn_of_limits(const SceneProblem& problem, const SceneFitOptions& options,
+                    std::span<const FittedParameter> parameters,
+                    std::span<const std::vector<SceneCurve>> curves,
+                    std::vector<std::string>& warnings);
 
 }  // namespace plastica::calibrate

@@ -22,6 +22,14 @@ void advise_on(const FittedParameter& parameter, std::vector<std::string>& advic
   }
 }
 
+/// Whether a curve goes on beyond its largest stress.
+bool falls_after_peak(const Target& target) {
+  constexpr double kRest = 0.02;
+  const auto& peak = target.characteristics.strain_at_rm;
+  const std::vector<double>& strain = target.corrected.strain;
+  return peak && !strain.empty() && strain.back() > (1.0 + kRest) * *peak;
+}
+
 }  // namespace
 
 std::string misfit_meaning(const FitResult& result) {
@@ -59,8 +67,10 @@ std::vector<std::string> advice_for(const FitRecord& record) {
   }
   if (result.misfit_word == "poor") {
     advice.emplace_back(
-        "If it is the fall after the largest stress that the model misses, fit up to there; the "
-        "picture shows what is missing.");
+        falls_after_peak(record.target)
+            ? "If it is the fall after the largest stress that the model misses, fit up to there; "
+              "the picture shows what is missing."
+            : "The picture shows what the model misses.");
   }
   return advice;
 }

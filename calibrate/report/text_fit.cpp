@@ -81,6 +81,14 @@ std::string proof_label(const Characteristics& all) {
   return "Rp" + brief(100.0 * all.offset.value_or(0.002));
 }
 
+/// Whether the largest stress is that of the last sample, and the specimen did not break there.
+bool ends_rising(const Target& target) {
+  const Characteristics& all = target.characteristics;
+  const std::vector<double>& strain = target.corrected.strain;
+  return all.strain_at_rm && !all.observed_break && !strain.empty() &&
+         !(*all.strain_at_rm < strain.back());
+}
+
 std::string characteristics_text(const Target& target, const Ink& ink) {
   const Characteristics& all = target.characteristics;
   const std::string modulus = target.test == Test::Torsion ? "G" : "E";
@@ -91,6 +99,7 @@ std::string characteristics_text(const Target& target, const Ink& ink) {
   const auto add_stress = [&](std::string label, std::optional<double> value, std::string note) {
     if (!value) return;
     const DisplayUnit unit = display_unit(Dimension::Stress, *value);
+    if (target.measure == Measure::True) note += ", of the true stress";
     table.add({std::move(label), significant(*value / unit.scale), std::string(unit.name),
                std::move(note)});
   };
@@ -114,7 +123,9 @@ std::string characteristics_text(const Target& target, const Ink& ink) {
   add_stress(proof_label(all), all.rp02, "proof stress");
   add_stress("ReH", all.reh, "upper yield strength");
   add_stress("ReL", all.rel, "lower yield strength");
-  add_stress("Rm", all.rm, "largest stress");
+  add_stress("Rm", all.rm,
+             ends_rising(target) ? "largest stress; the record ends while it rises"
+                                 : "largest stress");
   if (all.strain_at_rm) {
     table.add({"strain at Rm", significant(100.0 * *all.strain_at_rm, 4), "%", ""});
   }

@@ -86,7 +86,7 @@ inline constexpr auto kDescribeFit = [](auto& d) {
     "of the fits of simpler laws whose values were tried as starts");
   const auto fitted = [](const auto& result) { return result.status == FitStatus::Fitted; };
   d.only(fitted, [](auto& only) {
-    only("cost", "Pa^2", PLASTICA_MEMBER(cost), "objective, break term included");
+    only("cost", "Pa^2", PLASTICA_MEMBER(cost), "objective, with the break term of a free limit");
     only("misfit_rms", "Pa", PLASTICA_MEMBER(misfit_rms), "root of the stress misfit");
     only("misfit_fraction", "1", PLASTICA_MEMBER(misfit_fraction),
          "misfit over the largest stress");

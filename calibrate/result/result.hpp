@@ -49,7 +49,7 @@ struct StatedPriors {
 struct FitResult : FitOutcome {
   FitResult() { status = FitStatus::Rejected; }
 
-  double cost = 0.0;             ///< f at the solution, break term included [Pa^2]
+  double cost = 0.0;             ///< f at the solution, with the break term of a free limit [Pa^2]
   double misfit_rms = 0.0;       ///< sqrt of f without the break term [Pa]
   double misfit_fraction = 0.0;  ///< misfit_rms / largest measured stress [1]
   std::string misfit_word;       ///< "close", "fair", "poor": lack_of_fit.hpp

@@ -131,9 +131,7 @@ Setup remeshed(const WeightedTarget& weighted, Division division) {
   for (const Probe& probe : weighted.setup.scene.probes) {
     const bool over = target.kind == Abscissa::Probe && probe.name == target.abscissa_probe;
     if (!over && probe.name != target.ordinate_probe) continue;
-    if (probe.quantity != ProbeQuantity::Angle && probe.quantity != ProbeQuantity::PlasticAngle) {
-      continue;
-    }
+    if (!is_angle_of_joint(probe.quantity)) continue;
     throw InputError({}, "probe", probe.name,
                      "is the angle of one joint, which follows its length");
   }

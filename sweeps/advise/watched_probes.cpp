@@ -2,7 +2,9 @@
 
 #include <algorithm>
 
+#include "plastica/model/beam_axis.hpp"
 #include "plastica/model/section.hpp"
+#include "plastica/model/support_kind.hpp"
 #include "plastica/run/path_stops.hpp"
 
 namespace plastica::sweeps {
@@ -38,6 +40,16 @@ bool says_nothing(const Probe& probe) {
          (probe.energy == EnergyKind::Residual || probe.energy == EnergyKind::NumericalDissipation);
 }
 
+/// The angle of a joint that stays elastic falls with the joint's length, but for a hinge's.
+bool falls_with_its_joint(const Scene& scene, const Probe& probe) {
+  if (!is_angle_of_joint(probe.quantity) || scene.yield_model != YieldModel::Elastic) return false;
+  const std::vector<double> ends = segment_ends(scene);
+  return std::ranges::none_of(scene.supports, [&](const Support& support) {
+    return traits_of(support).releases &&
+           nearest_segment_end(support.at, ends) == nearest_segment_end(probe.at, ends);
+  });
+}
+
 }  // namespace
 
 WatchedProbes watched_probes(const Setup& setup, const std::vector<std::string>& names) {
@@ -52,7 +64,13 @@ WatchedProbes watched_probes(const Setup& setup, const std::vector<std::string>&
     const Probe& probe = probes[i];
     const bool named = std::find(names.begin(), names.end(), probe.name) != names.end();
     if (!names.empty() && !named) continue;
-    if (names.empty() && says_nothing(probe)) {
+    const bool falls = falls_with_its_joint(setup.scene, probe);
+    if (falls && !names.empty()) {
+      throw InputError({}, "--of", probe.name,
+                       "is the angle of one joint, which falls with the joint's length; name a "
+                       "rotation");
+    }
+    if (falls || (names.empty() && says_nothing(probe))) {
       found.left_out.push_back(probe.name);
       continue;
     }

@@ -154,7 +154,11 @@ WordAxis scheme_axis(const Setup& setup) {
 
 std::string WordChoice::text() const {
   std::string text;
-  for (const auto& [field, word] : values) text += (text.empty() ? "" : ", ") + word;
+  const bool has_cap = values.front().second != "elastic" && values.front().second != "fibre";
+  for (const auto& [field, word] : values) {
+    if (field->path == "rules.yield_cap" && !has_cap) continue;
+    text += (text.empty() ? "" : ", ") + word;
+  }
   return text;
 }
 

@@ -99,6 +99,25 @@ std::string probe_beside_its_place(const Quantity& quantity, const Scene& next,
                      place, read);
 }
 
+/// Of a hinge, or where one forms, the angle stays as it is.
+std::string falls_with_its_joint(const Quantity& quantity, const Scene& scene,
+                                 const CaseResult& next, const CaseResult& finest) {
+  constexpr double kAlike = 0.1;
+  if (quantity.kind != QuantityKind::Probe || scene.is_coupon()) return {};
+  const Probe& probe = scene.probes[quantity.probe];
+  if (!is_angle_of_joint(probe.quantity) || !next.value || !finest.value) return {};
+  const double shorter =
+      static_cast<double>(next.segments) / static_cast<double>(finest.segments);
+  const double fallen = *finest.value / *next.value;
+  if (!(shorter < 1.0) || !(std::fabs(fallen / shorter - 1.0) < kAlike * (1.0 - shorter))) {
+    return {};
+  }
+  return fmt::format(
+      "{} is the angle of one joint, which falls with the joint's length; a rotation, or "
+      "local_plastic_strain, does not",
+      probe.name);
+}
+
 std::string missed_periods(const Setup& setup, double step) {
   constexpr double kFewest = 4.0;
   if (setup.solver.step_error > 0.0) return {};  // which chooses its steps
@@ -121,6 +140,10 @@ std::string what_stays_coarse(const Sweep& sweep, const CaseTable& cases, const 
       found = rigid_stretch(cases.setup(line.back()).scene, finest);
       if (found.empty()) {
         found = probe_beside_its_place(sweep.quantity, cases.setup(line[1]).scene, finest.scene);
+      }
+      if (found.empty()) {
+        found = falls_with_its_joint(sweep.quantity, finest.scene, results[line[1]],
+                                     results[line.front()]);
       }
     } else if (sweep.axes[axis].field->path == "solver.time_step") {
       found = missed_periods(finest, sets.size_at(line.front(), axis));

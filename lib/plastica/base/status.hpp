@@ -13,7 +13,7 @@ enum class Status {
   InvalidParameter,  ///< a parameter is outside of its field's range, or two contradict each other
                      ///< (tangent modulus not below E, Q not above -yield); nothing was computed
   NonFinite,         ///< a number overflowed or became NaN; the response ends before that sample
-  LimitLoad,         ///< there is no equilibrium beyond (see `Response::limit`); valid up to there
+  LimitLoad,         ///< it gives way beyond (see `Response::limit`); valid up to there
   Mechanism,         ///< the supports leave the beam free to move; nothing was computed
   HeldTwice,         ///< a support holds a motion that is held already; nothing was computed
   Interrupted,       ///< stopped from outside (see `Workspace`); valid up to there

@@ -6,6 +6,7 @@
 #include "plastica/chain/chain.hpp"
 #include "plastica/chain/joint_plan.hpp"
 #include "plastica/chain/layout.hpp"
+#include "plastica/chain/state.hpp"
 #include "plastica/chain/view.hpp"
 #include "plastica/model/scene.hpp"
 
@@ -25,6 +26,9 @@ struct Build {
   Chain<L> chain;
   std::vector<JointPlan> joints;  ///< (joints)
   std::vector<HeldMoment<L>> held_moments;
+  /// Rotations are counted from this: in a plane by how far the beam turns along it, which axes alone
+  /// do not tell.
+  Placement<L> undeformed;
 };
 
 struct BuildOptions {

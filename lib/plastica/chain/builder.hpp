@@ -110,8 +110,8 @@ class Builder {
     Coordinates<L> q;
     q.angle.resize(n);
     q.open.resize(n);
-    undeformed_.resize(n);
-    place<false>(build_.chain, q, 0.0, undeformed_);
+    build_.undeformed.resize(n);
+    place<false>(build_.chain, q, 0.0, build_.undeformed);
   }
 
   void add_support(std::size_t index) {
@@ -208,9 +208,12 @@ class Builder {
     joint.history = history;
     joint.joint = build_.joints.size();
     joint.outer = outer;
-    // At a corner it is of one leg alone, and has its axes.
-    if (!layout_.has_corners) joint.local = outer ? shape.outer : shape.inner;
-    joint.ground = L::compose(undeformed_.frame[segment], joint.local);
+    // At a corner what holds all rotations is of one leg alone, and has its axes; what holds some is
+    // about those of the joint between the legs.
+    const bool of_leg = layout_.has_corners && std::find(held.begin(), held.begin() + kR, false) ==
+                                                   held.begin() + kR;
+    if (!of_leg) joint.local = outer ? shape.outer : shape.inner;
+    joint.ground = L::compose(build_.undeformed.frame[segment], joint.local);
     joint.motion = rotation;
     build_.chain.ground_joints.push_back(joint);
     JointPlan plan;
@@ -224,6 +227,10 @@ class Builder {
     if (outer) plan.before = plan.length;
     plan.active = held;
     plan.node = joint.node;
+    if (layout_.has_corners && !of_leg) {
+      plan.axes_a = plan.axes_b =
+          axis_cosines(layout_.joint_frame[joint.node], layout_.segment_frame[segment]);
+    }
     const SegmentRegions& regions = layout_.segment_regions[segment];
     plan.region_a = plan.region_b = outer ? regions.outer : regions.inner;
     build_.joints.push_back(plan);
@@ -247,7 +254,7 @@ class Builder {
         const auto& axes = layout_.joint_frame[constraint.node];
         if (twists) constraint.axis = view_.spin({{axes(0, k), axes(1, k), axes(2, k)}});
       }
-      constraint.frame = undeformed_.frame[segment];
+      constraint.frame = build_.undeformed.frame[segment];
       constraint.motion = rotation[k];
       build_.chain.constraints.push_back(constraint);
     }
@@ -300,7 +307,7 @@ class Builder {
   }
 
   typename L::Point undeformed_point(const SegmentPoint& point) const {
-    return undeformed_.point(point.segment, view_.point(point.arm));
+    return build_.undeformed.point(point.segment, view_.point(point.arm));
   }
 
   static Vec<double, 3> vector(const std::array<double, 3>& v) { return {{v[0], v[1], v[2]}}; }
@@ -312,7 +319,6 @@ class Builder {
   const Layout& layout_;
   View<L> view_;
   BuildOptions options_;
-  Placement<L> undeformed_;
   Build<L> build_;
   bool root_is_held_ = false;
 };

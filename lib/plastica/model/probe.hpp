@@ -59,6 +59,11 @@ constexpr bool is_of_joint(ProbeQuantity quantity) {
   }
 }
 
+/// Whether it is the angle of one joint, which follows the joint's length but where a hinge is.
+constexpr bool is_angle_of_joint(ProbeQuantity quantity) {
+  return quantity == ProbeQuantity::Angle || quantity == ProbeQuantity::PlasticAngle;
+}
+
 /// Whether it is where a point is.
 constexpr bool is_of_point(ProbeQuantity quantity) {
   return quantity == ProbeQuantity::Displacement;

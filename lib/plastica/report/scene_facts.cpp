@@ -22,12 +22,33 @@ std::string words_of(std::string_view name) {
 
 /// A plastic strain below this is what rounding leaves of an elastic one.
 constexpr double kRoundedStrain = 1e-12;
+/// Of the beam's length.
+constexpr double kRoundedMove = 1e-13;
 /// An energy below this fraction of the largest is round-off.
 constexpr double kNoEnergy = 1e-12;
 
 void raise(std::optional<Peak>& peak, const Peak& candidate) {
   const double size = std::fabs(candidate.value);
   if (size > (peak ? std::fabs(peak->value) : 0.0)) peak = candidate;
+}
+
+/// Of a joint from where it is in the undeformed beam, along the axis that it goes along most.
+/// @param at  of the frame and joint, in (n_frames x n_joints)
+Peak displacement_of(const io::SceneRecord& record, std::size_t at, std::size_t joint,
+                     std::size_t sample) {
+  Peak peak{0.0, joint, sample, 0};
+  double squares = 0.0, most = 0.0;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const double moved =
+        record.response.chain.position[3 * at + axis] - record.outline.node[3 * joint + axis];
+    squares += moved * moved;
+    if (std::fabs(moved) <= most) continue;
+    most = std::fabs(moved);
+    peak.axis = axis;
+  }
+  // What rounding moves a joint by is nothing.
+  if (most > kRoundedMove * record.setup.scene.beam.length) peak.value = std::sqrt(squares);
+  return peak;
 }
 
 double largest_entry(const io::SceneRecord& record) {
@@ -97,7 +118,7 @@ std::string unstable_line(const Response& response) {
                         critical.factor.back());
   }
   if (response.limit) {
-    line += fmt::format("; no equilibrium beyond factor {:.5g} (none found at {:.5g})",
+    line += fmt::format("; limit load: factor {:.5g}; at {:.5g} the beam has given way",
                         response.limit->below, response.limit->above);
   }
   return line;
@@ -130,6 +151,7 @@ ScenePeaks peaks_of(const io::SceneRecord& record) {
       for (std::size_t axis = 0; axis < 3; ++axis) {
         raise(peaks.moment, {chain.moment[3 * at + axis], joint, sample, axis});
       }
+      raise(peaks.displacement, displacement_of(record, at, joint, sample));
       raise(peaks.stress, {chain.stress[at], joint, sample, 0});
       raise(peaks.shear_stress,
             {chain.moment[3 * at + 2] / record.outline.modulus[3 * joint + 2], joint, sample, 2});
@@ -150,7 +172,7 @@ std::string limit_line(const LimitLoad& limit) {
   int digits = kFewest;
   const auto text = [&](double factor) { return fmt::format("{:.{}g}", factor, digits); };
   while (digits < kMost && text(limit.below) == text(limit.above)) ++digits;
-  return fmt::format("limit load: no equilibrium beyond factor {} (none found at {})",
+  return fmt::format("limit load: factor {}; at {} the beam has given way",
                      text(limit.below), text(limit.above));
 }
 

@@ -24,6 +24,7 @@ struct Peak {
 };
 
 struct ScenePeaks {
+  std::optional<Peak> displacement;    ///< of a joint, its size; the axis is that it goes along [m]
   std::optional<Peak> moment;          ///< by size [N m]
   std::optional<Peak> stress;          ///< of bending, of the extreme fibre [Pa]
   std::optional<Peak> shear_stress;    ///< of torsion, T/W_t, by size [Pa]
@@ -33,8 +34,8 @@ struct ScenePeaks {
 /// Empty where everything is zero, as for a coupon.
 ScenePeaks peaks_of(const io::SceneRecord& record);
 
-/// How a run ended, in a line: "limit load: no equilibrium beyond factor 1.4998 (none found at
-/// 1.5003)".
+/// How a run ended, in a line: "limit load: factor 1.4998; at 1.5003 the beam has given
+/// way".
 std::string outcome_line(const io::SceneRecord& record);
 
 /// An entry of the energy balance.

@@ -300,7 +300,8 @@ Json peaks_json(const io::SceneRecord& record) {
   const ScenePeaks peaks = peaks_of(record);
   Json moment = peak_of(record, peaks.moment);
   if (peaks.moment) moment["axis"] = axis_name(peaks.moment->axis);
-  return {{"moment", std::move(moment)},
+  return {{"displacement", peak_of(record, peaks.displacement)},
+          {"moment", std::move(moment)},
           {"bending_stress", peak_of(record, peaks.stress)},
           {"shear_stress", peak_of(record, peaks.shear_stress)},
           {"plastic_strain", peak_of(record, peaks.plastic_strain)}};

@@ -100,6 +100,8 @@ std::string peak_text(const io::SceneRecord& record, const Ink& ink) {
                std::string(note)});
   };
   const double moment = std::fabs(peaks.moment->value);
+  add("displacement", peaks.displacement, Dimension::Length,
+      peaks.displacement ? std::string("most along ") + "xyz"[peaks.displacement->axis] : "");
   add("moment", peaks.moment, Dimension::Moment, axis_name(peaks.moment->axis));
   // What only rounding makes is no stress.
   const auto matters = [&](const std::optional<Peak>& peak) {

@@ -35,6 +35,7 @@ class ChainCompanion {
     clear_motion(response);
     response.chain.events.clear();
     response.limit.reset();
+    response.plateau.reset();
     response.buckling.reset();
     response.vibration.reset();
     counters_ = {};

@@ -112,7 +112,7 @@ typename L::Point ChainRecord<L, kElastic>::sheared_node(std::size_t node, const
 template <class L, bool kElastic>
 typename ChainRecord<L, kElastic>::Space ChainRecord<L, kElastic>::rotation(
     const Work& w, std::size_t segment) const {
-  const auto undeformed = view_.frame(model_->layout.segment_frame[segment]);
+  const auto& undeformed = build_->undeformed.frame[segment];
   return joint_spin(L::axes(undeformed) * L::angle_from(undeformed, w.placement.frame[segment]));
 }
 
@@ -163,7 +163,7 @@ typename ChainRecord<L, kElastic>::Space ChainRecord<L, kElastic>::rotation_valu
     angle[k] =
         constant<S>(spread.part[axis]) * angle[k] + constant<S>(spread.added[axis]) * moment[k];
   }
-  const auto undeformed = view_.frame(model_->layout.joint_frame[spread.node]);
+  const auto& undeformed = build_->undeformed.near[spread.node];
   return joint_spin(L::axes(undeformed) *
                     L::angle_from(undeformed, L::compose(near, L::rotation(angle))));
 }

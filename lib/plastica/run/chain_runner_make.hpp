@@ -158,6 +158,12 @@ void ChainRunner<L, kElastic>::finish() {
   if (!body_.record.lacks_last_shape(response)) body_.record.end_frames(response);
   response.counters = continuation_->counters();
   response.limit = continuation_->limit();
+  response.plateau = response.status == Status::LimitLoad ? std::nullopt : continuation_->plateau();
+  if (response.plateau) {
+    for (double* time : {&response.plateau->from, &response.plateau->to}) {
+      *time = body_.record.growing_factor_at(*time);
+    }
+  }
   body_.finish_axial(response);
   if (response.limit) {
     const History& grows = body_.record.growing_history(response.limit->below);

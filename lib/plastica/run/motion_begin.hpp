@@ -90,6 +90,7 @@ void begin_motion(const MaterialValues<double>& material, ChainBody<L, kElastic>
   clear_motion(response);
   response.counters = {};
   response.limit.reset();
+  response.plateau.reset();
   response.axial.reset();
   response.chain.events.clear();
   body.record.begin_frames(response);

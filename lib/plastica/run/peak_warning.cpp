@@ -10,16 +10,25 @@ namespace plastica {
 std::vector<std::string> peak_warnings(const Response& response) {
   const std::vector<double>& time = response.chain.time;
   const std::vector<double>& factor = response.chain.factor;
+  std::vector<std::string> all;
+  if (response.plateau) {
+    all.push_back(fmt::format(
+        "the beam gives way as it yields: between factors of {:.5g} and {:.5g} it moved {:.0f} times "
+        "as far as elastically, and carries more only where it has moved to; "
+        "solver.control = \"arc_length\" follows it from point to point",
+        response.plateau->from, response.plateau->to, response.plateau->times));
+  }
   const std::size_t samples = std::min({response.samples, time.size(), factor.size()});
   for (std::size_t i = 1; i < samples; ++i) {
     if (time[i] >= time[i - 1]) continue;
-    return {fmt::format(
+    all.push_back(fmt::format(
         "the path passes a peak at a factor of {:.4g}: beyond it less is needed for equilibrium, "
         "and a beam that keeps its loads would not stay there; solver.control = \"load\" ends at "
         "the peak",
-        factor[i - 1])};
+        factor[i - 1]));
+    break;
   }
-  return {};
+  return all;
 }
 
 }  // namespace plastica

@@ -140,6 +140,8 @@ struct Response {
   ChainHistory chain;  ///< of a chain; empty for a coupon
   PathCounters counters;
   std::optional<LimitLoad> limit;
+  /// Of a path in statics that went on beyond; `peak_warnings` puts it in words.
+  std::optional<Plateau> plateau;
   /// Of a path in statics; none where it came by no bifurcation.
   std::optional<CriticalPoints> critical;
   /// Of a path in statics, where `solver.buckling` and `solver.frequencies` ask for them.

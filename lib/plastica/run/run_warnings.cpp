@@ -45,7 +45,10 @@ std::vector<std::string> run_warnings(const Scene& scene, const SolverOptions& s
     std::ranges::copy(some, std::back_inserter(all));
   };
   add_all(scene_warnings(model));
-  if (has_yielded(response)) add(first_yield_warning(model));
+  // A limit load that is met as the first joint yields comes before any plastic work.
+  if (has_yielded(response) || response.status == Status::LimitLoad) {
+    add(first_yield_warning(model));
+  }
   if (leaves_plane(response)) add(model_detail::tipping_warning(scene));
   add_all(axial_warnings(scene, solver, response));
   add_all(rounding_warnings(scene, response));

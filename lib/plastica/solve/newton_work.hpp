@@ -55,6 +55,7 @@ struct NewtonWork {
   /// Of the imbalance, of each constraint, and of the time (1 + constraints + 1).
   std::vector<chain::Solution<L, kElastic>> columns;
   SmallSystem<S> small;
+  SmallSystem<S> pivots;  ///< the same, to look at before it is solved
   /// The largest moment and force so far: what an imbalance is small against.
   S moment_scale{};
   S force_scale{};
@@ -114,6 +115,7 @@ struct NewtonWork {
     columns.resize(constraints + 2);
     for (auto& column : columns) column.resize(n);
     small.resize(0);
+    pivots.resize(constraints + 1);
     small.resize(constraints + 1);
     moment_scale = constant<S>(0);
     force_scale = constant<S>(0);

@@ -84,6 +84,8 @@ class PathContinuation {
   int known_unstable_modes() const { return modes_; }
   const PathCounters& counters() const { return counters_; }
   const std::optional<LimitLoad>& limit() const { return limit_; }
+  /// With times in the place of factors; of load control.
+  const std::optional<Plateau>& plateau() const { return plateau_; }
   /// With times in the place of factors.
   const CriticalPoints& critical() const { return critical_; }
 
@@ -153,8 +155,8 @@ class PathContinuation {
   /// How a path ends whose last trial has ended it.
   Status ended() const { return interrupted_ ? Status::Interrupted : Status::Broken; }
 
-  /// Whether a constraint holds what the rigid segments and the other supports hold already: a unit
-  /// force along it moves nothing.
+  /// Whether a constraint holds what the rigid segments and the others hold already: once those
+  /// before it hold, a unit force along it moves nothing.
   bool holds_twice();
 
   /// How the last step has turned the segments: path_continuity.hpp.
@@ -213,6 +215,7 @@ class PathContinuation {
       case Verdict::Accept: break;
     }
     accept();
+    if (slope < kPlateauSlope && !plateau_) plateau_ = Plateau{previous_time_, time_, 1.0 / slope};
     gradual_ = slope_ < kGradual;
     slope_ = slope;
     return interrupted_ ? Trial::Ended : Trial::Accepted;
@@ -378,6 +381,7 @@ class PathContinuation {
   bool has_scale_ = false;      ///< whether anything moves the control point
   bool watches_slope_ = false;  ///< load control: see `attempt`
   bool flat_ = false;
+  std::optional<Plateau> plateau_{};
   bool gradual_ = false;    ///< whether the step before was nearly flat, too
   double traversed_ = 0.0;  ///< length of the control point's path so far
   double slope_ = 1.0;      ///< of the last step, see `relative_slope`

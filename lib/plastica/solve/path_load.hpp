@@ -7,15 +7,23 @@ namespace plastica::solve {
 
 template <class L, bool kElastic>
 bool PathContinuation<L, kElastic>::holds_twice() {
-  for (std::size_t k = 0; k < chain_.constraints.size(); ++k) {
-    if (!w_.closed[k]) continue;
+  const S zero = constant<S>(0);
+  const std::size_t count = chain_.constraints.size();
+  for (std::size_t k = 0; k < count; ++k) detail::solve_constraint(chain_, k, w_);
+  for (std::size_t k = 0; k < count; ++k) {
     const auto& constraint = chain_.constraints[k];
-    detail::solve_constraint(chain_, k, w_);
-    const S displacement = detail::power(chain::unit_wrench(constraint, w_.placement),
-                                         w_.columns[1 + k].motion[constraint.segment]);
-    if (!(displacement * detail::stiffness_of<S>(chain_, constraint) > kHeldTwice)) return true;
+    const chain::Wrench<L> unit = chain::unit_wrench(constraint, w_.placement);
+    for (std::size_t j = 0; j < count; ++j) {
+      const S moved = detail::power(unit, w_.columns[1 + j].motion[constraint.segment]);
+      w_.small.a(k, j) = w_.closed[k] && w_.closed[j] ? moved : zero;
+    }
   }
-  return false;
+  bool twice = false;
+  w_.small.for_each_pivot(count, [&](std::size_t k, const S& displacement) {
+    const S stiffness = detail::stiffness_of<S>(chain_, chain_.constraints[k]);
+    twice = twice || (w_.closed[k] && !(displacement * stiffness > kHeldTwice));
+  });
+  return twice;
 }
 
 template <class L, bool kElastic>

@@ -20,6 +20,14 @@ struct LimitLoad {
   std::vector<double> mode{};
 };
 
+/// Where a beam that yields gives way, and the path goes on: it moved so many times as far as it
+/// would have elastically while the factor rose from one to the other.
+struct Plateau {
+  double from = 0.0;
+  double to = 0.0;
+  double times = 0.0;
+};
+
 /// The bifurcations that a path has passed, in the order of time: where the number of unstable
 /// modes changes, while the path goes on (at a limit load it does not).
 struct CriticalPoints {

@@ -31,8 +31,8 @@ struct SupportRates {
   S curvature{};  ///< [1/s^2]
 };
 
-/// A constraint moves nothing that is free if a unit impulse along it does less than this fraction
-/// of what it would do to the beam's mass, free.
+/// A constraint moves nothing that those before it leave free if a unit impulse along it does less
+/// than this fraction of what it would do to the beam's mass, free.
 template <class S>
 inline constexpr double kHoldsNothing = kIsDouble<S> ? 1e-10 : 1e-6;
 
@@ -83,10 +83,6 @@ mask_t<typename L::Scalar> solve_rates(const chain::Chain<L>& chain,
       w.small.a(k, j) = select(constraints.acts[k], select(constraints.acts[j], moved, zero),
                                k == j ? one : zero);
     }
-    const S own = power(wrench, w.columns[1 + k].motion[constraint.segment]);
-    const S free = one / (constraint.rotational ? rotational : mass);
-    const mask_t<S> holds = own > constant<S>(kHoldsNothing<S>) * free;
-    all_hold = all_hold & ((!constraints.acts[k]) | holds);
     w.small.a(k, count) = zero;
     w.small.a(count, k) = zero;
     const S residual = constraints.rate[k] - power(wrench, w.columns[0].motion[constraint.segment]);
@@ -94,6 +90,12 @@ mask_t<typename L::Scalar> solve_rates(const chain::Chain<L>& chain,
   }
   w.small.a(count, count) = one;
   w.small.b(count) = zero;
+  w.pivots = w.small;
+  w.pivots.for_each_pivot(count, [&](std::size_t k, const S& moved) {
+    const S free = one / (chain.constraints[k].rotational ? rotational : mass);
+    const mask_t<S> holds = moved > constant<S>(kHoldsNothing<S>) * free;
+    all_hold = all_hold & ((!constraints.acts[k]) | holds);
+  });
   w.small.solve();
   auto& sum = w.columns[0];
   for (std::size_t k = 0; k < count; ++k) {

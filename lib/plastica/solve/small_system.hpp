@@ -39,6 +39,25 @@ class SmallSystem {
     }
   }
 
+  /// Eliminates the first rows in their order, as of a symmetric matrix, and visits the pivots: what
+  /// is left of each row beside those before it. A pivot of 0 is left out; `a` is used up.
+  /// @param visit  of a row and its pivot
+  template <class Visit>
+  void for_each_pivot(std::size_t rows, const Visit& visit) {
+    const S zero = constant<S>(0);
+    const S one = constant<S>(1);
+    for (std::size_t k = 0; k < rows; ++k) {
+      const S pivot = a(k, k);
+      visit(k, pivot);
+      const auto none = (pivot <= zero) & (pivot >= zero);
+      const S scale = select(none, zero, one / select(none, one, pivot));
+      for (std::size_t i = k + 1; i < rows; ++i) {
+        const S factor = a(i, k) * scale;
+        for (std::size_t j = k + 1; j < rows; ++j) a(i, j) = a(i, j) - factor * a(k, j);
+      }
+    }
+  }
+
  private:
   /// Rows k and i change places where the lower one has the larger first entry.
   void swap_larger(std::size_t k, std::size_t i) {

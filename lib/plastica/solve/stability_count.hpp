@@ -67,18 +67,7 @@ void for_each_constraint_pivot(const chain::Chain<L>& chain, const PathCondition
     }
     if (of_path && !holds) small.a(k, k) = small.a(k, k) - one / chain.constraint_stiffness;
   }
-  for (std::size_t k = 0; k < n; ++k) {
-    const S pivot = small.a(k, k);
-    const auto none = (pivot <= zero) & (pivot >= zero);
-    visit(-pivot);
-    const S scale = select(none, zero, one / select(none, one, pivot));
-    for (std::size_t i = k + 1; i < n; ++i) {
-      const S factor = small.a(i, k) * scale;
-      for (std::size_t j = k + 1; j < n; ++j) {
-        small.a(i, j) = small.a(i, j) - factor * small.a(k, j);
-      }
-    }
-  }
+  small.for_each_pivot(n, [&](std::size_t /*row*/, const S& pivot) { visit(-pivot); });
 }
 
 }  // namespace detail

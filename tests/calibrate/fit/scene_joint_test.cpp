@@ -235,6 +235,52 @@ TEST(SceneJointFit, SaysThatASpecimenBoreMoreThanAHeldBreakLimit) {
   EXPECT_TRUE(bore_more(fit_scene(weighted.setup, weighted.target, options), "held at 0.3 %"));
 }
 
+// The bar of `measured` broke at 60 mm, at some 2 %.
+TEST(SceneJointFit, SaysThatASpecimenBrokeBeforeALimitThatItsBreakDoesNotSet) {
+  const WeightedTarget weighted = bent(6, 0.5, 1);
+  const auto broke_before = [&](ParameterRole role, double lower, double upper) {
+    SceneFitOptions options{
+        .parameters = stiffness_and_yield(), .starts = 1, .segments_error = false};
+    Parameter limit = testing::free_parameter("break_strain", lower, upper);
+    limit.role = role;
+    limit.value = upper;
+    options.parameters.push_back(limit);
+    const SceneFitResult one = fit_scene(weighted.setup, weighted.target, options);
+    return std::ranges::any_of(one.warnings, [](const std::string& line) {
+      return line.find("the specimen broke at a permanent strain of") != std::string::npos &&
+             line.find("the fitted beam is intact where it broke") != std::string::npos;
+    });
+  };
+  EXPECT_TRUE(broke_before(ParameterRole::Fixed, 1e-4, 0.2));
+  EXPECT_FALSE(broke_before(ParameterRole::Free, 1e-4, 1.0));
+  EXPECT_TRUE(broke_before(ParameterRole::Free, 0.1, 1.0)) << "at its lower bound";
+}
+
+// Fibres that harden break where they do, whatever the hinge length: rounding is no slope.
+TEST(SceneJointFit, IdentifiesNothingThatMovesNoCurve) {
+  for (const int segments : {8, 20, 32}) {
+    WeightedTarget weighted = bent(segments, 0.5, 1);
+    Material& material = weighted.setup.scene.material;
+    material.youngs_modulus = Truth{}.youngs_modulus;
+    material.yield_stress = Truth{}.yield_stress;
+    material.break_strain = 0.03;
+    SceneFitOptions options{.starts = 1, .segments_error = false};
+    options.parameters.push_back(testing::free_parameter("rules.hinge_length", 2e-3, 0.1));
+    const SceneFitResult one = fit_scene(weighted.setup, weighted.target, options);
+    EXPECT_FALSE(one.parameters[0].identified) << segments;
+    EXPECT_EQ(one.parameters[0].verdict(), Verdict::NotIdentified) << segments;
+  }
+}
+
+TEST(SceneJointFit, SaysThatASpecimenBoreMoreThanALimitAtItsBound) {
+  const WeightedTarget weighted = bent(6, 0.5, 1);
+  SceneFitOptions options{
+      .parameters = stiffness_and_yield(), .starts = 1, .segments_error = false};
+  options.parameters.push_back(testing::free_parameter("break_strain", 1e-3, 5e-3));
+  EXPECT_TRUE(bore_more(fit_scene(weighted.setup, weighted.target, options),
+                        "went on, more than break_strain allows, which is fitted as 0.5 %"));
+}
+
 TEST(SceneJointFit, SaysThatSpecimensDiffer) {
   const auto differ = [](const std::vector<WeightedTarget>& targets) {
     const SceneFitResult one =

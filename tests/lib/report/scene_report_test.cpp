@@ -104,12 +104,12 @@ TEST(SceneReport, CallsAStressOfTheElasticModulusSoWhereTheBeamYields) {
 
 TEST(SceneReport, NamesALimitLoadByItsBracket) {
   EXPECT_EQ(outcome_line(limited()),
-            "limit load: no equilibrium beyond factor 1.4998 (none found at 1.5003)");
+            "limit load: factor 1.4998; at 1.5003 the beam has given way");
   io::SceneRecord close = limited();
   close.response.limit->below = 1.4998213;
   close.response.limit->above = 1.4998219;
   EXPECT_EQ(outcome_line(close),
-            "limit load: no equilibrium beyond factor 1.499821 (none found at 1.499822)");
+            "limit load: factor 1.499821; at 1.499822 the beam has given way");
 }
 
 TEST(SceneReport, NamesEachBrokenJointWithCauseStrainAndLimit) {
@@ -155,6 +155,11 @@ TEST(SceneReport, ShowsProbesReactionsPeaksAndEnergiesThatBalance) {
   EXPECT_NEAR(std::fabs(peaks.moment->value), 100.0, 0.02);
   EXPECT_NEAR(std::fabs(peaks.stress->value), 100.0 * 6.0 / 8e-6, 0.02 * 6.0 / 8e-6);
   EXPECT_FALSE(peaks.plastic_strain);
+  // The tip's: F L^3/(3 E I), and what four segments add to it, 1/(4 N^2).
+  ASSERT_TRUE(peaks.displacement);
+  EXPECT_EQ(peaks.displacement->joint, 4U);
+  EXPECT_EQ(peaks.displacement->axis, 1U);
+  EXPECT_TRUE(has(text, "\n  displacement  ")) << text;
   EXPECT_LT(residual_fraction(record).value(), 1e-3);
 }
 

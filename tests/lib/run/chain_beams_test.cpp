@@ -302,5 +302,50 @@ TEST(ChainBeams, AreHeldAtACornerAboutTheAxesOfTheLegs) {
   }
 }
 
+/// A pin at a corner holds the beam's twist there, about the axis half-way between its legs, and
+/// both legs turn by one angle psi about the one across it: of leg a, whose ends stay where they are,
+/// (4 E I + G J)/(2 L) psi = P L/sqrt 2.
+TEST(ChainBeams, TurnAsOneAtACornerThatAPinHolds) {
+  const auto error = [](int segments, double* turns_apart) {
+    Scene scene = elbow(segments, 0.5);
+    const SectionProperties p = testing::properties_of(scene);
+    const double ei = scene.material.youngs_modulus * p.second_moment_y;
+    const double gj = resolved_shear_modulus(scene.material) * p.torsion_constant;
+    scene.supports.push_back({.at = {0.5, {}}, .kind = SupportKind::Pin});
+    scene.loads.push_back({.force = {kForce, 0.0, 0.0}});
+    add_probe(scene, ProbeQuantity::Displacement, Place::end(), Component::X);
+    for (const double at : {0.5 - 1e-6, 0.5 + 1e-6}) {
+      add_probe(scene, ProbeQuantity::Rotation, {at, {}}, Component::Y);
+    }
+    const Response response = completed(scene, {.level = Level::Spatial, .steps = 1});
+    *turns_apart = last_of(response, 2) / last_of(response, 1) - 1.0;
+    const double exact = kForce * 0.125 * (1.0 / (3.0 * ei) + 1.0 / (4.0 * ei + gj));
+    return last_of(response, 0) / exact - 1.0;
+  };
+  double apart = 0.0;
+  const double coarse = error(64, &apart);
+  const double fine = error(256, &apart);
+  EXPECT_NEAR(fine, 0.0, tolerance(0.01));
+  EXPECT_NEAR(coarse / fine, 4.0, tolerance(0.5));  // of first order
+  EXPECT_NEAR(apart, 0.0, tolerance(0.05));
+}
+
+/// In a plane turns are counted along the beam: its axes alone do not tell 200 degrees from -160.
+TEST(ChainBeams, TurnFromNothingWhereTheyWindByMoreThanHalfATurn) {
+  Scene scene = cantilever_scene(20);
+  scene.beam.shape = BeamShape::Arc;
+  scene.beam.arc_angle = 200.0 * std::acos(-1.0) / 180.0;
+  Load load;
+  load.moment = {1e-3, 0.0, 0.0};
+  scene.loads.push_back(load);
+  add_probe(scene, ProbeQuantity::Rotation, Place::end(), Component::X);
+  const double exact = 1e-3 * scene.beam.length / bending_stiffness_of(scene);
+  for (const Level level : {Level::Planar, Level::Spatial}) {
+    const Response response = completed(scene, {.level = level, .steps = 1});
+    EXPECT_NEAR(response.probes[0][0], 0.0, 1e-15);
+    EXPECT_NEAR(last_of(response, 0) / exact, 1.0, tolerance(1e-6));
+  }
+}
+
 }  // namespace
 }  // namespace plastica

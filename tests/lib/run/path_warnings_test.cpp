@@ -8,6 +8,8 @@
 #include <numbers>
 #include <string>
 
+#include "plastica/run/run_warnings.hpp"
+#include "plastica/run/simulate.hpp"
 #include "tests/lib/run/warnings_of.hpp"
 
 namespace plastica {
@@ -94,6 +96,43 @@ TEST(PathWarnings, SayThatFullyPlasticJointsHardenTooSteeply) {
   EXPECT_TRUE(of(FullyPlastic, HardeningLaw::Linear, YieldModel::Interaction));
   EXPECT_FALSE(of(FullyPlastic, HardeningLaw::Ideal, YieldModel::Interaction));
   EXPECT_FALSE(of(FirstYield, HardeningLaw::Linear, YieldModel::Interaction));
+}
+
+/// A cantilever whose clamp yields at W sigma_y/L = 0.6313 of its load: it is a mechanism from there,
+/// and carries the rest as it hangs from the clamp. Whether a step of the load meets that is chance.
+TEST(PathWarnings, SayWhereABeamGivesWayBeforeItGoesOn) {
+  Scene scene = cantilever();
+  scene.section = Section{};
+  scene.section.width = 0.02;
+  scene.section.height = 0.04;
+  scene.beam.length = 1.0;
+  scene.beam.segments = 10;
+  scene.material.youngs_modulus = 210e9;
+  scene.material.yield_stress = 355e6;
+  scene.loads.resize(1);
+  scene.loads[0] = {.force = {0.0, -3000.0, 0.0}};
+  int ended = 0, went_on = 0;
+  for (const int steps : {5, 18, 19, 20, 40}) {
+    SolverOptions options;
+    options.steps = steps;
+    const Model model = prepare(scene, options);
+    const Response response = simulate(scene, options);
+    const auto warnings = run_warnings(scene, options, model, response);
+    // W = 2/3 of the plastic modulus: the limit is that of the first yield.
+    EXPECT_TRUE(warns(warnings, "yield_cap")) << steps;
+    const bool says = warns(warnings, "the beam gives way as it yields: between factors of 0.63");
+    if (response.status == Status::LimitLoad) {
+      ++ended;
+      EXPECT_FALSE(says) << steps;
+      EXPECT_NEAR(response.limit->below, 0.6313, 1e-3) << steps;
+    } else {
+      ++went_on;
+      EXPECT_EQ(response.status, Status::Completed) << steps;
+      EXPECT_TRUE(says) << steps;
+    }
+  }
+  EXPECT_GT(ended, 0);
+  EXPECT_GT(went_on, 0);
 }
 
 TEST(PathWarnings, SayWhereARegionCoversAnother) {

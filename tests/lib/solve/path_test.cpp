@@ -3,7 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <vector>
 
 #include "plastica/run/simulate.hpp"
 #include "tests/support/chain.hpp"
@@ -128,6 +130,37 @@ TEST(Path, RefusesToHoldTheRigidAxisAtBothEnds) {
   SolverOptions options;
   options.translation = JointTranslation::Elastic;
   EXPECT_EQ(simulate(scene, options).status, Status::Completed);
+}
+
+/// What holds a point along y and along z holds it along a slanted axis that cannot stretch, too,
+/// though neither does so alone.
+TEST(Path, RefusesToHoldARigidAxisTwiceHoweverItLies) {
+  const std::vector<std::vector<std::array<double, 3>>> beams{
+      {{0.0, 0.0, 0.0}, {0.0, 0.6, 0.8}},
+      {{0.0, 0.0, 0.0}, {0.0, 0.0, 0.5}, {0.0, 0.3, 0.9}},
+      {{0.0, 0.0, 0.0}, {0.0, 0.0, 0.5}, {0.0, 0.5, 0.5}}};
+  for (const auto& points : beams) {
+    for (const Level level : {Level::Planar, Level::Spatial}) {
+      for (const Analysis analysis : {Analysis::Statics, Analysis::Dynamics}) {
+        Scene scene = cantilever(16, {0.0, -1.0, 0.5});
+        scene.beam.shape = BeamShape::Polyline;
+        scene.beam.points = points;
+        scene.beam.length = 1.0;
+        scene.loads[0].at = {0.25, {}};
+        for (const double at : {0.75, 1.0}) {
+          Support clamp;
+          clamp.at = {at, {}};
+          scene.supports.push_back(clamp);
+        }
+        SolverOptions options{.level = level, .steps = 1};
+        options.analysis = analysis;
+        EXPECT_EQ(simulate(scene, options).status, Status::HeldTwice) << points.size();
+        if (analysis == Analysis::Dynamics) continue;
+        options.translation = JointTranslation::Elastic;
+        EXPECT_EQ(simulate(scene, options).status, Status::Completed) << points.size();
+      }
+    }
+  }
 }
 
 TEST(Path, ClaimsNoLimitForAnElasticFollowerLoad) {

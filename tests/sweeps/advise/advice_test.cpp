@@ -62,6 +62,23 @@ TEST(Advice, OfTheRobotsArmHoldsAgainstARunThatIsFinestInBoth) {
   EXPECT_LE(deviation(advised, finer, watched).largest, advice.promised);
 }
 
+TEST(Advice, LeavesOutTheAngleOfAJointThatFallsWithItsLength) {
+  plastica::Setup setup = shipped_scene("cantilever");
+  setup.scene.yield_model = YieldModel::Elastic;
+  setup.scene.probes = {{"tip", ProbeQuantity::Displacement},
+                        {"bend", ProbeQuantity::Angle, {0.5, {}}, Component::X}};
+  const WatchedProbes found = watched_probes(setup, {});
+  EXPECT_EQ(found.watched.size(), 1U);
+  EXPECT_EQ(found.left_out, std::vector<std::string>{"bend"});
+  EXPECT_TRUE(testing::message_of([&] { watched_probes(setup, {"bend"}); })
+                  .ends_with("falls with the joint's length; name a rotation"));
+  setup.scene.supports.push_back({.at = {0.5, {}}, .kind = SupportKind::Hinge});
+  EXPECT_EQ(watched_probes(setup, {}).watched.size(), 2U) << "a hinge turns as it does";
+  setup.scene.yield_model = YieldModel::PerAxis;
+  setup.scene.supports.pop_back();
+  EXPECT_EQ(watched_probes(setup, {}).watched.size(), 2U) << "one may form";
+}
+
 TEST(Advice, IsNotTakenInByTwoRunsOnTheSameWrongSideOfALimit) {
   // With 10 segments the beam swings out of the way of the load and with 20, too; the limit load of
   // 1.5 first yields (see the scene) is found by 32 and more.

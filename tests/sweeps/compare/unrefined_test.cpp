@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <string>
 #include <utility>
 #include <vector>
@@ -91,6 +92,22 @@ TEST(Unrefined, IsAProbeOfAJointBesideItsPlace) {
   moment.quantity = ProbeQuantity::Displacement;
   moment.at = {0.93, {}};
   EXPECT_TRUE(made.compared().error[0].has_value()) << "of a point, not of a joint";
+}
+
+TEST(Unrefined, IsTheAngleOfAJointThatFallsWithItsLength) {
+  for (const auto quantity : {ProbeQuantity::Angle, ProbeQuantity::PlasticAngle}) {
+    Made made = agreeing("finest");
+    made.sweep.setup.scene.probes[made.sweep.quantity.probe].quantity = quantity;
+    EXPECT_TRUE(made.compared().error[0].has_value()) << "a hinge turns by what it turns by";
+    for (std::size_t i = 0; i < 3; ++i) {
+      made.results[i].value = 1.0 / std::pow(2.0, static_cast<double>(i));
+      made.results[i].segments = 16 << i;
+    }
+    EXPECT_FALSE(made.compared().error[0].has_value());
+    EXPECT_TRUE(has(made.compared().reason[0], "which falls with the joint's length"));
+    made.sweep.setup.scene.probes[made.sweep.quantity.probe].quantity = ProbeQuantity::Rotation;
+    EXPECT_TRUE(made.compared().error[0].has_value());
+  }
 }
 
 TEST(Unrefined, IsAPeriodThatIsNoLongerThanAFewSteps) {
