@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <map>
+#include <string>
 #include <utility>
 
 #include "calibrate/config/read_fit_options.hpp"
@@ -151,15 +153,32 @@ std::vector<io::InputText> input_texts(const FitFile& file) {
   return texts;
 }
 
+namespace {
+
+/// Columns of one file may be two curves; one that is read twice counts twice in its group.
+void warn_of_same_curve(const Target& first, Target& target) {
+  const Characteristics& a = first.characteristics;
+  const Characteristics& b = target.characteristics;
+  const bool is_same = a.rm && a.rm == b.rm && a.strain_at_rm == b.strain_at_rm;
+  if (first.file != target.file || !is_same) return;
+  target.warnings.push_back("its curve is that of " + first.name +
+                            ", too: two [[target]] blocks read it, and it counts twice");
+}
+
+}  // namespace
+
 std::vector<Target> import_all(const FitFile& file, int threads,
                                const std::shared_ptr<CurveSpool>& spool) {
   std::vector<Target> targets;
   UniqueNames names;
+  std::map<std::string, std::size_t> first_of;  // by the name before it is made unique
   for (const TargetBlock& block : file.targets) {
     std::vector<Target> imported = import_targets(block.source, block.options, threads, spool);
     check_groups(imported, block.options);
     for (Target& target : imported) {
+      const auto [first, is_new] = first_of.emplace(target.name, targets.size());
       target.name = names.add(target.name);
+      if (!is_new) warn_of_same_curve(targets[first->second], target);
       targets.push_back(std::move(target));
     }
   }

@@ -89,7 +89,9 @@ void note_not_fitted(const Scene& scene, const FitRecord& record, FittedScene& f
     const std::string name(last_part(path));
     const bool is_said = std::ranges::any_of(
         fitted.notes, [&](const std::string& note) { return note.starts_with(name + " = "); });
-    if (is_said || record.result.find_parameter(path) != nullptr) continue;
+    const bool is_idle =  // beside a shear modulus of its own
+        name == "poisson_ratio" && fitted.scene.material.shear_modulus.has_value();
+    if (is_said || is_idle || record.result.find_parameter(path) != nullptr) continue;
     const Field& field = find_field(path);
     const FieldValue value = field.get(Setup{fitted.scene, {}});
     const auto* number = std::get_if<double>(&value);

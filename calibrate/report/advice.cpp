@@ -25,9 +25,8 @@ void advise_on(const FittedParameter& parameter, std::vector<std::string>& advic
 /// Whether a curve goes on beyond its largest stress.
 bool falls_after_peak(const Target& target) {
   constexpr double kRest = 0.02;
-  const auto& peak = target.characteristics.strain_at_rm;
-  const std::vector<double>& strain = target.corrected.strain;
-  return peak && !strain.empty() && strain.back() > (1.0 + kRest) * *peak;
+  const Characteristics& all = target.characteristics;
+  return all.strain_at_rm && all.largest_strain > (1.0 + kRest) * *all.strain_at_rm;
 }
 
 }  // namespace

@@ -26,8 +26,12 @@ std::string parameters_text(
                {"verdict", Left}});
   for (const FittedParameter& parameter : fit.parameters) {
     const DisplayUnit unit = display_unit(parameter);
-    table.add({short_name(parameter.path), value_text(parameter, unit), std::string(unit.name),
-               interval_text(parameter, unit), verdict_text(parameter)});
+    // Of a break limit that no break shows, what the fit began with is no value.
+    const bool is_start = parameter.is_break() && parameter.role == ParameterRole::Free &&
+                          !parameter.identified && !parameter.at_bound();
+    table.add({short_name(parameter.path), is_start ? "-" : value_text(parameter, unit),
+               is_start ? "" : std::string(unit.name), interval_text(parameter, unit),
+               verdict_text(parameter)});
     if (!notes_on) continue;
     for (std::string& note : notes_on(parameter)) table.add_note(std::move(note));
   }

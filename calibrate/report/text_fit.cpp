@@ -84,9 +84,7 @@ std::string proof_label(const Characteristics& all) {
 /// Whether the largest stress is that of the last sample, and the specimen did not break there.
 bool ends_rising(const Target& target) {
   const Characteristics& all = target.characteristics;
-  const std::vector<double>& strain = target.corrected.strain;
-  return all.strain_at_rm && !all.observed_break && !strain.empty() &&
-         !(*all.strain_at_rm < strain.back());
+  return all.strain_at_rm && !all.observed_break && !(*all.strain_at_rm < all.largest_strain);
 }
 
 std::string characteristics_text(const Target& target, const Ink& ink) {
@@ -123,9 +121,9 @@ std::string characteristics_text(const Target& target, const Ink& ink) {
   add_stress(proof_label(all), all.rp02, "proof stress");
   add_stress("ReH", all.reh, "upper yield strength");
   add_stress("ReL", all.rel, "lower yield strength");
-  add_stress("Rm", all.rm,
-             ends_rising(target) ? "largest stress; the record ends while it rises"
-                                 : "largest stress");
+  add_stress(
+      "Rm", all.rm,
+      ends_rising(target) ? "largest stress; the record ends while it rises" : "largest stress");
   if (all.strain_at_rm) {
     table.add({"strain at Rm", significant(100.0 * *all.strain_at_rm, 4), "%", ""});
   }

@@ -183,7 +183,9 @@ std::string advice_text(const Advice& advice, const AdviceOptions& options,
   }
   text += '\n';
   for (const std::string& probe : advice.left_out) {
-    text += fmt::format("note: {} is not looked at: it is given, or an error itself\n", probe);
+    text += fmt::format(
+        "note: {} is not looked at: it is given, an error itself, or falls with a joint's length\n",
+        probe);
   }
   for (const std::string& warning : advice.warnings) {
     text += "warning: " + report::printable(warning) + "\n";

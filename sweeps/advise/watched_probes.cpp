@@ -40,10 +40,19 @@ bool says_nothing(const Probe& probe) {
          (probe.energy == EnergyKind::Residual || probe.energy == EnergyKind::NumericalDissipation);
 }
 
-/// The angle of a joint that stays elastic falls with the joint's length, but for a hinge's.
+/// The angle of a joint that stays elastic falls with the joint's length, but for a hinge's, and
+/// that of a start which a support lets turn.
 bool falls_with_its_joint(const Scene& scene, const Probe& probe) {
   if (!is_angle_of_joint(probe.quantity) || scene.yield_model != YieldModel::Elastic) return false;
   const std::vector<double> ends = segment_ends(scene);
+  if (nearest_segment_end(probe.at, ends) == 0) {
+    const auto axis = static_cast<std::size_t>(probe.component);
+    return std::ranges::any_of(scene.supports, [&](const Support& support) {
+      const HeldFreedoms held = support.held();
+      const bool holds = axis < 3 ? held[3 + axis] : held[3] || held[4] || held[5];
+      return holds && nearest_segment_end(support.at, ends) == 0;
+    });
+  }
   return std::ranges::none_of(scene.supports, [&](const Support& support) {
     return traits_of(support).releases &&
            nearest_segment_end(support.at, ends) == nearest_segment_end(probe.at, ends);

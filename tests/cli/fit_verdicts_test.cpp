@@ -200,5 +200,28 @@ TEST(FitVerdicts, RefuseTooFewResamples) {
   EXPECT_FALSE(place.has("fit.h5"));
 }
 
+/// Fibres that harden break where they do, whatever the hinge length; rounding is no slope of it.
+TEST(FitVerdicts, SayThatAHingeLengthWhichMovesNoCurveIsNotIdentified) {
+  const Workplace place;
+  const std::string data = std::string(PLASTICA_SOURCE_DIR) + "/data/";
+  place.write("fit.toml",
+              "[fit]\nsegments_error = false\nstarts = 1\n[fit.parameters]\n"
+              "'rules.hinge_length' = { bounds = ['2 mm', '100 mm'] }\n"
+              "[[target]]\nscene = '" +
+                  data + "scenes/bend_test.toml'\nfiles = '" + data +
+                  "targets/bend_test.csv'\n"
+                  "abscissa = { drive = 'support[2]', column = 'Displacement' }\n"
+                  "ordinate = { probe = 'force', column = 'Force', factor = -1 }\n"
+                  "material = { youngs_modulus = '205 GPa', yield_stress = '380 MPa', "
+                  "break_strain = '3 %' }\nbeam = { segments = 32 }\n");
+  const CommandResult result = place.run({"calibrate", "fit.toml", "--json", "fit.json"});
+  EXPECT_EQ(result.code, 0) << result.err;
+  EXPECT_NE(result.out.find("not identified"), std::string::npos) << result.out;
+  EXPECT_EQ(result.out.find("weak"), std::string::npos) << result.out;
+  // And the specimen broke at 2 %, less than what is held.
+  EXPECT_NE(result.out.find("the fitted beam is intact where it broke"), std::string::npos)
+      << result.out;
+}
+
 }  // namespace
 }  // namespace plastica::testing

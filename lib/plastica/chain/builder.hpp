@@ -198,6 +198,11 @@ class Builder {
     }
   }
 
+  bool is_of_leg(const std::array<bool, 3>& held) const {
+    return layout_.has_corners &&
+           std::find(held.begin(), held.begin() + kR, false) == held.begin() + kR;
+  }
+
   void add_ground_joint(std::size_t support, std::size_t history, std::size_t segment, bool outer,
                         const std::array<bool, 3>& held, const typename L::Spin& rotation) {
     const Segment<L>& shape = build_.chain.segments[segment];
@@ -208,10 +213,9 @@ class Builder {
     joint.history = history;
     joint.joint = build_.joints.size();
     joint.outer = outer;
-    // At a corner what holds all rotations is of one leg alone, and has its axes; what holds some is
-    // about those of the joint between the legs.
-    const bool of_leg = layout_.has_corners && std::find(held.begin(), held.begin() + kR, false) ==
-                                                   held.begin() + kR;
+    // At a corner what holds all rotations is of one leg alone, and has its axes; what holds some
+    // is about those of the joint between the legs.
+    const bool of_leg = is_of_leg(held);
     if (!of_leg) joint.local = outer ? shape.outer : shape.inner;
     joint.ground = L::compose(build_.undeformed.frame[segment], joint.local);
     joint.motion = rotation;

@@ -116,9 +116,10 @@ void Builder<L>::add_springs(const Support& support, std::size_t index, std::siz
     half.length = whole.length;
     half.region_a = whole.region_a;
     half.region_b = whole.region_b;
+    half.is_before = outer;
+    if (is_of_leg(acts)) continue;
     half.axes_a = whole.axes_a;
     half.axes_b = whole.axes_b;
-    half.is_before = outer;
   }
 }
 

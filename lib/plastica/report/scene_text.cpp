@@ -85,7 +85,7 @@ std::string probe_text(const io::SceneRecord& record, const Ink& ink) {
 
 std::string peak_text(const io::SceneRecord& record, const Ink& ink) {
   const ScenePeaks peaks = peaks_of(record);
-  if (!peaks.moment) return {};
+  if (!peaks.moment && !peaks.displacement) return {};
   Table table({{"largest", Align::Left},
                {""},
                {"joint"},
@@ -99,10 +99,10 @@ std::string peak_text(const io::SceneRecord& record, const Ink& ink) {
                place_label(record.outline.ends[peak->joint]), std::to_string(peak->sample),
                std::string(note)});
   };
-  const double moment = std::fabs(peaks.moment->value);
+  const double moment = peaks.moment ? std::fabs(peaks.moment->value) : 0.0;
   add("displacement", peaks.displacement, Dimension::Length,
       peaks.displacement ? std::string("most along ") + "xyz"[peaks.displacement->axis] : "");
-  add("moment", peaks.moment, Dimension::Moment, axis_name(peaks.moment->axis));
+  add("moment", peaks.moment, Dimension::Moment, peaks.moment ? axis_name(peaks.moment->axis) : "");
   // What only rounding makes is no stress.
   const auto matters = [&](const std::optional<Peak>& peak) {
     if (!peak) return false;

@@ -86,8 +86,8 @@ int ChainModes<L, kElastic>::unstable_modes() {
       solve::unstable_modes(body_.build.chain, solve::PathCondition<L>{}, false, w_));
 }
 
-/// Of a symmetric tangent the count falls by rounding alone, which beside a root that is there twice
-/// reaches as far as the square root of its own size.
+/// Of a symmetric tangent the count falls by rounding alone, which beside a root that is there
+/// twice reaches as far as the square root of its own size.
 template <class L, bool kElastic>
 bool ChainModes<L, kElastic>::is_symmetric(solve::Pencil<L, kElastic>& pencil, double x) {
   pencil.factor(x);
@@ -203,7 +203,8 @@ std::optional<VibrationModes> ChainModes<L, kElastic>::vibration(int count, Stop
     search.reach = softest_square;
     search.most = kStiffest;
     search.stop = stop;
-    const int unresisted = std::min(passed(search.from), count);
+    // Constraints that hold next to nothing may be counted off by one.
+    const int unresisted = std::clamp(passed(search.from), 0, count);
     search.count = count - unresisted;
     if (search.count > 0) {
       const solve::Roots roots = solve::first_roots(passed, search);

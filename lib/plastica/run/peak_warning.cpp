@@ -7,16 +7,31 @@
 
 namespace plastica {
 
-std::vector<std::string> peak_warnings(const Response& response) {
+namespace {
+
+/// Whether no part of a beam hardens: what hardens gives way as it should.
+bool is_ideal(const Scene& scene) {
+  const auto ideal = [](const Material& material) {
+    return material.hardening.law == HardeningLaw::Ideal;
+  };
+  return ideal(scene.material) && std::ranges::all_of(scene.regions, [&](const Region& region) {
+           return ideal(region.material);
+         });
+}
+
+}  // namespace
+
+std::vector<std::string> peak_warnings(const Scene& scene, const Response& response) {
   const std::vector<double>& time = response.chain.time;
   const std::vector<double>& factor = response.chain.factor;
   std::vector<std::string> all;
-  if (response.plateau) {
-    all.push_back(fmt::format(
-        "the beam gives way as it yields: between factors of {:.5g} and {:.5g} it moved {:.0f} times "
-        "as far as elastically, and carries more only where it has moved to; "
-        "solver.control = \"arc_length\" follows it from point to point",
-        response.plateau->from, response.plateau->to, response.plateau->times));
+  if (response.plateau && is_ideal(scene)) {
+    all.push_back(
+        fmt::format("the beam gives way as it yields: between factors of {:.5g} and {:.5g} it "
+                    "moved {:.0f} times "
+                    "as far as elastically, and carries more only where it has moved to; "
+                    "solver.control = \"arc_length\" follows it from point to point",
+                    response.plateau->from, response.plateau->to, response.plateau->times));
   }
   const std::size_t samples = std::min({response.samples, time.size(), factor.size()});
   for (std::size_t i = 1; i < samples; ++i) {

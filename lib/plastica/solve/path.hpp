@@ -95,7 +95,7 @@ class PathContinuation {
   /// Relative stiffness below which the supports leave the beam free to move.
   static constexpr double kMechanism = kIsDouble<S> ? 1e-11 : 1e-6;
   /// Fraction of a motion that a constraint's own stiffness leaves, below which it holds nothing.
-  static constexpr double kHeldTwice = kIsDouble<S> ? 1e-8 : 1e-6;
+  static constexpr double kHeldTwice = kIsDouble<S> ? 1e-12 : 1e-6;
   /// The least displacement of the control point that is no rounding, over the beam's length.
   static constexpr double kMinPath = kIsDouble<S> ? 1e-13 : 1e-6;
   static constexpr double kTiny = std::numeric_limits<double>::min();
@@ -159,6 +159,9 @@ class PathContinuation {
   /// before it hold, a unit force along it moves nothing.
   bool holds_twice();
 
+  /// Of the step that was just taken; the first stretch of such ones counts.
+  void note_plateau(double slope);
+
   /// How the last step has turned the segments: path_continuity.hpp.
   template <class IncrementOf, class Visit>
   void for_each_rotation(const IncrementOf& increment, const Visit& visit) const;
@@ -215,7 +218,7 @@ class PathContinuation {
       case Verdict::Accept: break;
     }
     accept();
-    if (slope < kPlateauSlope && !plateau_) plateau_ = Plateau{previous_time_, time_, 1.0 / slope};
+    if (slope < kPlateauSlope) note_plateau(slope);
     gradual_ = slope_ < kGradual;
     slope_ = slope;
     return interrupted_ ? Trial::Ended : Trial::Accepted;
@@ -382,10 +385,12 @@ class PathContinuation {
   bool watches_slope_ = false;  ///< load control: see `attempt`
   bool flat_ = false;
   std::optional<Plateau> plateau_{};
-  bool gradual_ = false;    ///< whether the step before was nearly flat, too
-  double traversed_ = 0.0;  ///< length of the control point's path so far
-  double slope_ = 1.0;      ///< of the last step, see `relative_slope`
-  bool goes_on_ = false;    ///< whether the last step may be continued
+  double plateau_elastic_ = 0.0;  ///< what the control point would have moved along it [m]
+  double plateau_moved_ = 0.0;    ///< and has [m]
+  bool gradual_ = false;          ///< whether the step before was nearly flat, too
+  double traversed_ = 0.0;        ///< length of the control point's path so far
+  double slope_ = 1.0;            ///< of the last step, see `relative_slope`
+  bool goes_on_ = false;          ///< whether the last step may be continued
 };
 
 }  // namespace plastica::solve

@@ -18,10 +18,14 @@ bool PathContinuation<L, kElastic>::holds_twice() {
       w_.small.a(k, j) = w_.closed[k] && w_.closed[j] ? moved : zero;
     }
   }
+  w_.pivots = w_.small;
   bool twice = false;
-  w_.small.for_each_pivot(count, [&](std::size_t k, const S& displacement) {
+  w_.pivots.for_each_pivot(count, [&](std::size_t k, const S& left) {
+    if (!w_.closed[k]) return;
+    const S alone = w_.small.a(k, k);
     const S stiffness = detail::stiffness_of<S>(chain_, chain_.constraints[k]);
-    twice = twice || (w_.closed[k] && !(displacement * stiffness > kHeldTwice));
+    twice =
+        twice || !(alone * stiffness > kHeldTwice) || !(std::fabs(left) > kRoundedPivot<S> * alone);
   });
   return twice;
 }
@@ -185,6 +189,17 @@ bool PathContinuation<L, kElastic>::go_on(Trial trial) {
     ++stop_;
   }
   return seek();
+}
+
+template <class L, bool kElastic>
+void PathContinuation<L, kElastic>::note_plateau(double slope) {
+  if (plateau_ && plateau_->to < previous_time_) return;
+  if (!plateau_) plateau_ = Plateau{previous_time_, time_, 0.0};
+  const double elastic = size_of(moves_elastically(previous_time_, time_));
+  plateau_elastic_ += elastic;
+  plateau_moved_ += elastic / slope;
+  plateau_->to = time_;
+  plateau_->times = plateau_moved_ / plateau_elastic_;
 }
 
 /// What comes after a corner of a load or motion is no continuation.

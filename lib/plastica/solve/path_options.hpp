@@ -17,7 +17,7 @@ namespace plastica::solve {
 /// downwards, a path carries no more load.
 inline constexpr double kLimitSlope = 1e-3;
 
-/// Below this it carries hardly more. (A bar of a hardening of E/100 that yields all over: 1e-2.)
+/// Below this it carries hardly more.
 inline constexpr double kPlateauSlope = 5.0 * kLimitSlope;
 
 /// A path whose slope falls to less than this part of the step before bends.

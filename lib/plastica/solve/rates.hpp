@@ -31,8 +31,9 @@ struct SupportRates {
   S curvature{};  ///< [1/s^2]
 };
 
-/// A constraint moves nothing that those before it leave free if a unit impulse along it does less
-/// than this fraction of what it would do to the beam's mass, free.
+/// A constraint moves nothing that is free if a unit impulse along it does less than this fraction
+/// of what it would do to the beam's mass, free; or nothing but rounding, once those before it
+/// hold.
 template <class S>
 inline constexpr double kHoldsNothing = kIsDouble<S> ? 1e-10 : 1e-6;
 
@@ -91,9 +92,11 @@ mask_t<typename L::Scalar> solve_rates(const chain::Chain<L>& chain,
   w.small.a(count, count) = one;
   w.small.b(count) = zero;
   w.pivots = w.small;
-  w.pivots.for_each_pivot(count, [&](std::size_t k, const S& moved) {
+  w.pivots.for_each_pivot(count, [&](std::size_t k, const S& left) {
     const S free = one / (chain.constraints[k].rotational ? rotational : mass);
-    const mask_t<S> holds = moved > constant<S>(kHoldsNothing<S>) * free;
+    const S alone = w.small.a(k, k);
+    const mask_t<S> holds = (alone > constant<S>(kHoldsNothing<S>) * free) &
+                            (abs(left) > constant<S>(kRoundedPivot<S>) * alone);
     all_hold = all_hold & ((!constraints.acts[k]) | holds);
   });
   w.small.solve();

@@ -7,6 +7,11 @@
 
 namespace plastica::solve {
 
+/// Of its own size, what rounding leaves of a pivot that would be zero, generously: 1e-14 with some
+/// thousand segments, and a support that holds a shallow arch along its chord has 1e-9 and more.
+template <class S>
+inline constexpr double kRoundedPivot = kIsDouble<S> ? 1e-12 : 1e-5;
+
 /// A dense system of a few unknowns (the constraints of a chain), solved by Gauss with column
 /// pivots that are chosen lane by lane; `resize` allocates, nothing else does.
 template <class S>
@@ -39,8 +44,8 @@ class SmallSystem {
     }
   }
 
-  /// Eliminates the first rows in their order, as of a symmetric matrix, and visits the pivots: what
-  /// is left of each row beside those before it. A pivot of 0 is left out; `a` is used up.
+  /// Eliminates the first rows in their order, as of a symmetric matrix, and visits the pivots:
+  /// what is left of each row beside those before it. A pivot of 0 is left out; `a` is used up.
   /// @param visit  of a row and its pivot
   template <class Visit>
   void for_each_pivot(std::size_t rows, const Visit& visit) {

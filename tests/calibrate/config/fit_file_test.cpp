@@ -205,6 +205,21 @@ TEST_F(FitFileTest, RunsTheTemplateOfInit) {
   EXPECT_NEAR(result.parameter("break_strain").value, 0.02, 1e-4);
 }
 
+TEST_F(FitFileTest, SaysThatTwoBlocksReadOneCurve) {
+  const auto written = template_files("fit");
+  for (const TemplateFile& file : written) write(file.name, file.text);
+  const std::string own = written[0].text;
+  const std::string block = own.substr(own.find("\n[[target]]"));
+  const auto once = import_all(parse(own));
+  const auto twice = import_all(parse(own + "\n" + block));
+  ASSERT_EQ(twice.size(), 2U);
+  EXPECT_EQ(twice[0].warnings, once[0].warnings);
+  ASSERT_EQ(twice[1].warnings.size(), once[0].warnings.size() + 1);
+  EXPECT_EQ(twice[1].warnings.back(), "its curve is that of " + twice[0].name +
+                                          ", too: two [[target]] blocks read it, and it counts "
+                                          "twice");
+}
+
 TEST_F(FitFileTest, GivesSpecimensOfOneNameNumbers) {
   for (const char* name : {"one/a.csv", "two/a.csv"}) write(name);
   const FitFile file = parse(

@@ -72,9 +72,9 @@ TEST(ArcLength, SaysThatItPassesAPeak) {
       .translation = JointTranslation::Elastic, .steps = 400, .control = PathControl::Load};
   const Response led = simulate(scene, options);
   ASSERT_TRUE(led.limit.has_value());
-  EXPECT_TRUE(peak_warnings(led).empty());
+  EXPECT_TRUE(peak_warnings(scene, led).empty());
   options.control = PathControl::ArcLength;
-  const std::vector<std::string> said = peak_warnings(simulate(scene, options));
+  const std::vector<std::string> said = peak_warnings(scene, simulate(scene, options));
   ASSERT_EQ(said.size(), 1U);
   const std::string before = "the path passes a peak at a factor of ";
   ASSERT_TRUE(said[0].starts_with(before)) << said[0];

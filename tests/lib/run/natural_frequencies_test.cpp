@@ -156,31 +156,6 @@ TEST(NaturalFrequencies, OfABarWithElasticJointsHoldItsStretchingWave) {
   EXPECT_LE(nearest, tolerance(5e-4));
 }
 
-/// Two legs between which a clamp stands at the corner swing like one of them alone, and each
-/// frequency is there twice: what counts eigenvalues beside such a root has little to go by.
-TEST(NaturalFrequencies, OfTwoLegsFromAClampAreThoseOfOneTwice) {
-  const auto legs = [](int count) {
-    Scene scene = testing::chain_scene(count * 6);
-    scene.beam.shape = BeamShape::Polyline;
-    scene.beam.points = {{0.0, 0.0, 0.0}, {0.0, 0.2, 0.5}};
-    if (count == 2) scene.beam.points.push_back({0.0, 0.0, 1.0});
-    scene.beam.length = count * std::hypot(0.2, 0.5);
-    scene.supports.push_back({.at = {1.0 / count, {}}, .kind = SupportKind::Clamp});
-    return scene;
-  };
-  for (const auto translation : {JointTranslation::Rigid, JointTranslation::Elastic}) {
-    SolverOptions options = kPlanar;
-    options.translation = translation;
-    const auto one = frequencies_of(legs(1), options, 3);
-    const auto two = frequencies_of(legs(2), options, 6);
-    // Half a segment of the second leg shears at the clamp itself, of one alone beyond it.
-    const double within = translation == JointTranslation::Rigid ? 1e-6 : 2e-3;
-    for (std::size_t i = 0; i < 6; ++i) {
-      EXPECT_NEAR(two[i] / one[i / 2], 1.0, tolerance(within)) << i;
-    }
-  }
-}
-
 TEST(NaturalFrequencies, OfAPinnedChainAreExact) {
   const Scene scene =
       held_scene(9, {{Place::start(), SupportKind::Pin}, {Place::end(), SupportKind::Roller}});

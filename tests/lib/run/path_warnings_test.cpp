@@ -98,8 +98,9 @@ TEST(PathWarnings, SayThatFullyPlasticJointsHardenTooSteeply) {
   EXPECT_FALSE(of(FirstYield, HardeningLaw::Linear, YieldModel::Interaction));
 }
 
-/// A cantilever whose clamp yields at W sigma_y/L = 0.6313 of its load: it is a mechanism from there,
-/// and carries the rest as it hangs from the clamp. Whether a step of the load meets that is chance.
+/// A cantilever whose clamp yields at W sigma_y/L = 0.6313 of its load: it is a mechanism from
+/// there, and carries the rest as it hangs from the clamp. Whether a step of the load meets that is
+/// chance.
 TEST(PathWarnings, SayWhereABeamGivesWayBeforeItGoesOn) {
   Scene scene = cantilever();
   scene.section = Section{};
@@ -133,6 +134,31 @@ TEST(PathWarnings, SayWhereABeamGivesWayBeforeItGoesOn) {
   }
   EXPECT_GT(ended, 0);
   EXPECT_GT(went_on, 0);
+}
+
+/// Of N alone the section carries no more by another cap; and what hardens gives way as it should.
+TEST(PathWarnings, SayNothingOfCapsUnderAnAxialForceNorOfHardeningThatIsFlat) {
+  const auto said = [](const std::function<void(Scene&)>& change, const SolverOptions& options) {
+    Scene scene = cantilever();
+    scene.beam.segments = 8;
+    scene.loads.resize(1);
+    scene.loads[0] = {};
+    change(scene);
+    const Model model = prepare(scene, options);
+    return run_warnings(scene, options, model, simulate(scene, options));
+  };
+  const SectionProperties p = section_properties(cantilever().section, 0.3);
+  const double yield = cantilever().material.yield_stress;
+  const auto pulled = said([&](Scene& s) { s.loads[0].force[2] = 2.0 * yield * p.area; }, {});
+  EXPECT_FALSE(warns(pulled, "up to 1.5"));
+  const auto hardened = said(
+      [&](Scene& s) {
+        s.loads[0].moment[0] = 1.2 * yield * p.section_modulus_x;
+        s.material.hardening.law = HardeningLaw::Linear;
+        s.material.hardening.tangent_modulus = 1e-3 * s.material.youngs_modulus;
+      },
+      {});
+  EXPECT_FALSE(warns(hardened, "gives way"));
 }
 
 TEST(PathWarnings, SayWhereARegionCoversAnother) {

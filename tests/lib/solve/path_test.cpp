@@ -163,6 +163,50 @@ TEST(Path, RefusesToHoldARigidAxisTwiceHoweverItLies) {
   }
 }
 
+/// Shallow arches and short stretches hold by little, but they hold.
+TEST(Path, HoldsArchesOnWhateverStandsUnderThem) {
+  const auto sum_of_reactions = [](Scene scene, int segments) {
+    scene.beam.segments = segments;
+    const Response response = simulate(scene, {.level = Level::Planar, .steps = 1});
+    EXPECT_EQ(response.status, Status::Completed) << segments;
+    const ChainHistory& chain = response.chain;
+    const std::size_t last = (chain.frame_sample.size() - 1) * chain.supports;
+    double sum = 0.0;
+    for (std::size_t s = 0; s < chain.supports; ++s) sum += chain.reaction[6 * (last + s) + 1];
+    return sum;
+  };
+  const auto arc = [](double degrees) {
+    Scene scene = cantilever(8, {0.0, -100.0, 0.0});
+    scene.beam.shape = BeamShape::Arc;
+    scene.beam.arc_angle = degrees * std::acos(-1.0) / 180.0;
+    return scene;
+  };
+  for (const double degrees : {180.0, 30.0}) {
+    Scene scene = arc(degrees);
+    constexpr int kSpans = 60;
+    scene.supports.clear();
+    for (int i = 0; i <= kSpans; ++i) {
+      scene.supports.push_back({.at = {i / double{kSpans}, {}}, .kind = SupportKind::Pin});
+    }
+    scene.loads[0].at = Place::start();
+    scene.loads[0].to = Place::end();
+    EXPECT_NEAR(sum_of_reactions(scene, 6 * kSpans), 100.0, 1e-4) << degrees;
+  }
+  for (const int segments : {120, 480}) {
+    Scene scene = arc(0.326);
+    scene.supports.push_back({.at = {0.25, {}}, .kind = SupportKind::Clamp});
+    EXPECT_NEAR(sum_of_reactions(scene, segments), 100.0, 1e-2) << segments;
+  }
+  Scene guided = cantilever(8, {0.0, -100.0, 0.0});
+  guided.loads[0].at = {0.3, {}};
+  for (const double at : {0.5, 0.5005}) {
+    Support guide{.at = {at, {}}, .kind = SupportKind::Guide};
+    guide.hold = HeldFreedoms{true, true, false, true, true, true};
+    guided.supports.push_back(guide);
+  }
+  EXPECT_NEAR(sum_of_reactions(guided, 50), 100.0, 1e-4);
+}
+
 TEST(Path, ClaimsNoLimitForAnElasticFollowerLoad) {
   // Seen from its tip a beam under a follower force has one shape for each force: there is no
   // limit.

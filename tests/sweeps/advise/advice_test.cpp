@@ -70,12 +70,18 @@ TEST(Advice, LeavesOutTheAngleOfAJointThatFallsWithItsLength) {
   const WatchedProbes found = watched_probes(setup, {});
   EXPECT_EQ(found.watched.size(), 1U);
   EXPECT_EQ(found.left_out, std::vector<std::string>{"bend"});
-  EXPECT_TRUE(testing::message_of([&] { watched_probes(setup, {"bend"}); })
-                  .ends_with("falls with the joint's length; name a rotation"));
+  EXPECT_TRUE(testing::message_of([&] {
+                watched_probes(setup, {"bend"});
+              }).ends_with("falls with the joint's length; name a rotation"));
   setup.scene.supports.push_back({.at = {0.5, {}}, .kind = SupportKind::Hinge});
   EXPECT_EQ(watched_probes(setup, {}).watched.size(), 2U) << "a hinge turns as it does";
-  setup.scene.yield_model = YieldModel::PerAxis;
   setup.scene.supports.pop_back();
+  setup.scene.probes[1].at = Place::start();
+  EXPECT_EQ(watched_probes(setup, {}).left_out.size(), 1U) << "the clamp's";
+  setup.scene.supports[0].kind = SupportKind::Pin;
+  EXPECT_EQ(watched_probes(setup, {}).watched.size(), 2U) << "a pin's is the beam's slope";
+  setup.scene.probes[1].at = {0.5, {}};
+  setup.scene.yield_model = YieldModel::PerAxis;
   EXPECT_EQ(watched_probes(setup, {}).watched.size(), 2U) << "one may form";
 }
 
