@@ -159,9 +159,8 @@ class PathContinuation {
   /// before it hold, a unit force along it moves nothing.
   bool holds_twice();
 
-  /// Of the step that was just taken; the first stretch of such ones counts.
+  /// Of the step just taken; the first stretch of such counts.
   void note_plateau(double slope);
-
   /// How the last step has turned the segments: path_continuity.hpp.
   template <class IncrementOf, class Visit>
   void for_each_rotation(const IncrementOf& increment, const Visit& visit) const;

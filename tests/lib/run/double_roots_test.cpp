@@ -17,7 +17,7 @@ namespace {
 
 using testing::tolerance;
 
-constexpr SolverOptions kPlanar{.level = Level::Planar, .rotary_inertia = RotaryInertia::Off};
+constexpr SolverOptions kInPlane{.level = Level::Planar, .rotary_inertia = RotaryInertia::Off};
 
 std::vector<double> unloaded_frequencies_of(Scene scene, SolverOptions options, int count) {
   scene.loads.push_back({.force = {0.0, 1.0, 0.0}});
@@ -39,7 +39,7 @@ TEST(DoubleRoots, OfTwoLegsFromAClampAreThoseOfOneTwice) {
     return scene;
   };
   for (const auto translation : {JointTranslation::Rigid, JointTranslation::Elastic}) {
-    SolverOptions options = kPlanar;
+    SolverOptions options = kInPlane;
     options.translation = translation;
     const auto one = unloaded_frequencies_of(legs(1), options, 3);
     const auto two = unloaded_frequencies_of(legs(2), options, 6);
@@ -59,7 +59,7 @@ TEST(Asymmetry, OfATangentIsThatOfItsFollowers) {
     Scene scene = testing::cantilever_scene(12);
     const double thrust = 2.0 * testing::bending_stiffness_of(scene);
     scene.loads = {{.force = {0.0, 0.0, -thrust}, .follows = follows}};
-    const Model model = prepare(scene, kPlanar);
+    const Model model = prepare(scene, kInPlane);
     ChainBody<L, false> body(*model.chain, {model.chain->across});
     body.reset(material_values(model.chain->scene.material));
     const chain::Coordinates<L> straight = body.work.q;
