@@ -106,8 +106,7 @@ std::string falls_with_its_joint(const Quantity& quantity, const Scene& scene,
   if (quantity.kind != QuantityKind::Probe || scene.is_coupon()) return {};
   const Probe& probe = scene.probes[quantity.probe];
   if (!is_angle_of_joint(probe.quantity) || !next.value || !finest.value) return {};
-  const double shorter =
-      static_cast<double>(next.segments) / static_cast<double>(finest.segments);
+  const double shorter = static_cast<double>(next.segments) / static_cast<double>(finest.segments);
   const double fallen = *finest.value / *next.value;
   if (!(shorter < 1.0) || !(std::fabs(fallen / shorter - 1.0) < kAlike * (1.0 - shorter))) {
     return {};

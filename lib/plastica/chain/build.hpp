@@ -26,8 +26,8 @@ struct Build {
   Chain<L> chain;
   std::vector<JointPlan> joints;  ///< (joints)
   std::vector<HeldMoment<L>> held_moments;
-  /// Rotations are counted from this: in a plane by how far the beam turns along it, which axes alone
-  /// do not tell.
+  /// Rotations are counted from this: in a plane by how far the beam turns along it, which axes
+  /// alone do not tell.
   Placement<L> undeformed;
 };
 

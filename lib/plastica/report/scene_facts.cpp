@@ -172,8 +172,8 @@ std::string limit_line(const LimitLoad& limit) {
   int digits = kFewest;
   const auto text = [&](double factor) { return fmt::format("{:.{}g}", factor, digits); };
   while (digits < kMost && text(limit.below) == text(limit.above)) ++digits;
-  return fmt::format("limit load: factor {}; at {} the beam has given way",
-                     text(limit.below), text(limit.above));
+  return fmt::format("limit load: factor {}; at {} the beam has given way", text(limit.below),
+                     text(limit.above));
 }
 
 }  // namespace

@@ -103,13 +103,11 @@ TEST(SceneReport, CallsAStressOfTheElasticModulusSoWhereTheBeamYields) {
 }
 
 TEST(SceneReport, NamesALimitLoadByItsBracket) {
-  EXPECT_EQ(outcome_line(limited()),
-            "limit load: factor 1.4998; at 1.5003 the beam has given way");
+  EXPECT_EQ(outcome_line(limited()), "limit load: factor 1.4998; at 1.5003 the beam has given way");
   io::SceneRecord close = limited();
   close.response.limit->below = 1.4998213;
   close.response.limit->above = 1.4998219;
-  EXPECT_EQ(outcome_line(close),
-            "limit load: factor 1.499821; at 1.499822 the beam has given way");
+  EXPECT_EQ(outcome_line(close), "limit load: factor 1.499821; at 1.499822 the beam has given way");
 }
 
 TEST(SceneReport, NamesEachBrokenJointWithCauseStrainAndLimit) {
