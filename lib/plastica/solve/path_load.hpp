@@ -22,7 +22,8 @@ bool PathContinuation<L, kElastic>::holds_twice() {
   bool twice = false;
   w_.pivots.for_each_pivot(count, [&](std::size_t k, const S& left) {
     if (!w_.closed[k]) return;
-    const S alone = w_.small.a(k, k);
+    // Negative under a thrust above what the beam bore without its supports.
+    const S alone = std::fabs(w_.small.a(k, k));
     const S stiffness = detail::stiffness_of<S>(chain_, chain_.constraints[k]);
     twice =
         twice || !(alone * stiffness > kHeldTwice) || !(std::fabs(left) > kRoundedPivot<S> * alone);

@@ -207,6 +207,27 @@ TEST(Path, HoldsArchesOnWhateverStandsUnderThem) {
   EXPECT_NEAR(sum_of_reactions(guided, 50), 100.0, 1e-4);
 }
 
+/// Between rollers a column bears more than it would without, from the first load on, too.
+TEST(Path, HoldsAColumnUnderAThrustFromTheStart) {
+  constexpr int kSpans = 5;
+  for (const double thrust : {25.0, 40.0, 100.0}) {  // E I/L^2; it buckles at some 25 pi^2
+    Scene scene = cantilever(80, {});
+    scene.yield_model = YieldModel::Elastic;
+    const SectionProperties p = section_properties(scene.section, scene.material.poisson_ratio);
+    const double unit = scene.material.youngs_modulus * p.second_moment_x;
+    scene.loads[0].force = {0.0, 0.0, -thrust * unit};
+    scene.loads[0].history = History{{0.0}, {1.0}};
+    scene.supports.clear();
+    for (int i = 0; i <= kSpans; ++i) {
+      scene.supports.push_back({.at = {i / double{kSpans}, {}},
+                                .kind = i == 0 ? SupportKind::Pin : SupportKind::Roller});
+    }
+    SolverOptions options{.level = Level::Planar, .steps = 1};
+    options.duration = 1.0;
+    EXPECT_EQ(simulate(scene, options).status, Status::Completed) << thrust;
+  }
+}
+
 TEST(Path, ClaimsNoLimitForAnElasticFollowerLoad) {
   // Seen from its tip a beam under a follower force has one shape for each force: there is no
   // limit.
