@@ -195,6 +195,43 @@ TEST(FitReport, SaysHowFarTheModelGoesRightBelowTheIntervals) {
   EXPECT_FALSE(has(fit_report(failed_record("a", "why")), "misfit"));
 }
 
+TEST(FitReport, SaysWhoseTheLargestStressIs) {
+  FitRecord record = fitted_record();
+  Characteristics& all = record.target.characteristics;
+  const auto says = [&](const char* note) { return has(fit_report(record), note); };
+  EXPECT_FALSE(says("the record ends while it rises"));
+  all.observed_break.reset();
+  EXPECT_FALSE(says("the record ends while it rises")) << "it falls from 8 % on";
+  all.strain_at_rm = all.largest_strain;
+  EXPECT_TRUE(says("  largest stress; the record ends while it rises\n"));
+  record.target.measure = Measure::True;
+  EXPECT_TRUE(says("  proof stress, of the true stress\n"));
+  // Advice on the fall after the largest stress is of curves that have one.
+  record.result.misfit_word = "poor";
+  EXPECT_FALSE(says("fall after the largest stress"));
+  EXPECT_TRUE(says("- The picture shows what the model misses."));
+}
+
+/// What a fit began with is no value of a limit that no break shows.
+TEST(FitReport, HasNoBreakStrainWhereNothingBroke) {
+  FitRecord record = fitted_record();
+  const auto line = [&] {
+    const std::string text = fit_report(record);
+    const std::string rest = text.substr(text.find("  break_strain ", text.find("Parameters")));
+    return rest.substr(0, rest.find('\n'));
+  };
+  EXPECT_TRUE(has(line(), "10.025")) << line();
+  FittedParameter& limit = parameter_of(record, "break_strain");
+  limit.identified = false;
+  limit.standard_error = FittedParameter::kNone;
+  limit.judgement = {Verdict::NotIdentified, 0.0};
+  EXPECT_FALSE(has(line(), "10.025")) << line();
+  EXPECT_TRUE(has(line(), "not identified")) << line();
+  limit.at_upper = true;
+  limit.judgement = {Verdict::AtBound, 1.0};
+  EXPECT_TRUE(has(line(), "10.025")) << "a bound is one: " << line();
+}
+
 TEST(FitReport, LeavesOutTheCharacteristicsThatACurveDoesNotHave) {
   FitRecord record = fitted_record();
   record.target.characteristics = {};

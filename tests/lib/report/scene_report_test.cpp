@@ -161,6 +161,20 @@ TEST(SceneReport, ShowsProbesReactionsPeaksAndEnergiesThatBalance) {
   EXPECT_LT(residual_fraction(record).value(), 1e-3);
 }
 
+/// P L/(E A) = 11.9 um of a bar that nothing bends.
+TEST(SceneReport, ShowsTheDisplacementOfABarInTension) {
+  const io::SceneRecord record = record_of(
+      "[beam]\nlength = '1 m'\nsegments = 4\nmaterial = 'S355'\n"
+      "section = { shape = 'rectangle', width = '20 mm', height = '20 mm' }\n"
+      "[solver]\ntranslation = 'elastic'\n[[support]]\nat = 'start'\nkind = 'clamp'\n"
+      "[[load]]\nat = 'end'\nforce = ['0 N', '0 N', '1 kN']\n");
+  const ScenePeaks peaks = peaks_of(record);
+  ASSERT_TRUE(peaks.displacement);
+  EXPECT_EQ(peaks.displacement->axis, 2U);
+  EXPECT_NEAR(peaks.displacement->value, 1e3 / (210e9 * 4e-4), 1e-9);
+  EXPECT_TRUE(has(scene_report(record), "most along z\n")) << scene_report(record);
+}
+
 TEST(SceneReport, SaysWhatHelpsAPathWhoseEnergyIsNotBalanced) {
   io::SceneRecord record = broken();
   EXPECT_FALSE(has(scene_report(record), "energy balance"));
