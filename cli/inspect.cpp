@@ -37,8 +37,8 @@ std::string shown_cell(const io::CsvTable& table, std::size_t row, std::size_t c
     return std::isnan(value) ? std::string() : fmt::format("{:.5g}", value);
   } catch (const InputError&) {
     constexpr std::size_t kMost = 10;
-    const std::string_view cell = table.cell(row, column);
-    return cell.size() <= kMost ? std::string(cell) : "(text)";
+    const std::string cell = table.cell(row, column);
+    return cell.size() <= kMost ? cell : "(text)";
   }
 }
 

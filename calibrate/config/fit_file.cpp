@@ -175,6 +175,7 @@ std::vector<Target> import_all(const FitFile& file, int threads,
   for (const TargetBlock& block : file.targets) {
     std::vector<Target> imported = import_targets(block.source, block.options, threads, spool);
     check_groups(imported, block.options);
+    targets.reserve(targets.size() + imported.size());
     for (Target& target : imported) {
       const auto [first, is_new] = first_of.emplace(target.name, targets.size());
       target.name = names.add(target.name);

@@ -101,11 +101,11 @@ FoundSplit find_split(const io::CsvTable& table, std::span<const double> deforma
   const auto tried = [&](const std::vector<const Candidate*>& parts) -> std::optional<FoundSplit> {
     std::set<std::size_t> begins{0};
     for (const Candidate* one : parts) begins.insert(one->changes.begin(), one->changes.end());
-    std::set<std::vector<std::string_view>> keys;
+    std::set<std::vector<std::string>> keys;
     FoundSplit found;
     for (const Candidate* one : parts) found.columns.push_back(one->column);
     for (const std::size_t begin : begins) {
-      std::vector<std::string_view> key;
+      std::vector<std::string> key;
       for (const std::size_t column : found.columns) key.push_back(table.cell(begin, column));
       keys.insert(std::move(key));
     }

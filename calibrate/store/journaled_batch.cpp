@@ -1,6 +1,7 @@
 #include "calibrate/store/journaled_batch.hpp"
 
 #include <algorithm>
+#include <memory>
 #include <string_view>
 #include <unordered_set>
 #include <utility>
@@ -118,17 +119,20 @@ std::vector<FitResult> JournaledBatch::run() {
                   {.threads = how_.threads, .stop = how_.stop, .finished = finished, .next = next});
   });
   gather(false);
-  for (std::optional<FitResult>& result : results_) {
+  for (const std::unique_ptr<FitResult>& result : results_) {
     if (result) put_fitted_aside(*result);
   }
   end_run(progress_.done == progress_.total);
 
-  std::vector<FitResult> results(cases_.size());
-  for (std::size_t k = 0; k < missing.size(); ++k) results[missing[k]] = std::move(fitted[k]);
+  std::vector<FitResult> results = std::move(fitted);
+  if (missing.size() < cases_.size()) {
+    fitted = std::exchange(results, std::vector<FitResult>(cases_.size()));
+    for (std::size_t k = 0; k < missing.size(); ++k) results[missing[k]] = std::move(fitted[k]);
+  }
   for (std::size_t i = 0; i < cases_.size(); ++i) {
     if (results_[i]) results[i] = std::move(*results_[i]);
   }
-  results_ = {};
+  results_.clear();
   // Of all fits together, and quick: no part of the journal.
   if (complete() && own() == size()) add_unseen(targets_, cases_, options_, how_.threads, results);
   return results;

@@ -22,7 +22,7 @@ void JournaledFits<Result>::resume(const std::function<bool(Result&)>& usable) {
     if (bytes == nullptr) continue;
     Result result = result_from_bytes<Result>(*bytes);
     if (usable && !usable(result)) continue;
-    results_[i] = std::move(result);
+    results_[i] = std::make_unique<Result>(std::move(result));
     count(*results_[i]);
     ++progress_.resumed;
   }
@@ -90,7 +90,7 @@ void JournaledFits<Result>::gather(bool everyone) {
     if (results_[i] || kept_[i] != 0) continue;
     const std::vector<std::byte>* bytes = journal_.find_gathered(ids_[i]);
     if (bytes == nullptr) continue;
-    results_[i] = result_from_bytes<Result>(*bytes);
+    results_[i] = std::make_unique<Result>(result_from_bytes<Result>(*bytes));
     count(*results_[i]);
   }
   tell();

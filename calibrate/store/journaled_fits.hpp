@@ -120,8 +120,9 @@ class JournaledFits {
   Team* team() const { return how_.journal.team; }
 
   JournaledOptions how_;
-  std::vector<std::string> ids_;                ///< of the fits (n_fits)
-  std::vector<std::optional<Result>> results_;  ///< those of the journal (n_fits)
+  std::vector<std::string> ids_;  ///< of the fits (n_fits)
+  /// Those of the journal (n_fits); null where it has none, as mostly: a result is large.
+  std::vector<std::unique_ptr<Result>> results_;
   BatchProgress progress_;
   std::size_t stale_ = 0;
   io::CaseJournal journal_;

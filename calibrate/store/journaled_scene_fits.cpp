@@ -183,7 +183,7 @@ void JournaledSceneFits::fit_side_by_side(const std::vector<std::size_t>& of,
   threads_ = several ? 1 : how_.threads;
   parallel_for(of.size(), {several ? how_.threads : 1, how_.stop, next}, [&](std::size_t k, int) {
     for (std::size_t i = first_fit(of[k]); i < first_fit(of[k] + 1); ++i) {
-      if (complete ? fits_[i].law != complete : results_[i].has_value()) continue;
+      if (complete ? fits_[i].law != complete : results_[i] != nullptr) continue;
       const auto begin = std::chrono::steady_clock::now();
       std::optional<SceneFitResult> result = fit(i, complete.has_value());
       if (!result) return;
@@ -195,7 +195,7 @@ void JournaledSceneFits::fit_side_by_side(const std::vector<std::size_t>& of,
         seconds_[i] = took.count();
         keep(i, *result);
       }
-      results_[i] = std::move(*result);
+      results_[i] = std::make_unique<SceneFitResult>(std::move(*result));
     }
   });
 }
@@ -218,7 +218,7 @@ void JournaledSceneFits::complete_advised() {
   const auto take_found = [&](std::size_t i) {
     const std::vector<std::byte>* bytes = journal_.find(complete_ids_[i]);
     if (bytes == nullptr) return;
-    results_[i] = result_from_bytes<SceneFitResult>(*bytes);
+    results_[i] = std::make_unique<SceneFitResult>(result_from_bytes<SceneFitResult>(*bytes));
     completed_[i] = 1;
   };
   for (std::size_t i = 0; i < fits_.size(); ++i) {
@@ -247,7 +247,7 @@ std::vector<SceneFitResult> JournaledSceneFits::run() {
     const auto begin = results_.begin() + static_cast<std::ptrdiff_t>(first_fit(of));
     const auto end = results_.begin() + static_cast<std::ptrdiff_t>(first_fit(of + 1));
     if (is_own(first_fit(of)) &&
-        !std::all_of(begin, end, [](const auto& r) { return r.has_value(); })) {
+        !std::all_of(begin, end, [](const auto& r) { return r != nullptr; })) {
       missing.push_back(of);
     }
   }
@@ -257,7 +257,7 @@ std::vector<SceneFitResult> JournaledSceneFits::run() {
   if (completes_one(options_) && progress_.done == fits_.size()) complete_advised();
   end_run(progress_.done == progress_.total && (!completes_one(options_) || advised_is_complete_));
   std::vector<SceneFitResult> results;
-  for (std::optional<SceneFitResult>& result : results_) {
+  for (const auto& result : results_) {
     results.push_back(result ? std::move(*result) : SceneFitResult{});
   }
   return results;

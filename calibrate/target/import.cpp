@@ -42,12 +42,12 @@ std::vector<Part> parts_of(const TargetSource& source, const CsvTable& table, co
   for (std::size_t row = 0; row < table.rows(); ++row) {
     std::string value;
     for (const std::size_t column : columns) {
-      const std::string_view cell = table.cell(row, column);
+      const std::string cell = table.cell(row, column);
       if (cell.empty()) {
         throw InputError({table.file(), table.line_of_row(row)}, table.label(column), "",
                          "is empty: split needs a value in each row");
       }
-      value += (value.empty() ? "" : ":") + std::string(cell);
+      value += (value.empty() ? "" : ":") + cell;
     }
     const auto [at, is_new] = known.emplace(value, parts.size());
     if (is_new) parts.push_back({whole.stem, value, {}, whole.within, whole.last});
@@ -120,9 +120,9 @@ struct Block {
 /// The specimens of a table.
 struct Imported {
   std::vector<Target> targets;
-  std::optional<InputError> lacking;  ///< where it has not the columns of the block
-  std::optional<InputError> no_row;   ///< where a specimen is not in the block's table
-  bool has_row = false;               ///< whether one is
+  std::shared_ptr<const InputError> lacking;  ///< where it has not the columns of the block
+  std::shared_ptr<const InputError> no_row;   ///< where a specimen is not in the block's table
+  bool has_row = false;                       ///< whether one is
   bool was_unreadable = false;
 };
 
@@ -132,7 +132,7 @@ void find_row(const Block& block, const Part& part, Imported& imported) {
     (void)block.specimens->row_of(part);
     imported.has_row = true;
   } catch (const InputError& error) {
-    if (!imported.no_row) imported.no_row = error;
+    if (!imported.no_row) imported.no_row = std::make_shared<const InputError>(error);
   }
 }
 
@@ -230,7 +230,7 @@ Imported import_table(const Block& block, const TableOfFile& from) {
       properties->add_groups(0, first);
     }
   } catch (const InputError& error) {
-    imported.lacking = error;
+    imported.lacking = std::make_shared<const InputError>(error);
     imported.targets.push_back(rejected(std::move(first), error));
     return imported;
   }
@@ -286,18 +286,24 @@ std::vector<Target> import_targets(const TargetSource& source, const TargetOptio
   std::vector<Imported> all(tables.size());
   parallel_for(all.size(), {threads, nullptr},
                [&](std::size_t i, int) { all[i] = import_table(block, tables[i]); });
-  const auto lacks = [](const Imported& one) { return one.lacking.has_value(); };
+  const auto lacks = [](const Imported& one) { return one.lacking != nullptr; };
   const auto first = std::ranges::find_if(all, lacks);
   const auto has_columns = [](const Imported& one) { return !one.lacking && !one.was_unreadable; };
   // Then the block is wrong, not the files.
   if (first != all.end() && std::ranges::none_of(all, has_columns)) throw *first->lacking;
   const auto no_row =
-      std::ranges::find_if(all, [](const Imported& one) { return one.no_row.has_value(); });
+      std::ranges::find_if(all, [](const Imported& one) { return one.no_row != nullptr; });
   if (no_row != all.end() && std::ranges::none_of(all, &Imported::has_row)) {
     throw *no_row->no_row;
   }
+  std::size_t count = 0;
+  for (const Imported& one : all) count += one.targets.size();
   std::vector<Target> targets;
-  for (Imported& one : all) std::ranges::move(one.targets, std::back_inserter(targets));
+  targets.reserve(count);
+  for (Imported& one : all) {
+    std::ranges::move(one.targets, std::back_inserter(targets));
+    one = {};  // many of them take memory
+  }
   make_names_unique(targets);
   return targets;
 }

@@ -38,7 +38,7 @@ std::vector<TableOfFile> tables_of(const TargetSource& source) {
       }
     } catch (const InputError& error) {
       all.push_back({file});
-      all.back().lacking = error;
+      all.back().lacking = std::make_shared<const InputError>(error);
     }
   }
   for (TableOfFile& table : all) {

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <memory>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -21,7 +20,7 @@ struct TableOfFile {
   std::string within{};  ///< its path; empty where the whole file is the table
   std::string key{};     ///< of its row beside the curves: its path …
   std::string last{};    ///< … or its last name; empty where another specimen has it, too
-  std::optional<InputError> lacking{};  ///< why there is no table
+  std::shared_ptr<const InputError> lacking{};  ///< why there is no table
 };
 
 /// The tables of a block's files, in order. Where an HDF5 file cannot be read, its reading says

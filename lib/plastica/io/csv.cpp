@@ -2,13 +2,14 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
+#include <numeric>
 
 #include "plastica/base/listed.hpp"
 #include "plastica/io/content_digest.hpp"
 #include "plastica/io/csv_layout.hpp"
 #include "plastica/io/csv_number.hpp"
 #include "plastica/io/csv_text.hpp"
-#include "plastica/io/hdf5_tables.hpp"
 #include "plastica/io/read_input.hpp"
 #include "plastica/io/workbook.hpp"
 
@@ -83,20 +84,46 @@ CsvTable CsvTable::read(const std::string& path, const CsvOptions& options) {
 }
 
 CsvTable CsvTable::read(const Hdf5Tables& tables, const std::string& path) {
-  const Hdf5Tables::Text text = tables.text(path);
-  CsvTable table = parsed(text, tables.file());
+  std::vector<Hdf5Tables::Column> columns = tables.columns(path);
+  CsvTable table = std::ranges::any_of(columns, &Hdf5Tables::Column::has_texts)
+                       ? of_texts(columns, tables.file())
+                       : of_numbers(std::move(columns), tables.file());
+  table.path_ = path;
+  return table;
+}
+
+CsvTable CsvTable::of_texts(const std::vector<Hdf5Tables::Column>& columns,
+                            const std::string& file) {
+  const Hdf5Tables::Text text = Hdf5Tables::text_of(columns);
+  CsvTable table = parsed(text, file);
+  // The line of names is not the file's.
   if (text.has_header) {
     for (int& line : table.line_of_row_) --line;
   }
-  table.path_ = path;
+  return table;
+}
+
+/// Names and units are found as those of a text are; the numbers need none.
+CsvTable CsvTable::of_numbers(std::vector<Hdf5Tables::Column> columns, const std::string& file) {
+  std::vector<Hdf5Tables::Column> heads;
+  for (const Hdf5Tables::Column& column : columns) {
+    heads.push_back(
+        {column.header, std::vector<double>(std::min<std::size_t>(column.size(), 1)), {}});
+  }
+  CsvTable table = parsed(Hdf5Tables::text_of(heads), file);
+  table.cells_.clear();
+  table.text_.clear();
+  table.line_of_row_.resize(columns.front().size());
+  std::iota(table.line_of_row_.begin(), table.line_of_row_.end(), 1);
+  for (Hdf5Tables::Column& column : columns) table.numbers_.push_back(std::move(column.numbers));
   return table;
 }
 
 std::optional<CsvTable> CsvTable::read_properties(const Hdf5Tables& tables,
                                                   const std::string& path) {
-  const Hdf5Tables::Text text = tables.properties(path);
-  if (text.text.empty()) return std::nullopt;
-  return parsed(text, tables.file());
+  const std::vector<Hdf5Tables::Column> properties = tables.properties(path);
+  if (properties.empty()) return std::nullopt;
+  return parsed(Hdf5Tables::text_of(properties), tables.file());
 }
 
 CsvTable first_table(const std::string& path, const CsvOptions& options) {
@@ -118,7 +145,7 @@ std::string table_text(const std::string& path, const CsvOptions& options) {
     case Source::Workbook: return read_sheet(path, options.sheet, options.decimal).text;
     case Source::Hdf5: {
       const Hdf5Tables tables(path);
-      return tables.text(only_table(tables, options.path)).text;
+      return Hdf5Tables::text_of(tables.columns(only_table(tables, options.path))).text;
     }
     case Source::Text: break;
   }
@@ -249,12 +276,28 @@ void CsvTable::drop_last_column() {
   cells_.resize(rows() * width);
 }
 
+std::size_t CsvTable::bytes() const {
+  std::size_t count = text_.size() + cells_.size() * sizeof(std::string_view);
+  for (const std::vector<double>& column : numbers_) count += column.size() * sizeof(double);
+  return count;
+}
+
+std::string CsvTable::cell(std::size_t row, std::size_t column) const {
+  if (!numbers_.empty()) return csv_text::number_text(numbers_[column][row]);
+  return std::string(cells_[row * columns() + column]);
+}
+
 double CsvTable::number(std::size_t row, std::size_t column) const {
-  const std::string_view text = cell(row, column);
-  const csv_text::Number number = csv_text::read_number(text, {decimal_, decimal_is_certain_});
+  csv_text::Number number;
+  if (numbers_.empty()) {
+    number =
+        csv_text::read_number(cells_[row * columns() + column], {decimal_, decimal_is_certain_});
+  } else if (!std::isinf(numbers_[column][row])) {
+    return numbers_[column][row];
+  }
   if (number.kind == CellKind::Number || number.kind == CellKind::Missing) return number.value;
   throw InputError(
-      {file_, line_of_row_[row]}, label(column), text,
+      {file_, line_of_row_[row]}, label(column), cell(row, column),
       number.kind == CellKind::OutOfRange ? "is a number out of range" : "is not a number");
 }
 

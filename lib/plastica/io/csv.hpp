@@ -7,10 +7,9 @@
 #include <vector>
 
 #include "plastica/base/check.hpp"
+#include "plastica/io/hdf5_tables.hpp"
 
 namespace plastica::io {
-
-class Hdf5Tables;
 
 /// How to read a delimited text file; what is unset is found out from the text.
 struct CsvOptions {
@@ -34,7 +33,8 @@ struct CsvOptions {
 /// workbook (.xlsx) a sheet is read, its rows as lines, and of an HDF5 file a table (see
 /// `Hdf5Tables`), its rows as lines, from 1.
 ///
-/// The text is kept, cells are views into it; copies are not allowed, moves are.
+/// The text is kept, or the columns of an HDF5 file's table of numbers; copies are not allowed,
+/// moves are.
 class CsvTable {
  public:
   /// @throws InputError if the file cannot be read, holds no data row, or rows have unequal widths
@@ -74,14 +74,13 @@ class CsvTable {
   std::string label(std::size_t column) const;
 
   /// What it takes of memory, about.
-  std::size_t bytes() const { return text_.size() + cells_.size() * sizeof(std::string_view); }
+  std::size_t bytes() const;
 
   std::size_t rows() const { return line_of_row_.size(); }
   std::size_t columns() const { return names_.size(); }
   int line_of_row(std::size_t row) const { return line_of_row_[row]; }
-  std::string_view cell(std::size_t row, std::size_t column) const {
-    return cells_[row * columns() + column];
-  }
+  /// As the file has it; a number that has no text as one that reads back bit by bit.
+  std::string cell(std::size_t row, std::size_t column) const;
 
   /// A cell as a number; NaN for an empty cell or one that says NaN, NA, n/a, -, null.
   /// @throws InputError if it is anything else
@@ -101,6 +100,8 @@ class CsvTable {
  private:
   CsvTable() = default;
 
+  static CsvTable of_texts(const std::vector<Hdf5Tables::Column>& columns, const std::string& file);
+  static CsvTable of_numbers(std::vector<Hdf5Tables::Column> columns, const std::string& file);
   void drop_last_column();
   std::vector<std::size_t> matches(std::string_view name_or_number) const;
 
@@ -117,7 +118,8 @@ class CsvTable {
   std::vector<std::string> names_;
   std::vector<std::string> units_;
   std::vector<int> line_of_row_;
-  std::vector<std::string_view> cells_;  // (rows x columns), row by row
+  std::vector<std::string_view> cells_;       // (rows x columns), row by row; views into the text
+  std::vector<std::vector<double>> numbers_;  // columns that have no text; then there are no cells
 };
 
 /// What `CsvTable::read` reads, and of an HDF5 file that has several tables the first that can be

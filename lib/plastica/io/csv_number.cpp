@@ -109,6 +109,17 @@ Number read_number(std::string_view cell, NumberFormat format) {
   return certain || format.is_certain ? from_text(parts.digits) : Number{};
 }
 
+std::string number_text(double value) {
+  if (std::isnan(value)) return "nan";
+  constexpr double kPlain = 1e15;
+  const bool is_whole = value == std::floor(value) && std::fabs(value) < kPlain;
+  std::array<char, 32> digits{};
+  char* const first = digits.data();
+  char* const last = first + digits.size();
+  return {first, is_whole ? std::to_chars(first, last, value, std::chars_format::fixed).ptr
+                          : std::to_chars(first, last, value).ptr};
+}
+
 bool is_ambiguous(std::string_view cell) {
   const Grouped parts = grouped(cell, cell.find(',') == std::string_view::npos ? ',' : '.');
   return parts.groups == 1 && !parts.has_decimals && can_be_decimal(parts.mark);

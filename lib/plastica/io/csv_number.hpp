@@ -1,5 +1,6 @@
 #pragma once
 
+#include <string>
 #include <string_view>
 
 /// Numbers in the cells of delimited text.
@@ -28,6 +29,10 @@ struct NumberFormat {
 /// decimal one where it can be no other, as in 1,234.5 and 1.234.567, or in any file of that
 /// format.
 Number read_number(std::string_view cell, NumberFormat format);
+
+/// A number as a cell with a decimal point that reads back bit by bit: "nan" if it is none, whole
+/// ones up to 1e15 as they would be typed, which a key or a group is compared with.
+std::string number_text(double value);
 
 /// Whether a cell is one of two numbers: "1,234" is 1.234 or 1234.
 bool is_ambiguous(std::string_view cell);

@@ -256,6 +256,7 @@ std::vector<Column> columns_of_matrix(const Hdf5Handle& dataset, const Place& pl
   for (std::size_t k = 0; k < width; ++k) {
     if (!names.empty()) columns[k].name = names[k];
     columns[k].unit = units[k];
+    columns[k].numbers.reserve(values.size() / width);
     for (std::size_t i = k; i < values.size(); i += width) columns[k].numbers.push_back(values[i]);
   }
   return columns;

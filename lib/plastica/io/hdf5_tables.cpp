@@ -1,9 +1,6 @@
 #include "plastica/io/hdf5_tables.hpp"
 
 #include <algorithm>
-#include <array>
-#include <charconv>
-#include <cmath>
 #include <iterator>
 #include <mutex>
 #include <set>
@@ -13,6 +10,7 @@
 #include "plastica/base/listed.hpp"
 #include "plastica/base/star_pattern.hpp"
 #include "plastica/io/content_digest.hpp"
+#include "plastica/io/csv_number.hpp"
 #include "plastica/io/csv_text.hpp"
 #include "plastica/io/hdf5_columns.hpp"
 #include "plastica/io/hdf5_handle.hpp"
@@ -60,21 +58,6 @@ std::string header_of(const h5::Column& column, const h5::Place& place) {
       .refuse("is in " + by_name + " by its name and in " + unit + " by its attribute");
 }
 
-void append_number(double value, std::string& text) {
-  if (std::isnan(value)) {
-    text += "nan";
-    return;
-  }
-  // As it would be typed, which a key or a group is compared with: 100000, not 1e+05.
-  constexpr double kPlain = 1e15;
-  const bool is_whole = value == std::floor(value) && std::fabs(value) < kPlain;
-  std::array<char, 32> digits{};
-  char* const first = digits.data();
-  char* const last = first + digits.size();
-  text.append(first, is_whole ? std::to_chars(first, last, value, std::chars_format::fixed).ptr
-                              : std::to_chars(first, last, value).ptr);
-}
-
 void check_lengths(const std::vector<h5::Column>& columns, const h5::Place& place) {
   for (const h5::Column& column : columns) {
     if (column.size() == columns.front().size()) continue;
@@ -84,30 +67,14 @@ void check_lengths(const std::vector<h5::Column>& columns, const h5::Place& plac
   }
 }
 
-/// Columns as lines of cells.
-Hdf5Tables::Text text_of(const std::vector<h5::Column>& columns, const h5::Place& place) {
-  Hdf5Tables::Text text;
-  const auto is_named = [](const h5::Column& column) { return !column.name.empty(); };
-  text.has_header = std::ranges::any_of(columns, is_named);
-  if (text.has_header) {
-    for (const h5::Column& column : columns) {
-      if (&column != columns.data()) text.text += '\t';
-      text.text += csv_text::tabbed_cell(header_of(column, place));
-    }
-    text.text += '\n';
+std::vector<Hdf5Tables::Column> with_headers(std::vector<h5::Column> columns,
+                                             const h5::Place& place) {
+  std::vector<Hdf5Tables::Column> out;
+  out.reserve(columns.size());
+  for (h5::Column& column : columns) {
+    out.push_back({header_of(column, place), std::move(column.numbers), std::move(column.texts)});
   }
-  for (std::size_t row = 0; row < columns.front().size(); ++row) {
-    for (const h5::Column& column : columns) {
-      if (&column != columns.data()) text.text += '\t';
-      if (column.texts.empty()) {
-        append_number(column.numbers[row], text.text);
-      } else {
-        text.text += csv_text::tabbed_cell(column.texts[row]);
-      }
-    }
-    text.text += '\n';
-  }
-  return text;
+  return out;
 }
 
 h5::Place place_of(const std::string& file, const std::string& name) {
@@ -215,7 +182,7 @@ std::vector<std::string> Hdf5Tables::matching(const std::optional<std::string>& 
                    "matches none of its tables: " + listed(names_, 8));
 }
 
-Hdf5Tables::Text Hdf5Tables::text(const std::string& name) const {
+std::vector<Hdf5Tables::Column> Hdf5Tables::columns(const std::string& name) const {
   const h5::Place place = place_of(path_, name);
   std::vector<h5::Column> columns;
   {
@@ -223,10 +190,33 @@ Hdf5Tables::Text Hdf5Tables::text(const std::string& name) const {
     columns = h5::columns_of(object_at(opened_->file, place), place);
   }
   check_lengths(columns, place);
-  return text_of(columns, place);
+  return with_headers(std::move(columns), place);
 }
 
-Hdf5Tables::Text Hdf5Tables::properties(const std::string& name) const {
+Hdf5Tables::Text Hdf5Tables::text_of(const std::vector<Column>& columns) {
+  Text text;
+  const auto add_row = [&](const auto& cell_of) {
+    for (const Column& column : columns) {
+      if (&column != columns.data()) text.text += '\t';
+      text.text += cell_of(column);
+    }
+    text.text += '\n';
+  };
+  text.has_header =
+      std::ranges::any_of(columns, [](const Column& column) { return !column.header.empty(); });
+  if (text.has_header) {
+    add_row([](const Column& column) { return csv_text::tabbed_cell(column.header); });
+  }
+  for (std::size_t row = 0; row < columns.front().size(); ++row) {
+    add_row([&](const Column& column) {
+      return column.has_texts() ? csv_text::tabbed_cell(column.texts[row])
+                                : csv_text::number_text(column.numbers[row]);
+    });
+  }
+  return text;
+}
+
+std::vector<Hdf5Tables::Column> Hdf5Tables::properties(const std::string& name) const {
   std::vector<h5::Column> properties;
   const Hdf5Lock lock;
   // From the table up to the file.
@@ -240,8 +230,7 @@ Hdf5Tables::Text Hdf5Tables::properties(const std::string& name) const {
     }
     if (place.path == "/") break;
   }
-  if (properties.empty()) return {};
-  return text_of(properties, place_of(path_, name));
+  return with_headers(std::move(properties), place_of(path_, name));
 }
 
 }  // namespace plastica::io

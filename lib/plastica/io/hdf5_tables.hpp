@@ -42,19 +42,31 @@ class Hdf5Tables {
   std::vector<std::string> matching(const std::optional<std::string>& pattern) const;
   const std::string& file() const { return path_; }
 
-  /// A table as text: a line with the names of its columns, if it has some, then one for each row;
-  /// cells between tabs. Numbers read back bit by bit.
+  /// A column of a table: numbers or texts.
+  struct Column {
+    std::string header;  ///< its name, and its unit behind it: "Stress [MPa]"; empty: none
+    std::vector<double> numbers;
+    std::vector<std::string> texts;
+
+    bool has_texts() const { return !texts.empty(); }
+    std::size_t size() const { return has_texts() ? texts.size() : numbers.size(); }
+  };
+  /// The columns of a table, of one length.
+  /// @throws InputError if they are of unlike lengths or cannot be read
+  std::vector<Column> columns(const std::string& name) const;
+
+  /// Columns as text: a line with their headers, if one has some, then one for each row; cells
+  /// between tabs. Numbers read back bit by bit.
   struct Text {
     std::string text;
     bool has_header = false;
   };
-  /// @throws InputError if its columns are of unlike lengths or cannot be read
-  Text text(const std::string& name) const;
-  /// What is said of a table beside its columns, as a line of names and one of values: the
-  /// attributes of the table and of the groups that hold it, and their datasets of one value. Of
-  /// one name the nearest counts. Empty text if there is nothing.
+  static Text text_of(const std::vector<Column>& columns);
+  /// What is said of a table beside its columns, as columns of one row: the attributes of the
+  /// table and of the groups that hold it, and their datasets of one value. Of one name the nearest
+  /// counts.
   /// @throws InputError if they cannot be read
-  Text properties(const std::string& name) const;
+  std::vector<Column> properties(const std::string& name) const;
 
  private:
   struct Opened;
