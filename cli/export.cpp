@@ -2,27 +2,23 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <filesystem>
 #include <memory>
 #include <optional>
-#include <span>
 #include <sstream>
 #include <string>
-#include <string_view>
 #include <type_traits>
 #include <vector>
 
-#include "calibrate/engine/engine_text.hpp"
-#include "calibrate/engine/engine_world.hpp"
 #include "calibrate/report/csv_export.hpp"
 #include "cli/command.hpp"
 #include "cli/common_options.hpp"
 #include "cli/exit_code.hpp"
+#include "cli/export_arguments.hpp"
 #include "cli/export_beam.hpp"
 #include "cli/export_paraview.hpp"
 #include "cli/fit_reports.hpp"
+#include "cli/input_kind.hpp"
 #include "cli/result_kind.hpp"
 #include "cli/run_files.hpp"
 #include "cli/tell.hpp"
@@ -38,70 +34,6 @@
 
 namespace plastica::cli {
 namespace {
-
-struct ExportArguments {
-  BeamRequest beam;  ///< its file, and `to`, empty: what the output's name ends in, else csv
-  std::string what;  ///< empty: the first of the file's kind
-  std::string time;
-  std::string output = "-";
-  bool force = false;
-};
-
-constexpr std::array<std::string_view, 3> kTables{"json", "markdown", "latex"};
-
-/// What --to may be: the formats of beams, csv the first, the others of tables, and ParaView's.
-std::vector<std::string> formats() {
-  const auto engines = calibrate::engine_formats();
-  std::vector<std::string> words(engines.begin(), engines.end());
-  words.insert(words.begin() + 1, kTables.begin(), kTables.end());
-  words.insert(words.end(), kParaviewFormats.begin(), kParaviewFormats.end());
-  return words;
-}
-
-/// The format of a table whose files end so; empty for others.
-std::string format_of(const std::string& ending) {
-  constexpr std::array<std::array<std::string_view, 2>, 6> kEndings{{{".csv", "csv"},
-                                                                     {".json", "json"},
-                                                                     {".md", "markdown"},
-                                                                     {".tex", "latex"},
-                                                                     {".vtkhdf", "vtkhdf"},
-                                                                     {".xdmf", "xdmf"}}};
-  for (const auto& [end, format] : kEndings) {
-    if (ending == end) return std::string(format);
-  }
-  return {};
-}
-
-/// Takes the format from the output's name where none is given. @throws InputError if they differ,
-/// or if the name says another format than those of tables
-void take_format(ExportArguments& arguments) {
-  const std::string& output = arguments.output;
-  const std::string ending = std::filesystem::path(output).extension().string();
-  const std::string named = output == "-" ? "" : format_of(ending);
-  if (!arguments.beam.to.empty()) {
-    if (named.empty() || named == arguments.beam.to) return;
-    throw InputError({}, "--output", output,
-                     fmt::format("must not end in {}: --to is {}", ending, arguments.beam.to));
-  }
-  if (named.empty() && output != "-" && ending.size() > 1 && ending != ".txt" && ending != ".dat") {
-    throw InputError({}, "--output", output,
-                     fmt::format("ends in {}, which says no format: give --to", ending));
-  }
-  arguments.beam.to = named.empty() ? "csv" : named;
-}
-
-bool is_table(const std::string& to) {
-  return std::find(kTables.begin(), kTables.end(), to) != kTables.end();
-}
-
-/// Whether the beam is wanted for an engine, not the numbers of the result.
-bool wants_beam(const ExportArguments& arguments) {
-  if (arguments.beam.to != "csv") {
-    return !is_table(arguments.beam.to) && !is_for_paraview(arguments.beam.to);
-  }
-  return arguments.what == "beam" || (arguments.what.empty() && !(arguments.beam.scene.empty() &&
-                                                                  arguments.beam.target.empty()));
-}
 
 /// What of a file's kind that was asked for, or its first.
 std::string what_of(const ExportArguments& arguments, const std::vector<std::string>& kinds) {
@@ -186,40 +118,6 @@ std::string text_of_sweep(const ExportArguments& arguments) {
   return out.str();
 }
 
-/// Refuses options that do not go with the file's kind or with what is written.
-/// @throws InputError
-void check_options(const ExportArguments& arguments, ResultKind kind) {
-  using enum ResultKind;
-  const bool beam = wants_beam(arguments);
-  const std::array options{
-      ResultOption{"--time", !arguments.time.empty(), {Scene}},
-      ResultOption{"--scene", !arguments.beam.scene.empty(), {Fits, SceneFits}},
-      ResultOption{"--target", !arguments.beam.target.empty(), {SceneFits}},
-      ResultOption{"--case", !arguments.beam.which.empty(), {Fits, SceneFits}},
-      ResultOption{"--what beam", arguments.what == "beam", {Fits, SceneFits, Scene}},
-      ResultOption{"--to " + arguments.beam.to, beam, {Fits, SceneFits, Scene}},
-      ResultOption{"--to " + arguments.beam.to,
-                   arguments.beam.to == "markdown" || arguments.beam.to == "latex",
-                   {Sweep}},
-      ResultOption{"--to " + arguments.beam.to, is_for_paraview(arguments.beam.to), {Scene}}};
-  refuse_options_of_others(kind, options);
-  constexpr std::string_view kOfBeams =
-      "goes with a beam: --what beam, or --to mjcf, agx, bullet, chrono or opensees";
-  refuse_option(!beam && !arguments.beam.scene.empty(), "--scene", kOfBeams);
-  refuse_option(!beam && !arguments.beam.which.empty(), "--case", kOfBeams);
-  refuse_option(!beam && !arguments.beam.target.empty(), "--target", kOfBeams);
-  refuse_option(!beam && arguments.beam.segments, "--segments", kOfBeams);
-  refuse_option(!beam && !arguments.beam.up.empty(), "--up", kOfBeams);
-  refuse_option(!beam && !arguments.beam.gravity.empty(), "--gravity", kOfBeams);
-  refuse_option(!beam && !arguments.beam.damping.empty(), "--damping", kOfBeams);
-  refuse_option(!beam && !arguments.beam.contacts.empty(), "--contacts", kOfBeams);
-  if (beam || is_for_paraview(arguments.beam.to)) {
-    refuse_option(!arguments.what.empty() && !(beam && arguments.what == "beam"), "--what",
-                  "goes with --to csv or json");
-    refuse_option(!arguments.time.empty(), "--time", "goes with --what joints only");
-  }
-}
-
 std::string text_of(const ExportArguments& arguments, ResultKind kind) {
   using enum ResultKind;
   if (wants_beam(arguments)) return beam_text(arguments.beam, kind);
@@ -233,21 +131,7 @@ std::string text_of(const ExportArguments& arguments, ResultKind kind) {
   return text_of_sweep(arguments);
 }
 
-std::vector<std::string> list_of(std::span<const std::string_view> words) {
-  return {words.begin(), words.end()};
-}
-
-/// The words that stand in no file.
-void check_words(const ExportArguments& arguments) {
-  check_word("--what", arguments.what,
-             {"specimens", "fits", "targets", "curves", "probes", "joints", "energies", "events",
-              "fragments", "spectrum", "cases", "beam"});
-  check_word("--up", arguments.beam.up, list_of(calibrate::up_axes()));
-  check_word("--contacts", arguments.beam.contacts, list_of(contact_words()));
-}
-
 int run_export(ExportArguments arguments) {
-  check_word("--to", arguments.beam.to, formats());
   check_words(arguments);
   if (arguments.output != "-") {
     refuse_input("--output", arguments.output, arguments.beam.file);
@@ -255,7 +139,9 @@ int run_export(ExportArguments arguments) {
       refuse_input("--output", arguments.output, arguments.beam.scene);
   }
   take_format(arguments);
-  const ResultKind kind = kind_of_result(arguments.beam.file);
+  arguments.is_scene_file = kind_of_input(arguments.beam.file) == InputKind::Scene;
+  const ResultKind kind =
+      arguments.is_scene_file ? ResultKind::Scene : kind_of_result(arguments.beam.file);
   check_options(arguments, kind);
   if (is_for_paraview(arguments.beam.to)) {
     return write_for_paraview(arguments.beam.file, arguments.beam.to, arguments.output,
@@ -275,11 +161,12 @@ int run_export(ExportArguments arguments) {
 
 void add_export(CLI::App& app, Action& action) {
   CLI::App* sub =
-      app.add_subcommand("export", "Write numbers of a result file, or its beam for an engine");
+      app.add_subcommand("export", "Write numbers of a result, or the beam of a scene or a fit");
   auto arguments = std::make_shared<ExportArguments>();
-  sub->add_option("file", arguments->beam.file, "Result of calibrate, simulate or sweep")
+  sub->add_option("file", arguments->beam.file,
+                  "Result of calibrate, simulate or sweep, or a scene for its beam")
       ->required()
-      ->option_text("FILE.h5");
+      ->option_text("FILE.h5|SCENE.toml");
   sub->add_option(
          "--to", arguments->beam.to,
          "Write csv or json; of a sweep also markdown or latex; of a scene vtkhdf (ParaView from "
@@ -336,8 +223,9 @@ void add_export(CLI::App& app, Action& action) {
       "                       fragments, spectrum\n"
       "  sweep                cases, curves\n"
       "  scene, fit           beam: a row per joint with stiffness, yield moments,\n"
-      "                       break angles\n"
+      "                       break angles; of a scene's file as well\n"
       "Examples:\n"
+      "  plastica export scene.toml --to mjcf -o beam.xml\n"
       "  plastica export fit.h5 --to csv -o fit.csv\n"
       "  plastica export scene.h5 -o scene.vtkhdf\n"
       "  plastica export fit.h5 --case s355 --scene scene.toml --to mjcf -o beam.xml\n"

@@ -31,7 +31,8 @@ namespace {
 struct BeamSource {
   Setup setup;
   std::vector<std::string> notes;
-  std::vector<int> fitted_segments{};  ///< of the scenes of a fit, each number once
+  std::vector<int> fitted_segments{};   ///< of the scenes of a fit, each number once
+  std::optional<io::SceneFile> file{};  ///< that says all of it, if there is one
 };
 
 template <typename Record>
@@ -40,12 +41,16 @@ const Record& record_of(const BeamRequest& request, const std::vector<Record>& r
   return find_record(records, request.which, request.file);
 }
 
+io::SceneFile read_beam(const std::string& path) {
+  io::SceneFile file = io::read_scene_file(path, io::SceneUse::Beam);
+  tell_notes(file.notes);
+  return file;
+}
+
 Setup setup_of(const BeamRequest& request) {
   if (!request.scene.empty()) {
     expect_input(request.scene, {InputKind::Scene});
-    io::SceneFile file = io::read_scene_file(request.scene);
-    tell_notes(file.notes);
-    return std::move(file.setup);
+    return read_beam(request.scene).setup;
   }
   throw InputError({}, "--scene", "",
                    "is missing: a fit knows the material; a scene file has the beam");
@@ -119,9 +124,14 @@ void tell_of_segments(const BeamRequest& request, BeamSource& source) {
   tell("warning: {}: {}\n", request.file, source.notes.back());
 }
 
-/// The scene of a result, which stores what every support holds, even a pillar, as if it were
-/// given.
-BeamSource simulated_beam(const BeamRequest& request) {
+/// A scene of its own: of a file, or of a result, which stores what every support holds, even a
+/// pillar, as if it were given.
+BeamSource beam_of_scene(const BeamRequest& request) {
+  if (kind_of_input(request.file) == InputKind::Scene) {
+    io::SceneFile file = read_beam(request.file);
+    Setup setup = file.setup;
+    return {std::move(setup), {}, {}, std::move(file)};
+  }
   BeamSource source{io::read_scene_store(request.file).setup, {}};
   for (Support& support : source.setup.scene.supports) {
     if (support.hold == traits_of(support).held) support.hold.reset();
@@ -180,7 +190,7 @@ std::string beam_text(const BeamRequest& request, ResultKind kind) {
   const calibrate::EngineWorld world = world_of(request, format);
   BeamSource source = kind == ResultKind::Fits        ? fitted_beam(request)
                       : kind == ResultKind::SceneFits ? scene_fitted_beam(request)
-                                                      : simulated_beam(request);
+                                                      : beam_of_scene(request);
   if (request.segments) {
     const std::string why =
         why_not_segments(source.setup.scene, source.setup.solver, *request.segments);
@@ -196,7 +206,8 @@ std::string beam_text(const BeamRequest& request, ResultKind kind) {
     }
   }
   tell_of_segments(request, source);
-  calibrate::EngineBeam beam = calibrate::engine_beam(source.setup.scene, source.setup.solver);
+  const auto read = [&] { return calibrate::engine_beam(source.setup.scene, source.setup.solver); };
+  calibrate::EngineBeam beam = source.file ? io::with_place_in(*source.file, read) : read();
   calibrate::put_into(world, beam);
   for (const std::string& note : calibrate::engine_notes(beam, format)) {
     tell("note: {}\n", note);

@@ -12,7 +12,7 @@ namespace plastica::cli {
 
 /// What of a beam is asked for.
 struct BeamRequest {
-  std::string file;    ///< of fits, or a simulated scene
+  std::string file;    ///< of fits, or a simulated scene, or a scene file
   std::string to;      ///< one of `calibrate::engine_formats()`
   std::string scene;   ///< the beam of a fit: a file, or the name of one that the fit went through
   std::string which;   ///< the specimen of a fit; empty: the only one
@@ -27,8 +27,8 @@ struct BeamRequest {
 /// What --contacts may be.
 std::span<const std::string_view> contact_words();
 
-/// The beam of a result as the text of an engine's format. What the format does not hold of the
-/// scene is said on stderr.
+/// The beam of a result or of a scene file as the text of an engine's format. What the format does
+/// not hold of the scene is said on stderr.
 /// @param kind  of the file: fits, fits through scenes, or a scene
 /// @throws InputError
 std::string beam_text(const BeamRequest& request, ResultKind kind);

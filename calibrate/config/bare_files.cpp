@@ -90,7 +90,9 @@ TargetSource source_of(const BareFiles& bare) {
   refuse_both(bare.stress, "--stress", bare.area, "--area");
   TargetSource source;
   set_word(bare.test, "--test", {"tension", "bending", "torsion"}, source.test);
-  set_word(bare.measure, "--measure", {"engineering", "true"}, source.measure);
+  if (bare.measure) {
+    set_word(bare.measure, "--measure", {"engineering", "true"}, source.measure.emplace());
+  }
   source.strain = column_of(bare.strain, Dimension::Strain, "--strain");
   source.elongation = column_of(bare.elongation, Dimension::Length, "--elongation");
   source.stress = column_of(bare.stress, Dimension::Stress, "--stress");
@@ -140,7 +142,7 @@ FitFile fit_of_bare_files(const BareFiles& bare, int threads) {
   std::vector<GuessedFile> guessed(bare.files.size());
   const auto kept = std::make_shared<KeptTables>();
   parallel_for(guessed.size(), {threads, nullptr}, [&](std::size_t i, int) {
-    guessed[i] = guess_bare_file(bare.files[i], given, bare.measure.has_value(), *kept);
+    guessed[i] = guess_bare_file(bare.files[i], given, *kept);
   });
   for (std::size_t i = 0; i < guessed.size(); ++i) {
     const std::string& file = bare.files[i];

@@ -33,8 +33,7 @@ void add_notes(const std::string& file, const FileGuess& guess, std::vector<Gues
 }
 
 /// Completes what the options say by what the columns of a file are called.
-void complete(const io::CsvTable& table, TargetSource& source, bool measure_given,
-              std::vector<GuessNote>& notes) {
+void complete(const io::CsvTable& table, TargetSource& source, std::vector<GuessNote>& notes) {
   const bool gauge_length_given = source.gauge_length.has_value();
   const bool area_given = source.area.has_value();
   const FileGuess all = guess_file(table, source);
@@ -55,13 +54,12 @@ void complete(const io::CsvTable& table, TargetSource& source, bool measure_give
   if (!source.strain && !source.elongation) {
     source.strain = guess.strain;
     source.elongation = guess.elongation;
-    if (!measure_given) source.measure = guess.measure;
   }
   if (!source.stress && !source.force) {
     source.stress = guess.stress;
     source.force = guess.force;
-    if (!measure_given) source.measure = guess.measure;
   }
+  source.measure = guess.measure;
   // What the header lines of the file say of the specimen.
   if (!source.gauge_length) source.gauge_length = guess.gauge_length;
   if (!source.area) source.area = guess.area;
@@ -103,15 +101,14 @@ void complete(const io::CsvTable& table, TargetSource& source, bool measure_give
 /// What the tables of an HDF5 file are taken for: all alike, since one block reads them. Those that
 /// are no curves, their import rejects.
 /// @throws InputError if they are not alike, or none is a curve
-GuessedFile guess_tables(const io::Hdf5Tables& tables, const TargetSource& given,
-                         bool measure_given) {
+GuessedFile guess_tables(const io::Hdf5Tables& tables, const TargetSource& given) {
   std::optional<GuessedFile> all;
   std::string first;
   std::optional<InputError> why_none;
   for (const std::string& path : tables.matching(given.csv.path)) {
     GuessedFile one{given, {}, {}, {}};
     try {
-      complete(io::CsvTable::read(tables, path), one.source, measure_given, one.notes);
+      complete(io::CsvTable::read(tables, path), one.source, one.notes);
     } catch (const InputError& error) {
       if (!why_none) why_none = error;
       continue;
@@ -141,8 +138,7 @@ void add_note(const GuessNote& note, std::vector<GuessNote>& notes) {
   }
 }
 
-GuessedFile guess_bare_file(const std::string& file, const TargetSource& given, bool measure_given,
-                            KeptTables& kept) {
+GuessedFile guess_bare_file(const std::string& file, const TargetSource& given, KeptTables& kept) {
   GuessedFile guessed{given, {}, {}, {}};
   std::optional<io::CsvTable> table;
   try {
@@ -151,7 +147,7 @@ GuessedFile guess_bare_file(const std::string& file, const TargetSource& given, 
       throw InputError({file, 0}, "", "", "has a name that is not UTF-8 text; rename it");
     }
     if (io::hdf5_origin(file) == io::Hdf5Origin::Others && !given.csv.sheet) {
-      return guess_tables(io::Hdf5Tables(file), given, measure_given);
+      return guess_tables(io::Hdf5Tables(file), given);
     }
     try {
       table.emplace(io::CsvTable::read(file, given.csv));
@@ -160,7 +156,7 @@ GuessedFile guess_bare_file(const std::string& file, const TargetSource& given, 
       guessed.unreadable = error;
       return guessed;
     }
-    complete(*table, guessed.source, measure_given, guessed.notes);
+    complete(*table, guessed.source, guessed.notes);
     kept.keep(given.csv, std::move(*table));
   } catch (const InputError& error) {
     guessed.wrong = error;

@@ -33,7 +33,6 @@ struct GuessedFile {
 /// Completes what the options say by what the columns of a file are called.
 /// @param given  what the options say
 /// @param kept   takes its table, for the import
-GuessedFile guess_bare_file(const std::string& file, const TargetSource& given, bool measure_given,
-                            KeptTables& kept);
+GuessedFile guess_bare_file(const std::string& file, const TargetSource& given, KeptTables& kept);
 
 }  // namespace plastica::calibrate

@@ -164,7 +164,8 @@ void read_target(const TomlTable& table, const std::string& folder, TargetBlock&
     source.test = options.test = static_cast<Test>(value->word(kTests));
   }
   if (const auto value = table.find("measure")) {
-    source.measure = options.measure = static_cast<Measure>(value->word(kMeasures));
+    options.measure = static_cast<Measure>(value->word(kMeasures));
+    source.measure = options.measure;
   }
   if (const auto value = table.find("loading")) {
     const std::size_t word = value->word(kLoadings);

@@ -117,7 +117,9 @@ std::string target_text(const BlockGuess& block) {
   BlockWriter to(block);
   to.line("files", list(patterns));
   to.line("test", kTests[static_cast<int>(source.test)]);
-  if (source.measure == Measure::True) to.line("measure", "\"true\"");
+  if (source.measure) {
+    to.line("measure", source.measure == Measure::True ? "\"true\"" : "\"engineering\"");
+  }
   if (source.loading) {
     to.line("loading", *source.loading == Loading::Cyclic ? "\"cyclic\"" : "\"monotonic\"");
   }

@@ -249,7 +249,8 @@ class BeamReader {
 };
 
 /// The beam and what holds it, in space and free to move: what a scene does with its beam, and
-/// whether it can be solved, does not matter here.
+/// whether it can be solved, does not matter here, but for where moments act: a joint beside a free
+/// end turns by them for the half segment at the end, too.
 Model bare_model(const Scene& scene) {
   Scene bare = scene;
   bare.gravity = {};
@@ -257,6 +258,9 @@ Model bare_model(const Scene& scene) {
   bare.cuts.clear();
   bare.probes.clear();
   bare.loads = {{.at = Place::end(), .force = {0.0, 1.0, 0.0}}};
+  for (const Load& load : scene.loads) {
+    if (!load.to) bare.loads.push_back({.at = load.at, .moment = load.moment});
+  }
   for (Support& support : bare.supports) support.translation = support.rotation = {};
   return prepare(bare, {.level = Level::Spatial, .analysis = Analysis::Dynamics, .duration = 1.0});
 }

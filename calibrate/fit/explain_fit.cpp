@@ -43,8 +43,13 @@ void judge_misfit(const std::vector<double>& residual, const Target& target,
   if (!lack.empty()) result.warnings.push_back(std::move(lack));
 }
 
-/// A stated noise is doubted where the residuals are so many times larger.
-constexpr double kTooSmall = 2.0;
+/// What residuals say of a stated noise.
+/// @param parameters  that they were fitted with
+StatedNoise judged_noise(const FitResult& result, double noise, std::size_t parameters) {
+  const double degrees = result.effective_samples - static_cast<double>(parameters);
+  const double mean_square = result.misfit_rms * result.misfit_rms * result.effective_samples;
+  return judge_stated_noise(std::sqrt(mean_square / degrees) / noise, degrees);
+}
 
 /// Errors and interval of a parameter that the curve determines.
 void set_errors(const Uncertainty& u, std::size_t k, double confidence, const FitResult& result,
@@ -55,9 +60,12 @@ void set_errors(const Uncertainty& u, std::size_t k, double confidence, const Fi
   p.misfit_error = 0.0;
   p.degrees_of_freedom = u.degrees_of_freedom[k];
   // Of noise as large as the residuals: a stated one may be smaller, or larger.
-  const double over = std::isinf(u.degrees_of_freedom[k]) ? result.misfit_rms / u.noise : 1.0;
+  const bool is_stated = std::isinf(u.degrees_of_freedom[k]);
+  const double over = is_stated ? result.misfit_rms / u.noise : 1.0;
+  const bool is_larger =
+      is_stated && judged_noise(result, u.noise, u.identified.size()) == StatedNoise::TooSmall;
   const bool in_runs = are_in_runs(result.runs_test_p, result.autocorrelation);
-  if (in_runs || over > kTooSmall) {
+  if (in_runs || is_larger) {
     const auto parameters = static_cast<int>(u.identified.size());
     const double times =
         in_runs ? variance_inflation(result.autocorrelation, result.effective_samples, parameters)
@@ -163,6 +171,17 @@ std::string unequal_noise(const Uncertainty& u) {
          "strain: errors and intervals are those of unequal noise";
 }
 
+void warn_of_noise(double stated, FitResult& result) {
+  const StatedNoise is = judged_noise(result, stated, result.free_count());
+  if (is == StatedNoise::Fits) return;
+  result.warnings.push_back(
+      fmt::format("a noise of {:.3g} MPa is stated, but the residuals are of {:.3g} MPa: {}",
+                  stated / 1e6, result.misfit_rms / 1e6,
+                  is == StatedNoise::TooSmall
+                      ? "the errors count these; profiles and the choice of a law do not"
+                      : "the errors are those of the stated noise, too large by as much"));
+}
+
 void add_warnings(const Target& target, FitResult& result) {
   for (const FittedParameter& p : result.parameters) {
     const bool no_break =
@@ -177,12 +196,7 @@ void add_warnings(const Target& target, FitResult& result) {
       if (!warning.empty()) result.warnings.push_back(std::move(warning));
     }
   }
-  if (result.noise && result.misfit_rms > kTooSmall * *result.noise) {
-    result.warnings.push_back(
-        fmt::format("a noise of {:.3g} MPa is stated, but the residuals are of {:.3g} MPa: the "
-                    "errors count these",
-                    *result.noise / 1e6, result.misfit_rms / 1e6));
-  }
+  if (result.noise) warn_of_noise(*result.noise, result);
   std::string warning = modulus_warning(target, result.parameters);
   if (!warning.empty()) result.warnings.push_back(std::move(warning));
 }

@@ -103,7 +103,7 @@ class SceneFit {
     }
     for (std::size_t t = 0; t < targets_.size(); ++t) {
       const SceneTarget& target = targets_[t].target;
-      warn(warning_of_noise(target, over_stated_noise(t), search_.noise_left(t)));
+      warn(warning_of_noise(target, stated_noise(t), search_.noise_left(t)));
       warn(warning_of_sign(target, result_.targets[t].fitted));
       warn(warning_of_offset(problem_, t, errors.slopes(), search_.best().residual));
       warn(warning_of_path(target, curves[t][0]));
@@ -180,12 +180,13 @@ class SceneFit {
     return result_.segments ? result_.segments->parameters[i] : kUnknown;
   }
 
-  /// What the residuals are over a target's stated noise; 1 where none is stated, or they are too
-  /// few to tell.
-  double over_stated_noise(std::size_t t) const {
+  /// What the residuals say of a target's stated noise; nothing where none is stated, or they are
+  /// too few to tell.
+  StatedNoise stated_noise(std::size_t t) const {
     const auto& stated = targets_[t].target.noise;
-    if (!stated || problem_.noise()[t].is_from_elsewhere()) return 1.0;
-    return search_.noise_left(t) / *stated;
+    const TargetNoise& noise = problem_.noise()[t];
+    if (!stated || noise.is_from_elsewhere()) return StatedNoise::Fits;
+    return judge_stated_noise(search_.noise_left(t) / *stated, noise.degrees_left);
   }
 
   void warn(std::string warning) {
@@ -220,7 +221,7 @@ class SceneFit {
     }
     of_target.runs_test_p = runs_test_p(residual);
     in_runs_ = in_runs_ || are_in_runs(of_target.runs_test_p, autocorrelation(residual));
-    is_doubted_ = is_doubted_ || over_stated_noise(index) >= kContradicts;
+    is_doubted_ = is_doubted_ || stated_noise(index) == StatedNoise::TooSmall;
     of_target.break_strain = kNan;
     result_.targets.push_back(std::move(of_target));
   }

@@ -14,8 +14,8 @@
 
 namespace plastica::calibrate {
 
-std::string warning_of_noise(const SceneTarget& target, double over, double left) {
-  if (over < kContradicts && over > 1.0 / kContradicts) return {};
+std::string warning_of_noise(const SceneTarget& target, StatedNoise is, double left) {
+  if (is == StatedNoise::Fits) return {};
   return fmt::format("{}: a noise of {:.3g} is stated, but the residuals are of {:.3g} (SI)",
                      target.name, *target.noise, left);
 }

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "calibrate/inference/lack_of_fit.hpp"
 #include "calibrate/problem/scene_problem.hpp"
 #include "calibrate/result/scene_fit_result.hpp"
 
@@ -12,13 +13,9 @@
 /// say; not installed.
 namespace plastica::calibrate {
 
-/// Residuals and a stated noise contradict each other where one is so many times the other.
-inline constexpr double kContradicts = 2.0;
-
 /// A stated noise that the residuals contradict.
-/// @param over  what the residuals are over it [1]
 /// @param left  what they are [SI]
-std::string warning_of_noise(const SceneTarget& target, double over, double left);
+std::string warning_of_noise(const SceneTarget& target, StatedNoise is, double left);
 
 /// A curve that runs against the fitted one: no value of a parameter mends it.
 /// @param fitted  ordinates (n_samples)

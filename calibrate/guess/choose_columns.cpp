@@ -189,11 +189,6 @@ class Chooser {
         !numbers_[deformation].is_constant && !numbers_[load].is_constant) {
       notes.push_back(pair + " have opposite signs: is the strain a transverse one?");
     }
-    if (columns_[deformation].is_true != columns_[load].is_true && columns_[load].role == Stress) {
-      notes.push_back(pair +
-                      " are a true and an engineering measure, by their names: say which "
-                      "by measure, or name other columns");
-    }
   }
 
   const io::CsvTable& table_;

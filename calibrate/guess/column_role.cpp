@@ -43,8 +43,12 @@ constexpr std::array<std::string_view, 17> kGeometry{
     "width",        "breite",      "largeur",         "thickness", "dicke",    "épaisseur",
     "diamet",       "durchmess",   "diamèt",          "area",      "section",  "querschnitt",
     "gauge length", "gage length", "original length", "final",     "messlänge"};
-constexpr std::array<std::string_view, 5> kTrue{"true", "wahre", "vraie", "logarithm", "hencky"};
-constexpr std::array<std::string_view, 2> kTrueWhole{"log", "ln"};
+constexpr std::array<std::string_view, 7> kTrue{"true",   "wahre",    "vraie", "logarithm",
+                                                "hencky", "verdader", "真"};
+constexpr std::array<std::string_view, 4> kTrueWhole{"log", "ln", "wahr", "vera"};
+constexpr std::array<std::string_view, 7> kEngineering{
+    "engineering", "nominal", "technisch", "ingenier", "ingénieur", "ingegner", "工程"};
+constexpr std::array<std::string_view, 1> kEngineeringWhole{"eng"};
 /// What makes another quantity of it.
 constexpr std::array<std::string_view, 27> kNot{
     "rate",      "geschwindigkeit", "speed",     "vitesse",  "velocity",   "modul",
@@ -197,6 +201,7 @@ ColumnMeaning meaning_of(std::string_view name, std::string_view unit) {
   }
   if (meaning.role == ColumnRole::Other) return meaning;
   meaning.is_true = has(lower, kTrue) || has_word(lower, kTrueWhole);
+  meaning.is_engineering = has(lower, kEngineering) || has_word(lower, kEngineeringWhole);
   meaning.is_lesser = has(lower + " ", kLesser);
   meaning.is_weak = by_name == ColumnRole::Other;
   meaning.is_travel =

@@ -112,8 +112,7 @@ class Guesser {
     // One of two alone is told of.
     const bool is_true = deformation && load && guess_.columns[*deformation].is_true &&
                          guess_.columns[*load].is_true;
-    const bool is_given = (given_.strain || given_.elongation) && (given_.stress || given_.force);
-    if (is_true && !is_given) source.measure = Measure::True;
+    if (is_true && !source.measure) source.measure = Measure::True;
     const GivenGeometry geometry = find_geometry(table_);
     const auto value = [&](const char* key, const std::optional<GivenValue>& found,
                            const std::string& doubt, const char* unit,

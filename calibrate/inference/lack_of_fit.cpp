@@ -45,6 +45,14 @@ double samples_worth(double samples, double autocorrelation) {
   return samples * (1.0 - alike) / (1.0 + alike);
 }
 
+StatedNoise judge_stated_noise(double over, double degrees) {
+  constexpr double kQuantile = 3.09;  // of 0.999
+  if (!(degrees > 0.5)) return StatedNoise::Fits;
+  const double z = over * std::sqrt(2.0 * degrees) - std::sqrt(2.0 * degrees - 1.0);
+  if (z > kQuantile) return StatedNoise::TooSmall;
+  return z < -kQuantile && over < 0.5 ? StatedNoise::TooLarge : StatedNoise::Fits;
+}
+
 bool lacks_fit(double fraction, double runs_test_p) {
   return std::isnan(runs_test_p) ? fraction > kLackingForSure
                                  : runs_test_p < kFewRuns && fraction > kLacking;

@@ -19,6 +19,16 @@ double autocorrelation(std::span<const double> residual);
 /// Hammersley, J. R. Stat. Soc. Suppl. 8 (1946) 184.
 double samples_worth(double samples, double autocorrelation);
 
+/// What residuals say of a noise that is stated.
+enum class StatedNoise { Fits, TooSmall, TooLarge };
+/// Too small or too large where noise would leave such residuals once in a thousand times, and, so
+/// that a careful statement passes, at most half as large as stated. By the squares of the
+/// residuals over the noise, chi^2, of which sqrt(2 chi^2) is about normal.
+/// Source: Fisher, Statistical Methods for Research Workers (1925), 20.
+/// @param over     root mean square of the residuals, by their degrees of freedom, over it [1]
+/// @param degrees  of freedom of the residuals, > 0.5; fewer tell nothing
+StatedNoise judge_stated_noise(double over, double degrees);
+
 /// Whether a law does not describe a curve, as far as the residuals tell: where they lie in runs
 /// that noise would not (`kFewRuns`) and are more than 1 % of the largest value. For curves too
 /// short to count runs, where they are more than 5 % of it.

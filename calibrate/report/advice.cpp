@@ -59,8 +59,8 @@ std::vector<std::string> advice_for(const FitRecord& record) {
   const bool widened = std::ranges::any_of(
       result.parameters, [](const FittedParameter& p) { return p.misfit_error > 0.0; });
   if (result.misfit_word == "fair" || (result.misfit_word == "close" && widened)) {
-    advice.emplace_back(widened ? "The residuals are no noise: errors and intervals are widened "
-                                  "for it, and rough."
+    advice.emplace_back(widened ? "The residuals are no noise, or more than is stated: errors and "
+                                  "intervals are widened for it, and rough."
                                 : "What is left may be no noise: errors and intervals hold only as "
                                   "far as the model does.");
   }

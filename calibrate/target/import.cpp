@@ -16,6 +16,7 @@
 #include "calibrate/target/import_plan.hpp"
 #include "calibrate/target/kept_tables.hpp"
 #include "calibrate/target/make.hpp"
+#include "calibrate/target/named_measure.hpp"
 #include "calibrate/target/samples.hpp"
 #include "calibrate/target/specimen_table.hpp"
 #include "calibrate/target/tables_of_files.hpp"
@@ -155,6 +156,7 @@ Target import_curve(const Block& block, const SpecimenTable* specimens, const Cs
   } catch (const InputError& error) {
     return rejected(std::move(target), error);
   }
+  warn_of_named_measure(block.source, table, strain.index, stress.index, target.warnings);
   warn_of_unit(table, strain, target.warnings);
   warn_of_unit(table, stress, target.warnings);
   if (target.test == Test::Tension) {
@@ -186,7 +188,7 @@ Imported import_table(const Block& block, const TableOfFile& from) {
   Target first;
   first.file = from.file;
   first.test = source.test;
-  first.measure = source.measure;
+  first.measure = source.measure.value_or(Measure::Engineering);
   Part whole{std::filesystem::path(from.file).stem().string(), "", {}, "", ""};
   // Sheets of a workbook and tables of a file are specimens of their own.
   const std::string within = source.csv.sheet.value_or(from.within);
@@ -224,6 +226,9 @@ Imported import_table(const Block& block, const TableOfFile& from) {
   std::optional<SpecimenTable> properties;
   try {
     columns = columns_of(block.plan, *table);
+    for (const io::FoundColumn& stress : columns.stress) {
+      check_named_measure(source, *table, columns.strain.index, stress.index);
+    }
     parts = parts_of(source, *table, whole);
     if (!block.specimens && source.asks_for_values()) {
       properties.emplace(properties_of(source, from, tables.get()));
@@ -270,7 +275,7 @@ std::vector<Target> import_targets(const TargetSource& source, const TargetOptio
   check_units(plan);
   TargetOptions used = options;
   used.test = source.test;
-  used.measure = source.measure;
+  used.measure = source.measure.value_or(Measure::Engineering);
   if (source.loading) used.loading = source.loading;
   for (const std::string& file : source.files) {
     // A link that leads nowhere is one bad file among others: its reading says why.

@@ -48,8 +48,8 @@ struct TargetSource {
   std::vector<std::string> files;  ///< paths, wildcards already expanded
   SourceLocation where;            ///< of the block
   Test test = Test::Tension;
-  Measure measure = Measure::Engineering;  ///< of the columns, as measured
-  std::optional<Loading> loading;          ///< empty: found out per specimen
+  std::optional<Measure> measure;  ///< of the columns, as measured; empty: engineering
+  std::optional<Loading> loading;  ///< empty: found out per specimen
 
   // One of strain and elongation, one of stress and force; the latter of both in tension only.
   std::optional<ColumnSource> strain;

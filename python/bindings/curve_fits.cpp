@@ -61,7 +61,7 @@ CurveFits of_curves(std::string text, const std::vector<GivenCurve>& curves, boo
   calibrate::TargetBlock& block = fits.file.targets.front();
   calibrate::TargetOptions& options = block.options;
   options.test = block.source.test;
-  options.measure = block.source.measure;
+  options.measure = block.source.measure.value_or(calibrate::Measure::Engineering);
   if (block.source.loading) options.loading = block.source.loading;
   options.accept = options.accept || accept;
   std::vector<calibrate::Curve> given;

@@ -152,8 +152,9 @@ class BatchColumns {
     status_out_[i] = static_cast<std::uint8_t>(response.status);
     valid_out_[i] = static_cast<std::int64_t>(response.samples);
     iterations_out_[i] = response.counters.iterations;
-    permanent_out_[i] = begun ? response.permanent_strain : kNone;
-    balance_out_[i] = begun ? response.energy_balance_error : kNone;
+    const bool has_numbers = begun && response.samples > 0;
+    permanent_out_[i] = has_numbers ? response.permanent_strain : kNone;
+    balance_out_[i] = has_numbers ? response.energy_balance_error : kNone;
     seconds_out_[i] = begun ? response.seconds : kNone;
     for (std::size_t p = 0; p < probes_; ++p) {
       double* row = values_out_ + (p * cases_ + i) * samples_;

@@ -30,6 +30,15 @@ __all__ = ["Scene"]
 
 T = TypeVar("T")
 
+
+def _move_out_of_beam(tree: dict[str, Any], part: str) -> None:
+    """A material or section that stands in the beam's table becomes a table of its own."""
+    said = tree.get("beam", {}).pop(part, None) if part in ("material", "section") else None
+    if said is not None:
+        bare = Scene._tables[part]._bare
+        tree[part] = {bare: said} if isinstance(said, str) else said
+
+
 @table
 @dataclass(slots=True, kw_only=True, eq=False, repr=False)
 class Scene(Table):
@@ -118,6 +127,8 @@ class Scene(Table):
         tree = self.to_dict()
         for path, value in values.items():
             *tables, key = path.split(".")
+            if tables:
+                _move_out_of_beam(tree, tables[0])
             table = tree
             for name in tables:
                 inner = table.setdefault(name, {})

@@ -52,6 +52,8 @@ TABLES = {
     "rules": ("Rules", "By which rules a chain stands for the beam.", {}),
     "solver": ("Solver", "How the scene is solved.", {
         "control_at": ("str | float | Mapping[str, int] | None", "the point that is watched"),
+        "control_motion": ("Numbers | None",
+                           'of control = "displacement": how far that point is taken, x, y, z [m]'),
     }),
 }
 

@@ -146,6 +146,48 @@ TEST_F(ExportBeam, OfASimulatedSceneHasItsOwnMaterial) {
   EXPECT_EQ(place_.run({"export", "s.h5", "--to", "opensees", "--segments", "3"}).code, 0);
 }
 
+TEST_F(ExportBeam, OfASceneFileIsThatOfItsResult) {
+  ASSERT_EQ(place_.run({"simulate", "scene.toml", "-o", "s.h5", "--quiet"}).code, 0);
+  for (const std::string format : {"csv", "mjcf", "opensees"}) {
+    const CommandResult of_file = place_.run({"export", "scene.toml", "--to", format});
+    const CommandResult of_result =
+        place_.run({"export", "s.h5", "--what", "beam", "--to", format});
+    EXPECT_EQ(of_file.code, 0) << of_file.err;
+    EXPECT_EQ(of_file.out,
+              format == "csv" ? of_result.out : place_.run({"export", "s.h5", "--to", format}).out);
+  }
+}
+
+/// Neither supports nor loads are asked for where a beam alone is wanted.
+TEST_F(ExportBeam, OfASceneFileNeedsABeamAlone) {
+  const std::string text = kScene;
+  place_.write("bare.toml", text.substr(0, text.find("[[support]]")));
+  const CommandResult beam = place_.run({"export", "bare.toml", "--segments", "8"});
+  EXPECT_EQ(beam.code, 0) << beam.err;
+  const ParsedBeam parsed = parse_csv(beam.out);
+  EXPECT_EQ(parsed.joints.size(), 7U);
+  const double stiffness = 200e9 * std::pow(0.02, 4) / 12.0 / 0.125;
+  EXPECT_NEAR(parsed.joints.at("joint_1").stiffness[0], stiffness, 1e-12 * stiffness);
+  const std::map<std::string, std::string> files{
+      {"bare.toml", place_.read("bare.toml")},
+      {"coupon.toml", kCoupon},
+      {"wrong.toml", text + "[material]\nyield_stress = '-1 Pa'\n"}};
+  const std::vector<std::pair<std::vector<std::string>, std::string>> requests = {
+      {{"bare.toml", "--to", "json"},
+       "bare.toml: is a scene, which has a beam alone: what it does is in the result of plastica "
+       "simulate"},
+      {{"bare.toml", "--what", "probes"}, "bare.toml: is a scene, which has a beam alone: …"},
+      {{"bare.toml", "--case", "a"}, "--case: is for results of fits; this is a simulated scene"},
+      {{"coupon.toml"}, "drive.strain: a coupon has no joints: …"},
+      {{"wrong.toml"}, "wrong.toml:15: material.yield_stress = -1 Pa: …"}};
+  for (const auto& [more, line] : requests) {
+    SCOPED_TRACE(line);
+    std::vector<std::string> arguments{"export"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    expect_refusal({"", files, arguments, line});
+  }
+}
+
 TEST_F(ExportBeam, IsPutIntoTheWorldOfAnEngine) {
   const std::string text = beam_of({"--case", "a", "--to", "mjcf", "--up", "z", "--gravity",
                                     "9.81 m/s^2", "--damping", "2 ms", "--contacts", "others"});

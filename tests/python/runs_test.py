@@ -122,6 +122,8 @@ class Runs(TestCase):
                          ["completed", "invalid-parameter", "invalid-parameter", "completed"])
         self.assertTrue(np.isnan(made.probes["tip"][1:3]).all())
         self.assertEqual(list(made.samples[1:3]), [0, 0])
+        for numbers in (made.permanent_strain, made.energy_balance_error):
+            self.assertEqual(list(np.isnan(numbers)), [False, True, True, False])
 
     def test_values_go_by_name(self):
         model = plastica.prepare(cantilever(), ["material.youngs_modulus", "material.yield_stress"])

@@ -103,6 +103,11 @@ class Scenes(TestCase):
         self.assertEqual((other.beam.segments, other.solver.steps), (40, 4))
         self.assertIsNone(other.rules.yield_model)
         self.assertRefuses(lambda: scene.changed({"beam.segmants": 4}), "did you mean segments?")
+        inside = plastica.Scene.from_toml(DATA / "scenes" / "cantilever.toml")  # [beam] has them
+        softer = inside.changed({"material.youngs_modulus": 70e9, "section.width": 0.04})
+        self.assertEqual(softer.material, plastica.Material(name="S355", youngs_modulus=70e9))
+        self.assertEqual((softer.section.width, softer.section.height), (0.04, "20 mm"))
+        self.assertEqual(plastica.simulate(softer).status, "completed")
         kept = plastica.Scene.from_toml(DATA / "scenes" / "recorded_force.toml")
         self.assertEqual(plastica.simulate(kept.changed({"solver.steps": 5})).samples, 6)
 

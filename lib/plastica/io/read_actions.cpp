@@ -204,6 +204,12 @@ void read_actions(const TomlTable& root, Setup& setup) {
   if (const auto at = solver ? solver->find("control_at") : std::nullopt) {
     setup.solver.control_at = read_place(*at);
   }
+  if (const auto motion = solver ? solver->find("control_motion") : std::nullopt) {
+    if (setup.solver.control != PathControl::Displacement) {
+      throw motion->error("goes with control = \"displacement\" alone");
+    }
+    setup.solver.control_motion = read_vector(*motion, Dimension::Length);
+  }
 }
 
 }  // namespace plastica::io

@@ -13,7 +13,8 @@ void read_beam(const TomlTable& root, Setup& setup);
 /// [[region]], on top of the scene's section and material.
 void read_regions(const TomlTable& root, Setup& setup);
 
-/// [[support]], [[load]], [[mass]], gravity, [[initial_motion]], [[cut]] and `solver.control_at`.
+/// [[support]], [[load]], [[mass]], gravity, [[initial_motion]], [[cut]], `solver.control_at` and
+/// `solver.control_motion`.
 void read_actions(const TomlTable& root, Setup& setup);
 
 /// [[probe]].

@@ -11,6 +11,7 @@
 #include "plastica/io/read_drive.hpp"
 #include "plastica/io/read_fields.hpp"
 #include "plastica/model/check_parts.hpp"
+#include "plastica/model/checked_scene.hpp"
 #include "plastica/model/section_kind.hpp"
 #include "plastica/run/check_regions.hpp"
 
@@ -18,9 +19,10 @@ namespace plastica::io {
 namespace {
 
 /// Whether a scene is a coupon; refuses what is neither that nor a chain, and keys of the other.
-bool is_coupon(const TomlTable& root, const SolverOptions& solver) {
+bool is_coupon(const TomlTable& root, const SolverOptions& solver, SceneUse use) {
   const bool coupon = root.contains("drive");
-  if (!coupon && !root.contains("support") && solver.analysis == Analysis::Statics) {
+  const bool is_at_rest = use == SceneUse::Run && solver.analysis == Analysis::Statics;
+  if (!coupon && !root.contains("support") && is_at_rest) {
     throw InputError({root.where().file, 0}, "support", "",
                      "is missing: a scene needs [[support]] and loads, or a [drive]; a beam in "
                      "free flight needs solver.analysis = \"dynamics\"");
@@ -66,6 +68,16 @@ void at_its_key(const TomlTable& root, const Check& check) {
   }
 }
 
+/// @throws InputError
+void check_run(const Scene& scene, const SolverOptions& solver) {
+  const LevelChoice level = model_detail::checked_scene(scene, solver).level;
+  // There it is an angle, of which a file gives none.
+  if (solver.control == PathControl::Displacement && level.level == Level::Twist) {
+    throw InputError({}, "solver.control", "displacement",
+                     "takes a point along: a beam that is twisted alone follows \"arc_length\"");
+  }
+}
+
 }  // namespace
 
 void refuse_rules_of_chains(const TomlTable& root) {
@@ -108,7 +120,7 @@ void check_section_is_whole(const TomlTable& root, const Setup& setup) {
   refuse_missing_dimensions(*section, setup.scene.section);
 }
 
-SceneFile parse_scene_file(std::string text, std::string name) {
+SceneFile parse_scene_file(std::string text, std::string name, SceneUse use) {
   const TomlDocument document = TomlDocument::parse(std::move(text), std::move(name));
   const TomlTable& root = document.root();
   SceneFile file{document.name(), document.text(), {}, {}};
@@ -117,7 +129,7 @@ SceneFile parse_scene_file(std::string text, std::string name) {
   scene.name = title ? title->string() : std::filesystem::path(file.path).stem().string();
   read_setup(root, file.setup);
   read_beam(root, file.setup);
-  if (is_coupon(root, file.setup.solver)) {
+  if (is_coupon(root, file.setup.solver, use)) {
     read_coupon(root, file.path, file.setup);
   } else {
     read_chain(root, file.setup);
@@ -125,7 +137,7 @@ SceneFile parse_scene_file(std::string text, std::string name) {
   root.check_unused();
   check_section_is_whole(root, file.setup);
   at_its_key(root, [&] {
-    check_scene(scene, file.setup.solver);
+    if (use == SceneUse::Run) check_run(scene, file.setup.solver);
     check_regions(scene);
   });
   file.notes = root.notes();
@@ -136,9 +148,9 @@ InputError placed_in(const SceneFile& file, const InputError& error) {
   return placed_in(TomlDocument::parse(file.text, file.path).root(), error);
 }
 
-SceneFile read_scene_file(const std::string& path) {
+SceneFile read_scene_file(const std::string& path, SceneUse use) {
   const TomlDocument document = TomlDocument::read(path);
-  return parse_scene_file(document.text(), path);
+  return parse_scene_file(document.text(), path, use);
 }
 
 }  // namespace plastica::io

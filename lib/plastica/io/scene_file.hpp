@@ -16,6 +16,12 @@ struct SceneFile {
   std::vector<std::string> notes{};  ///< old names in it, each with the new one, for the user
 };
 
+/// What a scene is read for.
+enum class SceneUse {
+  Run,   ///< it has to be one that can be simulated
+  Beam,  ///< its beam alone is wanted: it may lack supports and loads, and is checked by its user
+};
+
 /// Reads a scene file: the tables [material], [section], [beam], [rules] and [solver] with the
 /// fields of the field table, and
 /// - `name`, the scene's name, by default the file's stem;
@@ -59,11 +65,12 @@ struct SceneFile {
 /// - [[probe]]: `name`, `kind`, `at` ("end" by default), `component` ("x", "y", "z", "size"; by
 ///   default y of displacements, velocities, momenta and forces, x of all that is about an axis),
 ///   `energy` of kind "energy".
-/// - `solver.control_at`: the point that displacement and arc-length control watch.
+/// - `solver.control_at`: the point that displacement and arc-length control watch;
+///   `solver.control_motion`: how far displacement control takes it.
 /// @throws InputError for the first thing that is wrong, keys that nobody knows included
-SceneFile read_scene_file(const std::string& path);
+SceneFile read_scene_file(const std::string& path, SceneUse use = SceneUse::Run);
 /// @param name  stands for the file in errors; its folder is where relative paths begin
-SceneFile parse_scene_file(std::string text, std::string name);
+SceneFile parse_scene_file(std::string text, std::string name, SceneUse use = SceneUse::Run);
 
 /// An error of a field that was found after the scene was read, with the file and the field's line
 /// there; others (of options, of other files) as they are.

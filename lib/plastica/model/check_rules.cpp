@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <set>
 
 #include "plastica/base/check.hpp"
@@ -172,6 +173,14 @@ void check_solver(const Scene& scene, const SolverOptions& options) {
   if (options.control == PathControl::Displacement && !options.control_at && scene.loads.empty()) {
     throw refusal("solver.control_at", "",
                   "is missing: no load says which point displacement control should watch");
+  }
+  if (options.control == PathControl::Displacement) {
+    double size = 0.0;
+    for (const double part : options.control_motion) size += part * part;
+    if (!(size > 0.0 && std::isfinite(size))) {
+      throw refusal("solver.control_motion", "",
+                    "is needed: how far displacement control takes the point that it watches");
+    }
   }
   if (options.control == PathControl::Load && options.control_at) {
     throw refusal("solver.control_at", place_text(*options.control_at),

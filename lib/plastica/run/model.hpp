@@ -38,9 +38,14 @@ bool is_motion(const Model& model);
 /// Values of a model's parameters in SI, in the order of `Model::parameters` (n_parameters).
 using ParameterValues = std::span<const double>;
 
-/// Memory that `run` works in; one a thread. A coupon needs none.
+struct DeleteProgram {
+  void operator()(ChainProgram* program) const;
+};
+
+/// Memory that `run` works in for one model; one a thread. A coupon needs none.
 struct Workspace {
-  std::shared_ptr<ChainProgram> chain;
+  std::shared_ptr<const ChainModel> model;  ///< that it was made for, kept alive; empty: a coupon
+  std::unique_ptr<ChainProgram, DeleteProgram> chain;
   BreakListener on_break;  ///< of a motion; may be empty
   /// Of a path or motion: told the time after each step [s], may be empty. Returning false ends
   /// the run with Status::Interrupted.

@@ -4,6 +4,8 @@
 #include <utility>
 
 #include "plastica/model/checked_scene.hpp"
+#include "plastica/model/hardening_kind.hpp"
+#include "plastica/model/rate_kind.hpp"
 #include "plastica/model/region.hpp"
 #include "plastica/model/shared_moments.hpp"
 #include "plastica/run/chain_run.hpp"
@@ -76,7 +78,8 @@ std::shared_ptr<const ChainModel> prepare_chain(const Scene& scene, const Solver
 
 /// Refuses material numbers that a prepared chain does not read: what breaks and what is derived is
 /// laid out with the scene.
-void check_chain_parameter(const Field& field, const Material& material) {
+void check_chain_parameter(const Field& field, const Scene& scene, const SolverOptions& options) {
+  const Material& material = scene.material;
   std::string_view why;
   switch (*field.material) {
     case MaterialField::BreakStrain:
@@ -91,9 +94,38 @@ void check_chain_parameter(const Field& field, const Material& material) {
         why = "must be set in the scene to be a parameter of a chain";
       }
       break;
+    case MaterialField::PoissonRatio:
+      if (options.translation == JointTranslation::Elastic) {
+        why =
+            "cannot be a parameter of a chain whose joints stretch: its shear coefficient is laid "
+            "out with the scene";
+      }
+      break;
+    case MaterialField::TangentModulus:
+      if (!(material.hardening.tangent_modulus > 0.0)) {
+        why =
+            "must be above 0 in the scene to be a parameter of a chain: whether it hardens "
+            "decides how strains spread";
+      }
+      break;
     default: break;
   }
   if (!why.empty()) throw InputError({}, field.path, "", why);
+}
+
+/// Refuses a number of a law that the material has not: it would move nothing.
+/// @param kinds  of laws, one of which the material has
+template <class Kinds, class Kind>
+void check_law_has(const Field& field, const Kinds& kinds, const Kind& own, const char* key) {
+  const auto has = [&](const Kind& kind) {
+    return std::ranges::any_of(kind.parameters(),
+                               [&](const Field& other) { return other.path == field.path; });
+  };
+  const bool is_of_some = std::ranges::any_of(kinds, [&](const Kind* kind) { return has(*kind); });
+  if (!is_of_some || has(own)) return;
+  throw InputError({}, field.path, "",
+                   "would move nothing: " + std::string(key) + " is " + std::string(own.word()) +
+                       ", which does not have it");
 }
 
 bool is_stiffness(const Field& field) {
@@ -142,7 +174,11 @@ Model prepare(const Scene& scene, const SolverOptions& options,
           {}, field.path, "",
           model.chain ? "cannot be a parameter of a chain" : "cannot be a parameter of a coupon");
     }
-    if (model.chain) check_chain_parameter(field, scene.material);
+    const Material& material = scene.material;
+    check_law_has(field, hardening_kinds(), hardening_kind(material.hardening.law),
+                  "material.hardening.law");
+    check_law_has(field, rate_kinds(), rate_kind(material.rate.law), "material.rate.law");
+    if (model.chain) check_chain_parameter(field, scene, options);
     if (model.chain && is_stiffness(field) &&
         model_detail::shares_moments(scene, model.chain->layout.ends)) {
       throw InputError({}, field.path, "",
@@ -187,9 +223,14 @@ Sensitivity make_sensitivity(const Model& model) {
 }
 
 Workspace make_workspace(const Model& model) {
-  if (!model.chain) return {};
-  return {make_chain_program(*model.chain), {}, {}};
+  Workspace workspace;
+  if (!model.chain) return workspace;
+  workspace.model = model.chain;
+  workspace.chain.reset(make_chain_program(*model.chain).release());
+  return workspace;
 }
+
+void DeleteProgram::operator()(ChainProgram* program) const { delete program; }
 
 Response simulate(const Scene& scene, const SolverOptions& options, const BreakListener& on_break) {
   check_memory(scene, options);

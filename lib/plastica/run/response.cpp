@@ -34,6 +34,24 @@ void set_energy_balance(double length, Response& response) {
       std::span(response.chain.energy).first(response.samples), kRounding * largest);
 }
 
+void clear_run(Response& response) {
+  response.status = Status::NotRun;
+  response.samples = 0;
+  response.permanent_strain = 0.0;
+  response.event.reset();
+  response.chain.events.clear();
+  response.counters = {};
+  response.limit.reset();
+  response.plateau.reset();
+  response.critical.reset();
+  response.buckling.reset();
+  response.vibration.reset();
+  response.axial.reset();
+  response.unheld_thrust = false;
+  response.seconds = 0.0;
+  clear_motion(response);
+}
+
 void clear_motion(Response& response) {
   response.energy_balance_error = response.momentum_error = 0.0;
   response.shortest_step = response.longest_step = 0.0;

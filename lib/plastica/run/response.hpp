@@ -178,6 +178,8 @@ struct Response {
 /// @param length  of the beam [m]
 void set_energy_balance(double length, Response& response);
 
+/// Before a run: nothing is known; what is sized stays so.
+void clear_run(Response& response);
 /// Before a run: nothing is known of its motion.
 void clear_motion(Response& response);
 /// Notes the length of a step that a motion has taken [s].

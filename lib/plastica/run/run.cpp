@@ -3,6 +3,8 @@
 #include <cassert>
 #include <cmath>
 #include <initializer_list>
+#include <stdexcept>
+#include <string>
 
 #include "plastica/base/instruction_set.hpp"
 #include "plastica/coupon/material.hpp"
@@ -11,6 +13,7 @@
 #include "plastica/model/hardening_kind.hpp"
 #include "plastica/run/chain_run.hpp"
 #include "plastica/run/parameters.hpp"
+#include "plastica/run/response_size.hpp"
 #include "plastica/run/simulate.hpp"
 
 namespace plastica {
@@ -169,9 +172,6 @@ bool representable(const coupon::CouponMaterial<double>& m) {
 /// says why.
 bool begin(const Model& model, ParameterValues values, MaterialValues<double>& material,
            coupon::CouponMaterial<double>& m, Response& response) {
-  response.event.reset();
-  response.samples = 0;
-  response.permanent_strain = 0.0;
   if (!take_parameters(model, values, material)) {
     response.status = Status::InvalidParameter;
     return false;
@@ -213,16 +213,42 @@ void differentiate(const Model& model, ParameterValues values, Response& respons
 
 void run_chain(const Model& model, ParameterValues values, Workspace& workspace,
                Response& response) {
-  response.samples = 0;
-  response.critical.reset();
-  response.buckling.reset();
-  response.vibration.reset();
   MaterialValues<double> material;
   if (!take_parameters(model, values, material)) {
     response.status = Status::InvalidParameter;
     return;
   }
   workspace.chain->run(material, workspace, response);
+}
+
+/// @throws std::invalid_argument
+void require(bool holds, const char* what) {
+  if (!holds) throw std::invalid_argument(std::string("plastica::run: ") + what);
+}
+
+/// Whether a response has room for what a model gives.
+bool has_room(const Model& model, const Response& response) {
+  const ResponseSize size = response_size(model);
+  const auto fits = [&](const std::vector<double>& probe) { return probe.size() == size.samples; };
+  if (response.probes.size() != size.probes || !std::ranges::all_of(response.probes, fits)) {
+    return false;
+  }
+  if (!model.chain) return true;
+  const ChainHistory& chain = response.chain;
+  return chain.time.size() == size.samples && chain.frame_sample.size() == size.frames &&
+         chain.rotation.size() == 3 * size.frames * size.segments &&
+         chain.reaction.size() == 6 * size.frames * size.supports &&
+         chain.velocity.empty() != size.in_motion;
+}
+
+void check_run(const Model& model, ParameterValues values, const Workspace& workspace,
+               const Response& response) {
+  require(model.chain || !model.drive.empty(), "a model that `prepare` has not made");
+  require(values.size() == model.parameters.size(),
+          "not a value for each of the model's parameters");
+  require(!model.chain || (workspace.chain && workspace.model == model.chain),
+          "a workspace that was not made for this model");
+  require(has_room(model, response), "a response that was not made for this model");
 }
 
 bool stress_only(const Model& model) {
@@ -239,7 +265,8 @@ bool take_parameters(const Model& model, ParameterValues values, MaterialValues<
 }
 
 void run(const Model& model, ParameterValues values, Workspace& workspace, Response& response) {
-  assert(values.size() == model.parameters.size());
+  check_run(model, values, workspace, response);
+  clear_run(response);
   if (model.chain) {
     run_chain(model, values, workspace, response);
     return;
@@ -268,8 +295,14 @@ void run(const Model& model, ParameterValues values, Workspace& workspace, Respo
 
 void run_sensitivity(const Model& model, ParameterValues values, Workspace& workspace,
                      Response& response, Sensitivity& sensitivity) {
-  assert(values.size() == model.parameters.size());
-  assert(stress_only(model));
+  check_run(model, values, workspace, response);
+  require(
+      !model.chain && stress_only(model),
+      "a model that is not a coupon without a break limit and with the stress as its one probe");
+  require(sensitivity.stress.size() == model.drive.size() * values.size() &&
+              sensitivity.permanent_strain.size() == values.size(),
+          "derivatives that were not made for this model");
+  clear_run(response);
   if (values.empty()) {
     run(model, values, workspace, response);
     return;

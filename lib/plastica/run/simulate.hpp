@@ -27,11 +27,16 @@ Workspace make_workspace(const Model& model);
 /// whenever its material differs from the run before, and a break event); any number of threads may
 /// run one model, each with its own workspace and response.
 /// @param values  SI, in the order of `model.parameters` (n_parameters)
+/// @param workspace, response  made for this model
+/// @throws std::invalid_argument for too few or too many values, a workspace that was made for
+///         another model, or a response of another size
 void run(const Model& model, ParameterValues values, Workspace& workspace, Response& response);
 
 /// Runs a model and differentiates the stress at each sample, and the permanent strain at the end,
 /// by the parameters (exactly, with dual numbers). Probes of the response are filled as by `run`.
-/// A cut has no derivative: the model's scene has no break limit, and the stress as its one probe.
+/// A cut has no derivative: the model is a coupon without a break limit, and the stress its one
+/// probe.
+/// @throws std::invalid_argument as `run`, and for a model or derivatives that are not so
 void run_sensitivity(const Model& model, ParameterValues values, Workspace& workspace,
                      Response& response, Sensitivity& sensitivity);
 

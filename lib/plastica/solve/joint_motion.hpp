@@ -42,6 +42,8 @@ class JointMotion {
     law_before_.resize(n);
     damped_.resize(n);
     damped_before_.resize(n);
+    slope_.resize(n);
+    slope_before_.resize(n);
   }
 
   /// Takes what the laws have just said as the state before a step.
@@ -55,6 +57,7 @@ class JointMotion {
       stored_[j] = joints_->elastic_energy()[j];
       law_before_[j] = forces.force[j];
       damped_before_[j] = {};
+      set_elastic(slope_before_[j], j);
     }
   }
 
@@ -85,6 +88,7 @@ class JointMotion {
         forces.tangent[j] = mean.tangent;
       }
       law_[j] = forces.force[j];
+      if (slopes) slope_[j] = slope;
       if (options.damping != Damping::None) {
         damp(options, rule, h, j, step, shift, slope, spins.empty() ? nullptr : &spins[j], forces);
       }
@@ -117,17 +121,19 @@ class JointMotion {
     }
     std::swap(law_before_, law_);
     std::swap(damped_before_, damped_);
+    std::swap(slope_before_, slope_);
   }
 
-  /// The rates that damping comes from have jumped: it begins anew, from the joints' spins where it
-  /// is of the angles' rates (shifts are taken as at rest), else from none.
+  /// The rates that damping comes from have jumped: it begins anew from the joints' spins, as if
+  /// these were elastic (shifts are taken as at rest).
   /// @param spins  [rad/s]; empty: not known (joints)
   /// @param forces  of the laws; damping is added
   void begin_damping(const MotionOptions& options, std::span<const typename L::Spin> angles,
                      std::span<const typename L::Spin> spins, Forces& forces) {
     for (std::size_t j = 0; j < stiffness_.size(); ++j) {
       damped_before_[j] = {};
-      if (spins.empty() || options.damping != Damping::Stiffness) continue;
+      set_elastic(slope_before_[j], j);
+      if (spins.empty() || options.damping == Damping::None) continue;
       Vec<S, kR> rate;
       for (std::size_t m = 0; m < kR; ++m) rate[m] = spins[j][m];
       Mat<S, kR, kR> to_angle = identity<S, kR>();
@@ -188,6 +194,11 @@ class JointMotion {
     return s;
   }
 
+  void set_elastic(Matrix& slope, std::size_t j) const {
+    slope = {};
+    for (std::size_t m = 0; m < kJ; ++m) slope(m, m) = stiffness_[j][m];
+  }
+
   S energy(std::size_t j) const {
     return joints_->elastic_energy()[j] - stored_[j] + joints_->work_increment()[j];
   }
@@ -209,9 +220,11 @@ class JointMotion {
     return step;
   }
 
-  /// Damping takes the mean rate of the step, which is right half way and, at the end, of first
-  /// order in the damping; but generalized-alpha with stiffness damping knows the angles' rates at
-  /// the end.
+  /// Damping takes the mean rate of the step, which is right half way. At the end it would be of
+  /// first order in the damping: generalized-alpha knows the joints' spins there. Stiffness damping
+  /// takes these; to the law's mean rate comes what they are beyond the mean one, times the law's
+  /// slope in the step before, which does not jump while this one is solved. So an elastic beam is
+  /// damped alike by both, and plastic flow by neither.
   /// @param spin  of the joint at the end [rad/s]; null: the mean rate counts
   void damp(const MotionOptions& options, const StepRule& rule, double h, std::size_t j,
             const JointStep<L, kElastic>& step, const typename L::Point& shift, const Matrix& slope,
@@ -219,8 +232,7 @@ class JointMotion {
     const S per_step = constant<S>(options.damping_time / h);
     Vector stress;
     Matrix tangent;
-    const bool of_angles = options.damping == Damping::Stiffness;
-    if (of_angles) {
+    if (options.damping == Damping::Stiffness) {
       Vector moved;
       for (std::size_t m = 0; m < kR; ++m) moved[m] = step.angle_now[m] - step.angle_before[m];
       if constexpr (kElastic) {
@@ -236,19 +248,31 @@ class JointMotion {
         stress[m] = per_step * stiffness_[j][m] * moved[m];
         tangent(m, m) = (m < kR ? by_spin : constant<S>(1)) * per_step * stiffness_[j][m];
       }
+      if constexpr (kR == 3) to_spins(rule, step, stress, &tangent);
     } else {
       stress = per_step * (step.stress_now - step.stress_before);
       tangent = per_step * slope;
+      if constexpr (kR == 3) to_spins(rule, step, stress, nullptr);
+      if (spin != nullptr) {
+        const S by_spin = constant<S>(rule.velocity - 1.0) * per_step;
+        for (std::size_t m = 0; m < kR; ++m) {
+          const S beyond = per_step * (constant<S>(h) * (*spin)[m] - step.step[m]);
+          for (std::size_t k = 0; k < kJ; ++k) {
+            stress[k] += slope_before_[j](k, m) * beyond;
+            tangent(k, m) += by_spin * slope_before_[j](k, m);
+          }
+        }
+      }
     }
-    if constexpr (kR == 3) to_spins(rule, step, of_angles, stress, tangent);
     damped_[j] = stress;
     forces.force[j] += stress;
     forces.tangent[j] += tangent;
   }
 
-  /// Stresses of angles as they work on spins; where the tangent is of angles, it, too.
-  static void to_spins(const StepRule& rule, const JointStep<L, kElastic>& step, bool of_angles,
-                       Vector& stress, Matrix& tangent) {
+  /// Stresses of angles as they work on spins.
+  /// @param tangent  by angles, becomes that by spins; may be null
+  static void to_spins(const StepRule& rule, const JointStep<L, kElastic>& step, Vector& stress,
+                       Matrix* tangent) {
     const S fraction = constant<S>(rule.midpoint ? 0.5 : 1.0);
     const Vec<S, 3> angle =
         fraction * step.angle_now + (constant<S>(1) - fraction) * step.angle_before;
@@ -256,15 +280,15 @@ class JointMotion {
         chain::inverse_tangent_map(angle, chain::RotationCoefficients<S>(dot(angle, angle)));
     const Vec<S, 3> moment =
         transposed_times(to_angle, Vec<S, 3>{{stress[0], stress[1], stress[2]}});
+    for (std::size_t k = 0; k < 3; ++k) stress[k] = moment[k];
+    if (tangent == nullptr) return;
     Mat<S, 3, 3> rotational;
     for (std::size_t k = 0; k < 3; ++k) {
-      stress[k] = moment[k];
-      for (std::size_t m = 0; m < 3; ++m) rotational(k, m) = tangent(k, m);
+      for (std::size_t m = 0; m < 3; ++m) rotational(k, m) = (*tangent)(k, m);
     }
-    if (!of_angles) return;
     rotational = transpose(to_angle) * rotational * to_angle;
     for (std::size_t k = 0; k < 3; ++k) {
-      for (std::size_t m = 0; m < 3; ++m) tangent(k, m) = rotational(k, m);
+      for (std::size_t m = 0; m < 3; ++m) (*tangent)(k, m) = rotational(k, m);
     }
   }
 
@@ -281,6 +305,7 @@ class JointMotion {
   std::vector<Vector> step_;                    ///< of the joint in the step (joints)
   std::vector<Vector> law_, law_before_;        ///< what laws do, as it works on spins
   std::vector<Vector> damped_, damped_before_;  ///< what damping does
+  std::vector<Matrix> slope_, slope_before_;    ///< of the laws
 };
 
 }  // namespace plastica::solve

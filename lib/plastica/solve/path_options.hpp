@@ -17,8 +17,9 @@ namespace plastica::solve {
 /// downwards, a path carries no more load.
 inline constexpr double kLimitSlope = 1e-3;
 
-/// Below this it carries hardly more.
-inline constexpr double kPlateauSlope = 5.0 * kLimitSlope;
+/// Below this it carries little more: large turns bring slender beams more load beyond the limit
+/// load of small ones.
+inline constexpr double kPlateauSlope = 1.0 / 30.0;
 
 /// A path whose slope falls to less than this part of the step before bends.
 inline constexpr double kBend = 0.1;

@@ -1,7 +1,8 @@
 #include "plastica/theory/beam_cases.hpp"
 
 #include <algorithm>
-#include <cassert>
+
+#include "plastica/theory/domain.hpp"
 
 namespace plastica::theory {
 namespace {
@@ -49,7 +50,7 @@ double start_slope(const BeamCase& beam) {
 }  // namespace
 
 BeamReactions beam_reactions(const BeamCase& beam) {
-  assert(beam.ends != BeamEnds::FreeFree);
+  require_domain(beam.ends != BeamEnds::FreeFree, "beam.ends != FreeFree");
   const auto [a, P, C, w] = beam.load;
   const double L = beam.length;
   BeamReactions r = end_reactions(beam);

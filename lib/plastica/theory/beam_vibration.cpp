@@ -1,8 +1,9 @@
 #include "plastica/theory/beam_vibration.hpp"
 
-#include <cassert>
 #include <cmath>
 #include <numbers>
+
+#include "plastica/theory/domain.hpp"
 
 namespace plastica::theory {
 namespace {
@@ -31,7 +32,7 @@ double unit_frequency(const VibratingBeam& beam) {
 }  // namespace
 
 double frequency_root(BeamEnds ends, int mode) {
-  assert(mode >= 1);
+  require_domain(mode >= 1, "mode >= 1");
   switch (ends) {
     case BeamEnds::ClampedFree:
       // The first root, 1.875, is far from its asymptote pi/2.
@@ -56,7 +57,7 @@ double circular_frequency(BeamEnds ends, int mode, const VibratingBeam& beam) {
 }
 
 double rayleigh_cantilever_frequency(int mode, const VibratingBeam& beam) {
-  assert(mode >= 1);
+  require_domain(mode >= 1, "mode >= 1");
   const double gyration =
       beam.rotary_inertia / (beam.mass_per_length * beam.length * beam.length);  // r^2
   const auto q_of = [&](double p) { return p / std::sqrt(1.0 + p * p * gyration); };
@@ -80,13 +81,13 @@ double rayleigh_cantilever_frequency(int mode, const VibratingBeam& beam) {
 
 double clamped_free_torsion_frequency(int mode, double length, double torsional_stiffness,
                                       double polar_inertia) {
-  assert(mode >= 1);
+  require_domain(mode >= 1, "mode >= 1");
   return (mode - 0.5) * pi / length * std::sqrt(torsional_stiffness / polar_inertia);
 }
 
 double released_cantilever_tip(const VibratingBeam& beam, double acceleration, double time,
                                int modes) {
-  assert(modes >= 1);
+  require_domain(modes >= 1, "modes >= 1");
   double sum = 0.0;
   for (int n = modes; n >= 1; --n) {  // the small terms first
     const double x = frequency_root(BeamEnds::ClampedFree, n);

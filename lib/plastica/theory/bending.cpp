@@ -3,6 +3,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "plastica/theory/domain.hpp"
+
 namespace plastica::theory {
 
 double moment_ratio_rectangle(double k) {
@@ -11,6 +13,7 @@ double moment_ratio_rectangle(double k) {
 }
 
 double curvature_ratio_rectangle(double m) {
+  require_domain(std::abs(m) < 1.5, "a moment_ratio within +-1.5");
   if (std::abs(m) <= 1.0) return m;
   return std::copysign(1.0 / std::sqrt(3.0 - 2.0 * std::abs(m)), m);
 }
@@ -25,11 +28,14 @@ double moment_ratio_circle(double k) {
 }
 
 double moment_ratio_round_tube(double k, double q) {
+  require_domain(q >= 0.0 && q < 1.0, "a radius_ratio >= 0, < 1");
   const double q3 = q * q * q;
   return (moment_ratio_circle(k) - q3 * moment_ratio_circle(k * q)) / (1.0 - q3 * q);
 }
 
 double moment_ratio_rectangular_tube(double k, double q, double breadth_ratio) {
+  require_domain(q >= 0.0 && q < 1.0, "a depth_ratio >= 0, < 1");
+  require_domain(breadth_ratio >= 0.0 && breadth_ratio < 1.0, "a breadth_ratio >= 0, < 1");
   const double hole = breadth_ratio * q * q;
   return (moment_ratio_rectangle(k) - hole * moment_ratio_rectangle(k * q)) / (1.0 - hole * q);
 }

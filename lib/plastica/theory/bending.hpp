@@ -21,12 +21,12 @@ double curvature_ratio_rectangle(double moment_ratio);
 double moment_ratio_circle(double curvature_ratio);
 
 /// M/M_y of a round tube: the outer circle less the inner one at the same curvature.
-/// @param radius_ratio  inner over outer radius [1], 0..1
+/// @param radius_ratio  inner over outer radius [1], >= 0, < 1
 double moment_ratio_round_tube(double curvature_ratio, double radius_ratio);
 
 /// M/M_y of a rectangular tube: the outer rectangle less the inner one at the same curvature.
-/// @param depth_ratio    inner over outer side in the plane of bending [1], 0..1
-/// @param breadth_ratio  inner over outer side across it [1], 0..1
+/// @param depth_ratio    inner over outer side in the plane of bending [1], >= 0, < 1
+/// @param breadth_ratio  inner over outer side across it [1], >= 0, < 1
 double moment_ratio_rectangular_tube(double curvature_ratio, double depth_ratio,
                                      double breadth_ratio);
 

@@ -1,13 +1,14 @@
 #include "plastica/theory/cantilever.hpp"
 
 #include <algorithm>
-#include <cassert>
 #include <cmath>
+
+#include "plastica/theory/domain.hpp"
 
 namespace plastica::theory {
 
 double tip_deflection_ratio(double p) {
-  assert(p >= 0.0 && p <= 1.5);
+  require_domain(p >= 0.0 && p <= 1.5, "p >= 0.0 && p <= 1.5");
   if (p <= 1.0) return p;
   return (5.0 - (3.0 + p) * std::sqrt(3.0 - 2.0 * p)) / (p * p);
 }

@@ -4,13 +4,13 @@
 
 #include <algorithm>
 #include <array>
-#include <cassert>
 #include <cmath>
 #include <limits>
 #include <numeric>
 #include <string_view>
 
 #include "plastica/base/check.hpp"
+#include "plastica/theory/domain.hpp"
 
 namespace plastica::theory {
 namespace {
@@ -213,7 +213,7 @@ void mistrust_order(std::span<const double> h, std::span<const double> f, double
 
 OrderFit observed_order(std::span<const double> sizes, std::span<const double> errors,
                         const OrderOptions& options) {
-  assert(options.scale > 0.0);
+  require_domain(options.scale > 0.0, "options.scale > 0.0");
   const std::vector<std::size_t> order = finest_first(sizes, errors, "errors");
   std::vector<LogPoint> points;
   points.reserve(order.size());
@@ -254,12 +254,13 @@ std::vector<std::optional<double>> pairwise_orders(std::span<const double> sizes
 }
 
 double richardson(double fine, double coarse, double ratio, double order) {
-  assert(ratio > 1.0 && order > 0.0);
+  require_domain(ratio > 1.0 && order > 0.0, "ratio > 1.0 && order > 0.0");
   return fine + (fine - coarse) / std::expm1(order * std::log(ratio));
 }
 
 double limit_of_two_orders(std::span<const double> sizes, std::span<const double> values) {
-  assert(sizes.size() == 3 && values.size() == 3);
+  require_domain(sizes.size() == 3 && values.size() == 3,
+                 "sizes.size() == 3 && values.size() == 3");
   double limit = 0.0;
   for (std::size_t i = 0; i < 3; ++i) {
     const double a = sizes[(i + 1) % 3];

@@ -1,8 +1,9 @@
 #include "plastica/theory/elastica.hpp"
 
 #include <algorithm>
-#include <cassert>
 #include <cmath>
+
+#include "plastica/theory/domain.hpp"
 
 namespace plastica::theory {
 namespace {
@@ -59,7 +60,7 @@ double carlson_rd(double x, double y, double z) {
 }
 
 ElasticaTip elastica_tip_force(double load) {
-  assert(load >= 0.0 && load <= 1e4);
+  require_domain(load >= 0.0 && load <= 1e4, "load >= 0.0 && load <= 1e4");
   if (load == 0.0) return {};
   const double root = std::sqrt(load);
   double low = 0.0;

@@ -1,7 +1,8 @@
 #include "plastica/theory/limit_load.hpp"
 
-#include <cassert>
 #include <cmath>
+
+#include "plastica/theory/domain.hpp"
 
 namespace plastica::theory {
 namespace {
@@ -12,15 +13,16 @@ double hinges(bool clamped) { return clamped ? 2.0 : 1.0; }
 }  // namespace
 
 double limit_force(BeamEnds ends, double plastic_moment, double length, double position) {
-  assert(ends != BeamEnds::FreeFree && position > 0.0);
+  require_domain(ends != BeamEnds::FreeFree && position > 0.0,
+                 "ends != FreeFree && position > 0.0");
   if (ends == BeamEnds::ClampedFree) return plastic_moment / position;
-  assert(position < length);
+  require_domain(position < length, "position < length");
   return plastic_moment * (hinges(ends != BeamEnds::PinnedPinned) / position +
                            hinges(ends == BeamEnds::ClampedClamped) / (length - position));
 }
 
 double limit_distributed(BeamEnds ends, double plastic_moment, double length) {
-  assert(ends != BeamEnds::FreeFree);
+  require_domain(ends != BeamEnds::FreeFree, "ends != FreeFree");
   const double unit = plastic_moment / (length * length);
   if (ends == BeamEnds::ClampedFree) return 2.0 * unit;
   const double roots = std::sqrt(hinges(ends != BeamEnds::PinnedPinned)) +

@@ -1,15 +1,15 @@
 #include "plastica/theory/lumped_chain.hpp"
 
-#include <cassert>
 #include <cmath>
 #include <numbers>
 
 #include "plastica/theory/bending.hpp"
+#include "plastica/theory/domain.hpp"
 
 namespace plastica::theory {
 
 std::vector<ChainJoint> chain_joints(ChainConvention convention, int count) {
-  assert(count >= 2);
+  require_domain(count >= 2, "count >= 2");
   const bool at_clamp =
       convention == ChainConvention::FullJoint || convention == ChainConvention::HalfJoint;
   const double h = 1.0 / count;
@@ -28,7 +28,7 @@ std::vector<ChainJoint> chain_joints(ChainConvention convention, int count) {
 }
 
 double tip_force_ratio(ChainConvention convention, int count) {
-  assert(count >= 2);
+  require_domain(count >= 2, "count >= 2");
   const double n = count;
   switch (convention) {
     case ChainConvention::Clamp: return (n - 1.0) * (2.0 * n - 1.0) / (2.0 * n * n);
@@ -41,7 +41,7 @@ double tip_force_ratio(ChainConvention convention, int count) {
 }
 
 double self_weight_ratio(ChainConvention convention, int count) {
-  assert(count >= 2);
+  require_domain(count >= 2, "count >= 2");
   const double n = count;
   switch (convention) {
     case ChainConvention::Clamp: return (1.0 - 1.0 / n) * (1.0 - 1.0 / n);
@@ -54,7 +54,7 @@ double self_weight_ratio(ChainConvention convention, int count) {
 }
 
 double tip_moment_ratio(ChainConvention convention, int count) {
-  assert(count >= 2);
+  require_domain(count >= 2, "count >= 2");
   switch (convention) {
     case ChainConvention::Clamp: return 1.0 - 1.0 / count;
     case ChainConvention::FullJoint: return 1.0 + 1.0 / count;
@@ -66,20 +66,20 @@ double tip_moment_ratio(ChainConvention convention, int count) {
 }
 
 double pinned_chain_frequency_ratio(int count, int mode) {
-  assert(mode >= 1 && mode < count);
+  require_domain(mode >= 1 && mode < count, "mode >= 1 && mode < count");
   const double x = std::numbers::pi * mode / count;
   const double s = std::sin(0.5 * x);
   return 4.0 * s * s / (x * x) / std::sqrt(1.0 - 2.0 / 3.0 * s * s);
 }
 
 double buckling_load(int count, double bending_stiffness, double length) {
-  assert(count >= 1);
+  require_domain(count >= 1, "count >= 1");
   const double s = 2.0 * count * std::sin(0.25 * std::numbers::pi / count) / length;
   return s * s * bending_stiffness;
 }
 
 double elastoplastic_tip_ratio(ChainConvention convention, int count, double load_ratio) {
-  assert(load_ratio >= 0.0 && load_ratio < 1.5);
+  require_domain(load_ratio >= 0.0 && load_ratio < 1.5, "load_ratio >= 0.0 && load_ratio < 1.5");
   double sum = 0.0;
   for (const ChainJoint& joint : chain_joints(convention, count)) {
     sum += joint.length * joint.lever * curvature_ratio_rectangle(load_ratio * joint.lever);

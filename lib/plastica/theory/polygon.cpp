@@ -1,7 +1,8 @@
 #include "plastica/theory/polygon.hpp"
 
-#include <cassert>
 #include <cmath>
+
+#include "plastica/theory/domain.hpp"
 
 namespace plastica::theory {
 
@@ -10,7 +11,8 @@ double polygon_radius(int segments, double end_rotation) {
 }
 
 std::array<double, 2> polygon_node(int segments, double end_rotation, int node) {
-  assert(segments >= 1 && node >= 0 && node <= segments);
+  require_domain(segments >= 1 && node >= 0 && node <= segments,
+                 "segments >= 1 && node >= 0 && node <= segments");
   if (end_rotation == 0.0) return {static_cast<double>(node) / segments, 0.0};
   const double angle = node * end_rotation / segments;
   const double radius = polygon_radius(segments, end_rotation);

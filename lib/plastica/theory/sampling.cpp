@@ -2,12 +2,12 @@
 
 #include <array>
 #include <bit>
-#include <cassert>
 #include <numeric>
 #include <string>
 #include <utility>
 
 #include "plastica/base/check.hpp"
+#include "plastica/theory/domain.hpp"
 
 namespace plastica::theory {
 namespace {
@@ -126,7 +126,7 @@ std::uint32_t scrambled(std::uint32_t digits, std::uint64_t key) {
 }  // namespace
 
 std::vector<double> latin_hypercube(std::size_t count, std::size_t dimensions, std::uint64_t seed) {
-  assert(count <= std::size_t{1} << 31U);
+  require_domain(count <= std::size_t{1} << 31U, "count <= 2^31");
   std::vector<double> points(count * dimensions);
   std::vector<std::size_t> strata(count);
   for (std::size_t axis = 0; axis < dimensions; ++axis) {
@@ -149,7 +149,7 @@ std::vector<double> sobol(std::size_t count, std::size_t dimensions, std::uint64
     throw InputError({}, "dimensions", std::to_string(dimensions),
                      "must be at most " + std::to_string(kSobolDimensions) + " for Sobol points");
   }
-  assert(count <= std::size_t{1} << kDigits);
+  require_domain(count <= std::size_t{1} << kDigits, "count <= 2^kDigits");
   std::vector<double> points(count * dimensions);
   for (std::size_t axis = 0; axis < dimensions; ++axis) {
     const auto v = direction_digits(axis);

@@ -1,11 +1,12 @@
 #include "plastica/theory/statistics.hpp"
 
 #include <algorithm>
-#include <cassert>
 #include <cmath>
 #include <limits>
 #include <numbers>
 #include <vector>
+
+#include "plastica/theory/domain.hpp"
 
 namespace plastica::theory {
 namespace {
@@ -174,7 +175,7 @@ double half_interval_of_both(double confidence, double scale, const StudentT& st
 double normal_cdf(double x) { return 0.5 * std::erfc(-x / std::numbers::sqrt2); }
 
 double normal_quantile(double p) {
-  assert(p > 0.0 && p < 1.0);
+  require_domain(p > 0.0 && p < 1.0, "p > 0.0 && p < 1.0");
   if (p == 0.5) return 0.0;
   if (p > 0.5) return -normal_quantile(1.0 - p);
   // Newton on log(cdf) = log(p). The log is concave and rising, and cdf(x) <= exp(-x^2/2)/2 puts
@@ -191,13 +192,14 @@ double normal_quantile(double p) {
 }
 
 double student_t_cdf(double t, double degrees_of_freedom) {
-  assert(degrees_of_freedom > 0.0);
+  require_domain(degrees_of_freedom > 0.0, "degrees_of_freedom > 0.0");
   const double tail = student_t_tail(std::abs(t), degrees_of_freedom);
   return t > 0.0 ? 1.0 - tail : tail;
 }
 
 double student_t_quantile(double p, double degrees_of_freedom) {
-  assert(p > 0.0 && p < 1.0 && degrees_of_freedom > 0.0);
+  require_domain(p > 0.0 && p < 1.0 && degrees_of_freedom > 0.0,
+                 "p > 0.0 && p < 1.0 && degrees_of_freedom > 0.0");
   if (p == 0.5) return 0.0;
   const double z = normal_quantile(p);
   if (degrees_of_freedom > kManyDegrees && z * z < kShortTail * degrees_of_freedom) {
@@ -209,7 +211,8 @@ double student_t_quantile(double p, double degrees_of_freedom) {
 
 double half_interval(double confidence, double scale, double degrees_of_freedom,
                      std::span<const double> halves) {
-  assert(confidence > 0.0 && confidence < 1.0 && scale >= 0.0);
+  require_domain(confidence > 0.0 && confidence < 1.0 && scale >= 0.0,
+                 "confidence > 0.0 && confidence < 1.0 && scale >= 0.0");
   const double alone =
       scale > 0.0 ? scale * student_t_quantile(0.5 + 0.5 * confidence, degrees_of_freedom) : 0.0;
   double sum = 0.0;

@@ -5,6 +5,7 @@
 #include <cstddef>
 
 #include "plastica/model/hardening_kind.hpp"
+#include "plastica/theory/domain.hpp"
 
 namespace plastica::theory {
 
@@ -46,10 +47,12 @@ double stabilized_backstress(double plastic_amplitude, double modulus, double ra
 }
 
 double monotonic_stress(double plastic_strain, const Material& material) {
+  require_domain(plastic_strain >= 0.0, "plastic_strain >= 0");
   return hardening_kind(material.hardening.law).monotonic_stress(plastic_strain, material);
 }
 
 double tension_stress(double strain, const Material& material) {
+  require_domain(strain >= 0.0 && std::isfinite(strain), "a finite strain >= 0");
   const double E = material.youngs_modulus;
   if (strain <= material.yield_stress / E) return E * strain;
   double low = 0.0;

@@ -43,13 +43,14 @@ double backstress(double start, double increment, double modulus, double rate);
 /// @param plastic_amplitude  a, half of the plastic strain range [1], >= 0
 double stabilized_backstress(double plastic_amplitude, double modulus, double rate);
 
-/// Stress of monotonic tension from the virgin state at a plastic strain, all hardening laws.
+/// Stress of monotonic tension from the virgin state at a plastic strain, all hardening laws; slow,
+/// without what a rate law adds.
 /// The total strain is plastic_strain + stress/E.
-/// @param plastic_strain  [1], >= 0
+/// @param plastic_strain  [1], >= 0 @throws std::domain_error if it is not
 double monotonic_stress(double plastic_strain, const Material& material);
 
 /// The same at a total strain, by bisection to the last bit of the plastic strain.
-/// @param strain  [1], >= 0
+/// @param strain  [1], >= 0 @throws std::domain_error if it is not
 double tension_stress(double strain, const Material& material);
 
 }  // namespace plastica::theory

@@ -49,6 +49,19 @@ TEST(EngineBeam, OfACantileverHasTheStiffnessesOfItsMaterial) {
   }
 }
 
+/// By a moment at its end a cantilever turns M L/EI: the joint beside the end has its half as well.
+TEST(EngineBeam, TurnsByAMomentAtItsEndAsTheSceneDoes) {
+  Scene scene = breakable_scene();
+  const auto turn = [&] {
+    double compliance = 0.0;
+    for (const EngineJoint& joint : beam_of(scene).joints) compliance += 1.0 / joint.stiffness[0];
+    return compliance * 200e9 * properties_of(scene).second_moment_x / scene.beam.length;
+  };
+  EXPECT_NEAR(turn(), 0.875, tolerance(1e-12));
+  scene.loads.push_back({.at = Place::end(), .moment = {1.0, 0.0, 0.0}});
+  EXPECT_NEAR(turn(), 1.0, tolerance(1e-12));
+}
+
 TEST(EngineBeam, BreaksAtTheAngleThatAHingeLengthTakes) {
   Scene scene = breakable_scene();
   const SectionProperties p = properties_of(scene);

@@ -93,7 +93,8 @@ TEST(GuessFile, CompressionIsTurned) {
 }
 
 /// A table of a rising stress, and columns of `cells`, each a factor of it; the last is the stress.
-FileGuess guess_of(const std::string& header, const std::vector<double>& factors) {
+FileGuess guess_of(const std::string& header, const std::vector<double>& factors,
+                   const TargetSource& given = {}) {
   std::string text = header + "\n";
   for (int i = 0; i < 20; ++i) {
     for (std::size_t k = 0; k < factors.size(); ++k) {
@@ -101,7 +102,7 @@ FileGuess guess_of(const std::string& header, const std::vector<double>& factors
     }
     text += "\n";
   }
-  return guess_file(io::CsvTable::parse(text, "g.csv"));
+  return guess_file(io::CsvTable::parse(text, "g.csv"), given);
 }
 
 TEST(GuessFile, WhatWasMeasuredGoesBeforeWhatWasWantedOrWorkedOut) {
@@ -156,11 +157,23 @@ TEST(GuessFile, TrueMeasuresGoTogether) {
       source("Wahre Dehnung [%],Spannung [MPa],Wahre Spannung [MPa]", {0.1, 20, 21});
   EXPECT_EQ(german.stress->column, "Wahre Spannung");
   EXPECT_EQ(german.measure, Measure::True);
-  EXPECT_EQ(source("Analog strain (%),Stress (MPa)", {0.1, 20}).measure, Measure::Engineering);
-  const FileGuess mixed = guess_of("True strain (%),Engineering stress (MPa)", {0.1, 20});
-  EXPECT_EQ(mixed.blocks.front().source.measure, Measure::Engineering);
-  ASSERT_EQ(mixed.notes.size(), 1U);
-  EXPECT_NE(mixed.notes[0].find("are a true and an engineering measure"), std::string::npos);
+  EXPECT_EQ(source("Analog strain (%),Stress (MPa)", {0.1, 20}).measure, std::nullopt);
+  // The import warns of one alone.
+  EXPECT_EQ(source("True strain (%),Engineering stress (MPa)", {0.1, 20}).measure, std::nullopt);
+}
+
+TEST(GuessFile, TrueMeasuresAreTrueWhoeverNamesThem) {
+  TargetSource given;
+  given.strain = ColumnSource{"True strain", std::nullopt, {}};
+  given.stress = ColumnSource{"True stress", std::nullopt, {}};
+  const auto measure = [&] {
+    return guess_of("True strain (%),True stress (MPa)", {0.1, 20}, given)
+        .blocks.front()
+        .source.measure;
+  };
+  EXPECT_EQ(measure(), Measure::True);
+  given.measure = Measure::Engineering;
+  EXPECT_EQ(measure(), Measure::Engineering);
 }
 
 /// What a sensor shows when it is taken off turns no test.

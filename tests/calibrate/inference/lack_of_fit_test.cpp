@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <string_view>
 #include <vector>
 
@@ -16,6 +17,21 @@ TEST(LackOfFit, CountsSamplesByTheirWeights) {
   EXPECT_EQ(effective_samples({}), 0.0);
   EXPECT_NEAR(autocorrelation(std::vector<double>{1.0, -1.0, 1.0, -1.0}), -0.75, 1e-12);
   EXPECT_EQ(autocorrelation(std::vector<double>{0.0, 0.0}), 0.0);
+}
+
+/// chi^2 of 600 degrees of freedom is above 712.8 once in a thousand times, of 10 above 29.59, and
+/// of 1 above 10.83 (tables; Fisher's approximation is off by some percent for the fewest).
+TEST(StatedNoise, IsJudgedByTheSquaresOfTheResiduals) {
+  using enum StatedNoise;
+  EXPECT_EQ(judge_stated_noise(std::sqrt(705.0 / 600.0), 600.0), Fits);
+  EXPECT_EQ(judge_stated_noise(std::sqrt(720.0 / 600.0), 600.0), TooSmall);
+  EXPECT_EQ(judge_stated_noise(std::sqrt(27.0 / 10.0), 10.0), Fits);
+  EXPECT_EQ(judge_stated_noise(std::sqrt(31.0 / 10.0), 10.0), TooSmall);
+  EXPECT_EQ(judge_stated_noise(2.0, 1.0), Fits);
+  EXPECT_EQ(judge_stated_noise(100.0, 0.0), Fits) << "nothing is left to judge by";
+  EXPECT_EQ(judge_stated_noise(0.6, 600.0), Fits) << "a careful statement";
+  EXPECT_EQ(judge_stated_noise(0.4, 600.0), TooLarge);
+  EXPECT_EQ(judge_stated_noise(0.4, 3.0), Fits) << "by chance";
 }
 
 TEST(LackOfFit, NeedsRunsAndAFraction) {

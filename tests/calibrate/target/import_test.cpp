@@ -190,13 +190,14 @@ TEST(ImportTargets, ReportsATornLastRow) {
 TEST(ImportTargets, GivesTheBlocksTestAndMeasurePrecedence) {
   const CurveFiles files("measure");
   TargetSource source = CurveFiles::source({files.write_curve("one.csv", 1.0, 1e-6)});
-  source.test = calibrate::Test::Bending;
   source.measure = Measure::True;
   source.loading = Loading::Cyclic;
   const auto target = import_targets(source).at(0);
-  EXPECT_EQ(target.test, calibrate::Test::Bending);
   EXPECT_EQ(target.measure, Measure::True);
   EXPECT_EQ(target.loading, Loading::Cyclic);
+  source.measure.reset();
+  source.test = calibrate::Test::Bending;
+  EXPECT_EQ(import_targets(source).at(0).test, calibrate::Test::Bending);
 }
 
 }  // namespace

@@ -102,6 +102,39 @@ TEST(Hdf5Tables, OfTwoDimensionsHaveColumnsByNumberOrName) {
   EXPECT_EQ(said_of("units"), tables.file() + ": /units/units: has 2 units, of 3 columns");
 }
 
+/// A table of numbers is read without a text between; the text says the same.
+TEST(Hdf5Tables, OfNumbersAreWhatTheirTextSays) {
+  const ScratchFolder folder;
+  const double infinite = std::numeric_limits<double>::infinity();
+  const Hdf5Tables tables(file_with(folder, [&](Hdf5Group& root) {
+    Hdf5Group group = root.group("A");
+    group.write("Kraft / kN", kStrain);
+    group.write(" \"x\" (mm) ", kStress);
+    group.write("rows", std::vector{100000.0, std::numeric_limits<double>::quiet_NaN(), 0.1});
+    root.write_table<double>("bare", std::array{1.0, 2.5, infinite, 4.0}, 2);
+  }));
+  for (const std::string& name : tables.names()) {
+    const CsvTable table = CsvTable::read(tables, name);
+    const Hdf5Tables::Text text = Hdf5Tables::text_of(tables.columns(name));
+    const CsvTable parsed = CsvTable::parse(
+        text.text, tables.file(),
+        {.separator = '\t', .decimal = '.', .header = text.has_header ? 1 : 0, .is_made = true});
+    EXPECT_EQ(table.names(), parsed.names());
+    EXPECT_EQ(table.units(), parsed.units());
+    ASSERT_EQ(table.rows(), parsed.rows());
+    for (std::size_t k = 0; k < table.columns(); ++k) {
+      EXPECT_EQ(table.label(k), parsed.label(k));
+      for (std::size_t row = 0; row < table.rows(); ++row) {
+        EXPECT_EQ(table.cell(row, k), parsed.cell(row, k));
+      }
+    }
+  }
+  const CsvTable bare = CsvTable::read(tables, "bare");
+  EXPECT_EQ(message_from<InputError>([&] { (void)bare.numbers(0); }),
+            tables.file() + ":2: column 1 = inf: is not a number");
+  EXPECT_EQ(bare.numbers(1), (std::vector{2.5, 4.0}));
+}
+
 TEST(Hdf5Tables, ThatAreNoneAreRefused) {
   const ScratchFolder folder;
   const Hdf5Tables tables(file_with(folder, [](Hdf5Group& root) {

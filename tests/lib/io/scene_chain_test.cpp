@@ -300,11 +300,14 @@ TEST(ChainScene, ChoosesTheComponentThatAYZSceneMoves) {
 }
 
 TEST(ChainScene, ReadsWhatPathControlWatches) {
-  const plastica::Setup setup =
-      read("solver.control = 'displacement'\nsolver.control_at = 0.5\n" + kClamp + kForce);
+  const plastica::Setup setup = read(
+      "solver.control = 'displacement'\nsolver.control_at = 0.5\n"
+      "solver.control_motion = ['0 m', '-20 mm', '0 m']\n" +
+      kClamp + kForce);
   EXPECT_EQ(setup.solver.control, PathControl::Displacement);
   ASSERT_TRUE(setup.solver.control_at);
   EXPECT_EQ(setup.solver.control_at->fraction, 0.5);
+  EXPECT_EQ(setup.solver.control_motion, (std::array{0.0, -0.02, 0.0}));
 }
 
 TEST(ChainScene, NamesTheLineOfWhatTheSceneAsAWholeRefuses) {

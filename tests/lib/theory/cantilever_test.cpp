@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <stdexcept>
+#include <string>
 
 #include "plastica/theory/bending.hpp"
 #include "tests/reference/reference_table.hpp"
@@ -23,6 +25,21 @@ TEST(ElastoplasticCantilever, MatchesTheReferenceTable) {
 TEST(ElastoplasticCantilever, EndsAtTwentyNinthsAtTheLimitLoad) {
   EXPECT_NEAR(tip_deflection_ratio(1.5), 20.0 / 9.0, 1e-14);
   EXPECT_NEAR(plastic_zone_ratio(1.5), 1.0 / 3.0, 1e-14);
+}
+
+TEST(ElastoplasticCantilever, IsToldFromWhatHasNoNumber) {
+  EXPECT_THROW(tip_deflection_ratio(-1.2), std::domain_error);
+  EXPECT_THROW(tip_deflection_ratio(std::nan("")), std::domain_error);
+  EXPECT_THROW(curvature_ratio_rectangle(1.5), std::domain_error);
+  EXPECT_THROW(moment_ratio_round_tube(2.0, 1.0), std::domain_error);
+  try {
+    tip_deflection_ratio(1.6);
+    ADD_FAILURE() << "beyond the limit load";
+  } catch (const std::domain_error& error) {
+    EXPECT_TRUE(std::string(error.what())
+                    .ends_with("tip_deflection_ratio(double): needs p >= 0.0 && p <= 1.5"))
+        << error.what();
+  }
 }
 
 TEST(ElastoplasticCantilever, IsElasticUpToYield) {

@@ -1,0 +1,48 @@
+#include "calibrate/target/named_measure.hpp"
+
+#include <fmt/format.h>
+
+#include "calibrate/guess/column_role.hpp"
+#include "plastica/base/check.hpp"
+
+namespace plastica::calibrate {
+namespace {
+
+ColumnMeaning meaning_in(const io::CsvTable& table, std::size_t column) {
+  return meaning_of(table.names()[column], table.units()[column]);
+}
+
+}  // namespace
+
+void check_named_measure(const TargetSource& source, const io::CsvTable& table, std::size_t strain,
+                         std::size_t stress) {
+  if (source.measure || !meaning_in(table, strain).is_true || !meaning_in(table, stress).is_true) {
+    return;
+  }
+  throw InputError(
+      source.where, "measure", "",
+      fmt::format("is needed: \"{}\" and \"{}\" are true strain and stress by their "
+                  "names; write measure = \"true\", or \"engineering\" if they are not",
+                  table.names()[strain], table.names()[stress]));
+}
+
+void warn_of_named_measure(const TargetSource& source, const io::CsvTable& table,
+                           std::size_t strain, std::size_t stress,
+                           std::vector<std::string>& warnings) {
+  const bool as_true = source.measure == Measure::True;
+  for (const std::size_t column : {strain, stress}) {
+    const ColumnMeaning meaning = meaning_in(table, column);
+    if (as_true ? !meaning.is_engineering : !meaning.is_true) continue;
+    const std::string& name = table.names()[column];
+    warnings.push_back(
+        as_true ? fmt::format("\"{}\" is engineering by its name, and is taken for true, as the "
+                              "measure says; corrections.measure = \"true\" converts engineering "
+                              "columns",
+                              name)
+                : fmt::format("\"{}\" is true by its name, and is taken for engineering: if strain "
+                              "and stress are both true, write measure = \"true\" (--measure true)",
+                              name));
+  }
+}
+
+}  // namespace plastica::calibrate

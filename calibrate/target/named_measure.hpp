@@ -1,0 +1,22 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "calibrate/target/import.hpp"
+#include "plastica/io/csv.hpp"
+
+/// What the names of columns say of the measure, against what the block says; not installed.
+namespace plastica::calibrate {
+
+/// Refuses "True strain" and "True stress" in a block that does not say which measure they are.
+/// @throws InputError
+void check_named_measure(const TargetSource& source, const io::CsvTable& table, std::size_t strain,
+                         std::size_t stress);
+
+/// Warns of columns that are of the other measure by their names.
+void warn_of_named_measure(const TargetSource& source, const io::CsvTable& table,
+                           std::size_t strain, std::size_t stress,
+                           std::vector<std::string>& warnings);
+
+}  // namespace plastica::calibrate

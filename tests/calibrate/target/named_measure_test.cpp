@@ -1,0 +1,85 @@
+#include <gtest/gtest.h>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "calibrate/target/import.hpp"
+#include "tests/calibrate/target/curve_files.hpp"
+#include "tests/support/message.hpp"
+
+// Columns say by their names whether they are true strain and stress; blocks may say otherwise.
+
+namespace plastica::calibrate {
+namespace {
+
+using plastica::testing::CurveFiles;
+using plastica::testing::message_of;
+
+struct Named {
+  std::string strain, stress;
+  std::optional<Measure> measure{};
+};
+
+TargetSource source_of(const CurveFiles& files, const Named& named) {
+  TargetSource source = CurveFiles::source(
+      {files.write_curve("one.csv", 1.0, 1e-6, named.strain + "," + named.stress)});
+  source.strain->column = named.strain;
+  source.stress->column = named.stress;
+  source.measure = named.measure;
+  return source;
+}
+
+/// The columns that a warning names.
+std::vector<std::string> doubted(const Named& named) {
+  const CurveFiles files("named_measure");
+  std::vector<std::string> columns;
+  for (const std::string& warning : import_targets(source_of(files, named)).at(0).warnings) {
+    if (warning.find(" by its name, and is taken for ") == std::string::npos) continue;
+    columns.push_back(warning.substr(1, warning.find('"', 1) - 1));
+  }
+  return columns;
+}
+
+TEST(NamedMeasure, OfTrueStrainAndStressIsToBeSaid) {
+  const CurveFiles files("true_measure");
+  Named named{"True strain", "True stress"};
+  EXPECT_EQ(message_of([&] { import_targets(source_of(files, named)); }),
+            "fit.toml:3: measure: is needed: \"True strain\" and \"True stress\" are true strain "
+            "and stress by their names; write measure = \"true\", or \"engineering\" if they are "
+            "not");
+  named.measure = Measure::True;
+  EXPECT_EQ(import_targets(source_of(files, named)).at(0).measure, Measure::True);
+}
+
+TEST(NamedMeasure, IsDoubtedWhereTheBlockSaysTheOther) {
+  using Names = std::vector<std::string>;
+  EXPECT_EQ(doubted({"True strain", "True stress", Measure::True}), Names{});
+  EXPECT_EQ(doubted({"Strain", "Stress"}), Names{});
+  EXPECT_EQ(doubted({"Strain", "True stress", Measure::True}), Names{});
+  EXPECT_EQ(doubted({"Engineering strain", "Nominal stress"}), Names{});
+  EXPECT_EQ(doubted({"True strain", "True stress", Measure::Engineering}),
+            (Names{"True strain", "True stress"}));
+  EXPECT_EQ(doubted({"Technische Dehnung", "Wahre Spannung"}), (Names{"Wahre Spannung"}));
+  EXPECT_EQ(doubted({"Engineering strain", "Eng. stress", Measure::True}),
+            (Names{"Engineering strain", "Eng. stress"}));
+}
+
+/// Force over area and elongation over gauge length are of the engineering measure.
+TEST(NamedMeasure, IsNotTrueOfForceAndElongation) {
+  const CurveFiles files("divided_measure");
+  TargetSource source = source_of(files, {"Strain", "Force", Measure::True});
+  source.force = ColumnSource{"Force", "kN", {}};
+  source.stress.reset();
+  source.area = SpecimenValue{1e-4, "", "mm^2", {}};
+  EXPECT_EQ(message_of([&] { import_targets(source); }),
+            "fit.toml:3: measure = true: is not that of force over area and of elongation over "
+            "gauge length: corrections.measure = \"true\" converts them");
+  TargetSource torsion = source_of(files, {"Strain", "Stress", Measure::True});
+  torsion.test = calibrate::Test::Torsion;
+  EXPECT_EQ(message_of([&] { import_targets(torsion); }),
+            "fit.toml:3: measure = true: goes with test = \"tension\" alone");
+}
+
+}  // namespace
+}  // namespace plastica::calibrate
