@@ -139,6 +139,7 @@ int run_export(ExportArguments arguments) {
       refuse_input("--output", arguments.output, arguments.beam.scene);
   }
   take_format(arguments);
+  expect_input(arguments.beam.file, {InputKind::Result, InputKind::Scene});
   arguments.is_scene_file = kind_of_input(arguments.beam.file) == InputKind::Scene;
   const ResultKind kind =
       arguments.is_scene_file ? ResultKind::Scene : kind_of_result(arguments.beam.file);

@@ -53,10 +53,13 @@ TEST_F(WrongKind, IsNamedAsWhatItIsWithTheCommandThatTakesIt) {
               "scene.toml: is a scene, which plastica simulate takes: must be a sweep");
   expect_line({"check", "sweep.toml"},
               "sweep.toml: is a sweep, which plastica sweep takes: must be a file of claims");
-  for (const char* command : {"show", "plot", "export", "recommend"}) {
+  for (const char* command : {"show", "plot", "recommend"}) {
     expect_line({command, "scene.toml"},
                 "scene.toml: is a scene, which plastica simulate takes: must be a result file");
   }
+  expect_line({"export", "fit.toml"},
+              "fit.toml: is a fit file, which plastica calibrate takes: must be a result file or a "
+              "scene");
   expect_line({"inspect", "fit.toml"},
               "fit.toml: is a fit file, which plastica calibrate takes: must be a file of curves");
 }

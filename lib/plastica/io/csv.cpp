@@ -10,6 +10,7 @@
 #include "plastica/io/csv_layout.hpp"
 #include "plastica/io/csv_number.hpp"
 #include "plastica/io/csv_text.hpp"
+#include "plastica/io/hdf5_tables.hpp"
 #include "plastica/io/read_input.hpp"
 #include "plastica/io/workbook.hpp"
 
@@ -84,16 +85,15 @@ CsvTable CsvTable::read(const std::string& path, const CsvOptions& options) {
 }
 
 CsvTable CsvTable::read(const Hdf5Tables& tables, const std::string& path) {
-  std::vector<Hdf5Tables::Column> columns = tables.columns(path);
-  CsvTable table = std::ranges::any_of(columns, &Hdf5Tables::Column::has_texts)
+  std::vector<Hdf5TableColumn> columns = tables.columns(path);
+  CsvTable table = std::ranges::any_of(columns, &Hdf5TableColumn::has_texts)
                        ? of_texts(columns, tables.file())
                        : of_numbers(std::move(columns), tables.file());
   table.path_ = path;
   return table;
 }
 
-CsvTable CsvTable::of_texts(const std::vector<Hdf5Tables::Column>& columns,
-                            const std::string& file) {
+CsvTable CsvTable::of_texts(const std::vector<Hdf5TableColumn>& columns, const std::string& file) {
   const Hdf5Tables::Text text = Hdf5Tables::text_of(columns);
   CsvTable table = parsed(text, file);
   // The line of names is not the file's.
@@ -104,9 +104,9 @@ CsvTable CsvTable::of_texts(const std::vector<Hdf5Tables::Column>& columns,
 }
 
 /// Names and units are found as those of a text are; the numbers need none.
-CsvTable CsvTable::of_numbers(std::vector<Hdf5Tables::Column> columns, const std::string& file) {
-  std::vector<Hdf5Tables::Column> heads;
-  for (const Hdf5Tables::Column& column : columns) {
+CsvTable CsvTable::of_numbers(std::vector<Hdf5TableColumn> columns, const std::string& file) {
+  std::vector<Hdf5TableColumn> heads;
+  for (const Hdf5TableColumn& column : columns) {
     heads.push_back(
         {column.header, std::vector<double>(std::min<std::size_t>(column.size(), 1)), {}});
   }
@@ -115,13 +115,13 @@ CsvTable CsvTable::of_numbers(std::vector<Hdf5Tables::Column> columns, const std
   table.text_.clear();
   table.line_of_row_.resize(columns.front().size());
   std::iota(table.line_of_row_.begin(), table.line_of_row_.end(), 1);
-  for (Hdf5Tables::Column& column : columns) table.numbers_.push_back(std::move(column.numbers));
+  for (Hdf5TableColumn& column : columns) table.numbers_.push_back(std::move(column.numbers));
   return table;
 }
 
 std::optional<CsvTable> CsvTable::read_properties(const Hdf5Tables& tables,
                                                   const std::string& path) {
-  const std::vector<Hdf5Tables::Column> properties = tables.properties(path);
+  const std::vector<Hdf5TableColumn> properties = tables.properties(path);
   if (properties.empty()) return std::nullopt;
   return parsed(Hdf5Tables::text_of(properties), tables.file());
 }

@@ -7,9 +7,11 @@
 #include <vector>
 
 #include "plastica/base/check.hpp"
-#include "plastica/io/hdf5_tables.hpp"
 
 namespace plastica::io {
+
+class Hdf5Tables;
+struct Hdf5TableColumn;
 
 /// How to read a delimited text file; what is unset is found out from the text.
 struct CsvOptions {
@@ -100,8 +102,8 @@ class CsvTable {
  private:
   CsvTable() = default;
 
-  static CsvTable of_texts(const std::vector<Hdf5Tables::Column>& columns, const std::string& file);
-  static CsvTable of_numbers(std::vector<Hdf5Tables::Column> columns, const std::string& file);
+  static CsvTable of_texts(const std::vector<Hdf5TableColumn>& columns, const std::string& file);
+  static CsvTable of_numbers(std::vector<Hdf5TableColumn> columns, const std::string& file);
   void drop_last_column();
   std::vector<std::size_t> matches(std::string_view name_or_number) const;
 

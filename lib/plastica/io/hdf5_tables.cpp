@@ -67,9 +67,8 @@ void check_lengths(const std::vector<h5::Column>& columns, const h5::Place& plac
   }
 }
 
-std::vector<Hdf5Tables::Column> with_headers(std::vector<h5::Column> columns,
-                                             const h5::Place& place) {
-  std::vector<Hdf5Tables::Column> out;
+std::vector<Hdf5TableColumn> with_headers(std::vector<h5::Column> columns, const h5::Place& place) {
+  std::vector<Hdf5TableColumn> out;
   out.reserve(columns.size());
   for (h5::Column& column : columns) {
     out.push_back({header_of(column, place), std::move(column.numbers), std::move(column.texts)});
@@ -182,7 +181,7 @@ std::vector<std::string> Hdf5Tables::matching(const std::optional<std::string>& 
                    "matches none of its tables: " + listed(names_, 8));
 }
 
-std::vector<Hdf5Tables::Column> Hdf5Tables::columns(const std::string& name) const {
+std::vector<Hdf5TableColumn> Hdf5Tables::columns(const std::string& name) const {
   const h5::Place place = place_of(path_, name);
   std::vector<h5::Column> columns;
   {
@@ -193,22 +192,22 @@ std::vector<Hdf5Tables::Column> Hdf5Tables::columns(const std::string& name) con
   return with_headers(std::move(columns), place);
 }
 
-Hdf5Tables::Text Hdf5Tables::text_of(const std::vector<Column>& columns) {
+Hdf5Tables::Text Hdf5Tables::text_of(const std::vector<Hdf5TableColumn>& columns) {
   Text text;
   const auto add_row = [&](const auto& cell_of) {
-    for (const Column& column : columns) {
+    for (const Hdf5TableColumn& column : columns) {
       if (&column != columns.data()) text.text += '\t';
       text.text += cell_of(column);
     }
     text.text += '\n';
   };
-  text.has_header =
-      std::ranges::any_of(columns, [](const Column& column) { return !column.header.empty(); });
+  text.has_header = std::ranges::any_of(
+      columns, [](const Hdf5TableColumn& column) { return !column.header.empty(); });
   if (text.has_header) {
-    add_row([](const Column& column) { return csv_text::tabbed_cell(column.header); });
+    add_row([](const Hdf5TableColumn& column) { return csv_text::tabbed_cell(column.header); });
   }
   for (std::size_t row = 0; row < columns.front().size(); ++row) {
-    add_row([&](const Column& column) {
+    add_row([&](const Hdf5TableColumn& column) {
       return column.has_texts() ? csv_text::tabbed_cell(column.texts[row])
                                 : csv_text::number_text(column.numbers[row]);
     });
@@ -216,7 +215,7 @@ Hdf5Tables::Text Hdf5Tables::text_of(const std::vector<Column>& columns) {
   return text;
 }
 
-std::vector<Hdf5Tables::Column> Hdf5Tables::properties(const std::string& name) const {
+std::vector<Hdf5TableColumn> Hdf5Tables::properties(const std::string& name) const {
   std::vector<h5::Column> properties;
   const Hdf5Lock lock;
   // From the table up to the file.

@@ -18,6 +18,16 @@ enum class Hdf5Origin {
 /// Never throws.
 Hdf5Origin hdf5_origin(const std::string& path);
 
+/// A column of a table of `Hdf5Tables`: numbers or texts.
+struct Hdf5TableColumn {
+  std::string header;  ///< its name, and its unit behind it: "Stress [MPa]"; empty: none
+  std::vector<double> numbers;
+  std::vector<std::string> texts;
+
+  bool has_texts() const { return !texts.empty(); }
+  std::size_t size() const { return has_texts() ? texts.size() : numbers.size(); }
+};
+
 /// The measured tables of an HDF5 file that other programs wrote. A table is
 /// - a group whose datasets of one dimension are its columns, two or more,
 /// - a dataset of records, whose fields are its columns, or
@@ -42,18 +52,9 @@ class Hdf5Tables {
   std::vector<std::string> matching(const std::optional<std::string>& pattern) const;
   const std::string& file() const { return path_; }
 
-  /// A column of a table: numbers or texts.
-  struct Column {
-    std::string header;  ///< its name, and its unit behind it: "Stress [MPa]"; empty: none
-    std::vector<double> numbers;
-    std::vector<std::string> texts;
-
-    bool has_texts() const { return !texts.empty(); }
-    std::size_t size() const { return has_texts() ? texts.size() : numbers.size(); }
-  };
   /// The columns of a table, of one length.
   /// @throws InputError if they are of unlike lengths or cannot be read
-  std::vector<Column> columns(const std::string& name) const;
+  std::vector<Hdf5TableColumn> columns(const std::string& name) const;
 
   /// Columns as text: a line with their headers, if one has some, then one for each row; cells
   /// between tabs. Numbers read back bit by bit.
@@ -61,12 +62,12 @@ class Hdf5Tables {
     std::string text;
     bool has_header = false;
   };
-  static Text text_of(const std::vector<Column>& columns);
+  static Text text_of(const std::vector<Hdf5TableColumn>& columns);
   /// What is said of a table beside its columns, as columns of one row: the attributes of the
   /// table and of the groups that hold it, and their datasets of one value. Of one name the nearest
   /// counts.
   /// @throws InputError if they cannot be read
-  std::vector<Column> properties(const std::string& name) const;
+  std::vector<Hdf5TableColumn> properties(const std::string& name) const;
 
  private:
   struct Opened;

@@ -42,8 +42,8 @@ class JointMotion {
     law_before_.resize(n);
     damped_.resize(n);
     damped_before_.resize(n);
-    slope_.resize(n);
-    slope_before_.resize(n);
+    rate_.resize(n);
+    rate_before_.resize(n);
   }
 
   /// Takes what the laws have just said as the state before a step.
@@ -57,8 +57,8 @@ class JointMotion {
       stored_[j] = joints_->elastic_energy()[j];
       law_before_[j] = forces.force[j];
       damped_before_[j] = {};
-      set_elastic(slope_before_[j], j);
     }
+    length_before_ = 0.0;
   }
 
   /// By its angle at the step's end.
@@ -74,6 +74,7 @@ class JointMotion {
   void take(const MotionOptions& options, const StepRule& rule, double h,
             std::span<const typename L::Spin> angles, std::span<const typename L::Point> shifts,
             std::span<const typename L::Spin> spins, bool slopes, Forces& forces) {
+    length_ = h;
     for (std::size_t j = segments_; j < stiffness_.size(); ++j) {
       rotation_now_[j] = L::rotation(angles[j]);
     }
@@ -88,7 +89,6 @@ class JointMotion {
         forces.tangent[j] = mean.tangent;
       }
       law_[j] = forces.force[j];
-      if (slopes) slope_[j] = slope;
       if (options.damping != Damping::None) {
         damp(options, rule, h, j, step, shift, slope, spins.empty() ? nullptr : &spins[j], forces);
       }
@@ -121,19 +121,20 @@ class JointMotion {
     }
     std::swap(law_before_, law_);
     std::swap(damped_before_, damped_);
-    std::swap(slope_before_, slope_);
+    std::swap(rate_before_, rate_);
+    length_before_ = length_;
   }
 
-  /// The rates that damping comes from have jumped: it begins anew from the joints' spins, as if
-  /// these were elastic (shifts are taken as at rest).
+  /// The rates that damping comes from have jumped: it begins anew, from the joints' spins where it
+  /// is of the angles' rates (shifts are taken as at rest), else from none.
   /// @param spins  [rad/s]; empty: not known (joints)
   /// @param forces  of the laws; damping is added
   void begin_damping(const MotionOptions& options, std::span<const typename L::Spin> angles,
                      std::span<const typename L::Spin> spins, Forces& forces) {
+    length_before_ = 0.0;
     for (std::size_t j = 0; j < stiffness_.size(); ++j) {
       damped_before_[j] = {};
-      set_elastic(slope_before_[j], j);
-      if (spins.empty() || options.damping == Damping::None) continue;
+      if (spins.empty() || options.damping != Damping::Stiffness) continue;
       Vec<S, kR> rate;
       for (std::size_t m = 0; m < kR; ++m) rate[m] = spins[j][m];
       Mat<S, kR, kR> to_angle = identity<S, kR>();
@@ -194,11 +195,6 @@ class JointMotion {
     return s;
   }
 
-  void set_elastic(Matrix& slope, std::size_t j) const {
-    slope = {};
-    for (std::size_t m = 0; m < kJ; ++m) slope(m, m) = stiffness_[j][m];
-  }
-
   S energy(std::size_t j) const {
     return joints_->elastic_energy()[j] - stored_[j] + joints_->work_increment()[j];
   }
@@ -221,10 +217,8 @@ class JointMotion {
   }
 
   /// Damping takes the mean rate of the step, which is right half way. At the end it would be of
-  /// first order in the damping: generalized-alpha knows the joints' spins there. Stiffness damping
-  /// takes these; to the law's mean rate comes what they are beyond the mean one, times the law's
-  /// slope in the step before, which does not jump while this one is solved. So an elastic beam is
-  /// damped alike by both, and plastic flow by neither.
+  /// first order in the damping: generalized-alpha knows the angles' rates there, and the moments'
+  /// are foretold from the mean ones of this step and the one before.
   /// @param spin  of the joint at the end [rad/s]; null: the mean rate counts
   void damp(const MotionOptions& options, const StepRule& rule, double h, std::size_t j,
             const JointStep<L, kElastic>& step, const typename L::Point& shift, const Matrix& slope,
@@ -232,7 +226,8 @@ class JointMotion {
     const S per_step = constant<S>(options.damping_time / h);
     Vector stress;
     Matrix tangent;
-    if (options.damping == Damping::Stiffness) {
+    const bool of_angles = options.damping == Damping::Stiffness;
+    if (of_angles) {
       Vector moved;
       for (std::size_t m = 0; m < kR; ++m) moved[m] = step.angle_now[m] - step.angle_before[m];
       if constexpr (kElastic) {
@@ -248,31 +243,26 @@ class JointMotion {
         stress[m] = per_step * stiffness_[j][m] * moved[m];
         tangent(m, m) = (m < kR ? by_spin : constant<S>(1)) * per_step * stiffness_[j][m];
       }
-      if constexpr (kR == 3) to_spins(rule, step, stress, &tangent);
     } else {
       stress = per_step * (step.stress_now - step.stress_before);
       tangent = per_step * slope;
-      if constexpr (kR == 3) to_spins(rule, step, stress, nullptr);
-      if (spin != nullptr) {
-        const S by_spin = constant<S>(rule.velocity - 1.0) * per_step;
-        for (std::size_t m = 0; m < kR; ++m) {
-          const S beyond = per_step * (constant<S>(h) * (*spin)[m] - step.step[m]);
-          for (std::size_t k = 0; k < kJ; ++k) {
-            stress[k] += slope_before_[j](k, m) * beyond;
-            tangent(k, m) += by_spin * slope_before_[j](k, m);
-          }
-        }
-      }
+    }
+    if constexpr (kR == 3) to_spins(rule, step, of_angles, stress, tangent);
+    if (!of_angles && !rule.conserves) {
+      rate_[j] = stress;
+      // Half a step from the middle of this one, on the line through both middles.
+      const S ahead = constant<S>(length_before_ > 0.0 ? h / (h + length_before_) : 0.0);
+      stress += ahead * (stress - rate_before_[j]);
+      tangent += ahead * tangent;
     }
     damped_[j] = stress;
     forces.force[j] += stress;
     forces.tangent[j] += tangent;
   }
 
-  /// Stresses of angles as they work on spins.
-  /// @param tangent  by angles, becomes that by spins; may be null
-  static void to_spins(const StepRule& rule, const JointStep<L, kElastic>& step, Vector& stress,
-                       Matrix* tangent) {
+  /// Stresses of angles as they work on spins; where the tangent is of angles, it, too.
+  static void to_spins(const StepRule& rule, const JointStep<L, kElastic>& step, bool of_angles,
+                       Vector& stress, Matrix& tangent) {
     const S fraction = constant<S>(rule.midpoint ? 0.5 : 1.0);
     const Vec<S, 3> angle =
         fraction * step.angle_now + (constant<S>(1) - fraction) * step.angle_before;
@@ -280,15 +270,15 @@ class JointMotion {
         chain::inverse_tangent_map(angle, chain::RotationCoefficients<S>(dot(angle, angle)));
     const Vec<S, 3> moment =
         transposed_times(to_angle, Vec<S, 3>{{stress[0], stress[1], stress[2]}});
-    for (std::size_t k = 0; k < 3; ++k) stress[k] = moment[k];
-    if (tangent == nullptr) return;
     Mat<S, 3, 3> rotational;
     for (std::size_t k = 0; k < 3; ++k) {
-      for (std::size_t m = 0; m < 3; ++m) rotational(k, m) = (*tangent)(k, m);
+      stress[k] = moment[k];
+      for (std::size_t m = 0; m < 3; ++m) rotational(k, m) = tangent(k, m);
     }
+    if (!of_angles) return;
     rotational = transpose(to_angle) * rotational * to_angle;
     for (std::size_t k = 0; k < 3; ++k) {
-      for (std::size_t m = 0; m < 3; ++m) (*tangent)(k, m) = rotational(k, m);
+      for (std::size_t m = 0; m < 3; ++m) tangent(k, m) = rotational(k, m);
     }
   }
 
@@ -305,7 +295,8 @@ class JointMotion {
   std::vector<Vector> step_;                    ///< of the joint in the step (joints)
   std::vector<Vector> law_, law_before_;        ///< what laws do, as it works on spins
   std::vector<Vector> damped_, damped_before_;  ///< what damping does
-  std::vector<Matrix> slope_, slope_before_;    ///< of the laws
+  std::vector<Vector> rate_, rate_before_;      ///< of moments, mean, times the damping time
+  double length_ = 0.0, length_before_ = 0.0;   ///< of the steps [s]; before: 0, where none was
 };
 
 }  // namespace plastica::solve

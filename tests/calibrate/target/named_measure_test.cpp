@@ -34,7 +34,8 @@ TargetSource source_of(const CurveFiles& files, const Named& named) {
 std::vector<std::string> doubted(const Named& named) {
   const CurveFiles files("named_measure");
   std::vector<std::string> columns;
-  for (const std::string& warning : import_targets(source_of(files, named)).at(0).warnings) {
+  const std::vector<Target> targets = import_targets(source_of(files, named));
+  for (const std::string& warning : targets.at(0).warnings) {
     if (warning.find(" by its name, and is taken for ") == std::string::npos) continue;
     columns.push_back(warning.substr(1, warning.find('"', 1) - 1));
   }

@@ -37,14 +37,15 @@ TEST(DisplacementControl, NeedsToKnowHowFar) {
     return testing::message_of([&] { setup_of(text + kHeld + load); });
   };
   EXPECT_EQ(error("solver.control = 'displacement'\n"),
-            "s.toml: solver.control_motion: is needed: how far displacement control takes the "
+            "s.toml:1: solver.control_motion: is needed: how far displacement control takes the "
             "point that it watches");
   EXPECT_EQ(error("solver.control = 'displacement'\n"
                   "solver.control_motion = ['0 m', '0 m', '0 m']\n"),
             "s.toml:2: solver.control_motion: is needed: how far displacement control takes the "
             "point that it watches");
   EXPECT_EQ(error("solver.control_motion = ['0 m', '1 mm', '0 m']\n"),
-            "s.toml:1: solver.control_motion: goes with control = \"displacement\" alone");
+            "s.toml:1: solver.control_motion = ['0 m', '1 mm', '0 m']: goes with control = "
+            "\"displacement\" alone");
   EXPECT_EQ(error("solver.control = 'displacement'\n"
                   "solver.control_motion = ['0 m', '1 mm', '0 m']\n",
                   "[[load]]\nat = 'end'\nmoment = ['0 N m', '0 N m', '1 N m']\n"),

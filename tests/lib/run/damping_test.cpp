@@ -41,47 +41,38 @@ double largest_difference(const std::vector<double>& a, const std::vector<double
 }
 
 /// tau K dtheta/dt is tau ds/dt where nothing yields: two formulations of one equation.
-TEST(Damping, OfAnElasticBeamIsAlikeByItsAnglesAndByItsMoments) {
-  for (const Scheme scheme : {Scheme::GeneralizedAlpha, Scheme::EnergyMomentum}) {
-    for (const bool in_space : {false, true}) {
-      const Scene scene = pushed(in_space, YieldModel::Elastic);
-      const auto angles = tip(scene, scheme, Damping::Stiffness, 1e-3);
-      const auto moments = tip(scene, scheme, Damping::Relaxation, 1e-3);
-      const double size = -*std::min_element(angles.begin(), angles.end());
-      // In space, of large turns, they differ by the geometry of a step.
-      EXPECT_LT(largest_difference(angles, moments), (in_space ? 1e-5 : 1e-9) * size)
-          << static_cast<int>(scheme) << in_space;
-    }
-  }
-}
-
-TEST(Damping, ByMomentsIsOfSecondOrderInTheStep) {
+TEST(DampingBy, AnglesIsThatByMomentsOfAnElasticBeam) {
   for (const bool in_space : {false, true}) {
     const Scene scene = pushed(in_space, YieldModel::Elastic);
-    const auto exact = tip(scene, Scheme::EnergyMomentum, Damping::Relaxation, 1e-5);
-    const auto error = [&](double step) {
-      return largest_difference(tip(scene, Scheme::GeneralizedAlpha, Damping::Relaxation, step),
-                                exact);
-    };
-    EXPECT_NEAR(std::log2(error(1e-3) / error(5e-4)), 2.0, 0.15) << in_space;
-    EXPECT_NEAR(std::log2(error(5e-4) / error(2.5e-4)), 2.0, 0.15) << in_space;
+    const auto angles = tip(scene, Scheme::EnergyMomentum, Damping::Stiffness, 1e-3);
+    const auto moments = tip(scene, Scheme::EnergyMomentum, Damping::Relaxation, 1e-3);
+    const double size = -*std::min_element(angles.begin(), angles.end());
+    // In space they differ by how a step turns.
+    EXPECT_LT(largest_difference(angles, moments), (in_space ? 1e-5 : 1e-9) * size) << in_space;
   }
 }
 
-/// Plastic flow is not damped: of the clamp that yields, the law's moment alone is left.
-TEST(Damping, ByMomentsLeavesPlasticFlowAlone) {
-  Scene scene = pushed(false, YieldModel::PerAxis);
-  scene.loads[0].force[1] = -1.2 * testing::yield_moment_of(scene);
-  const auto exact = tip(scene, Scheme::EnergyMomentum, Damping::Relaxation, 2e-5);
-  const double size = std::fabs(exact.back());
-  const auto error = [&](double step) {
-    return largest_difference(tip(scene, Scheme::GeneralizedAlpha, Damping::Relaxation, step),
-                              exact) /
-           size;
-  };
-  // Where a joint begins to yield its damping falls to nothing within one step.
-  EXPECT_LT(error(1e-3), 0.01);
-  EXPECT_LT(error(2.5e-4), 0.0025);
+/// Elastic or flowing, at a plane level or in space; the truth is another scheme's.
+TEST(DampingBy, MomentsIsOfSecondOrderInTheStep) {
+  for (const bool in_space : {false, true}) {
+    for (const YieldModel model : {YieldModel::Elastic, YieldModel::PerAxis}) {
+      Scene scene = pushed(in_space, model);
+      // The clamp yields from 0.83 of its load on.
+      if (model != YieldModel::Elastic) {
+        scene.loads[0].force[1] = -1.2 * testing::yield_moment_of(scene);
+      }
+      const auto exact = tip(scene, Scheme::EnergyMomentum, Damping::Relaxation, 1e-5);
+      const auto error = [&](double step) {
+        return largest_difference(tip(scene, Scheme::GeneralizedAlpha, Damping::Relaxation, step),
+                                  exact);
+      };
+      const double coarse = error(1e-3);
+      const double fine = error(1.25e-4);
+      EXPECT_GT(std::log2(coarse / fine) / 3.0, model == YieldModel::Elastic ? 1.9 : 1.6)
+          << in_space << ' ' << static_cast<int>(model);
+      EXPECT_LT(coarse, 1e-3 * std::fabs(exact.back()));
+    }
+  }
 }
 
 }  // namespace
