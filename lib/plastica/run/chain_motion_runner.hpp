@@ -4,6 +4,7 @@
 #include <chrono>
 #include <cmath>
 #include <memory>
+#include <stdexcept>
 #include <utility>
 #include <vector>
 
@@ -147,7 +148,12 @@ void ChainMotionRunner<L, kElastic>::break_joints(Step& step, const BreakListene
   if (listener) {
     event.factor = body_.record.factor_at(event.time);
     event.fragments = fragments();
+    const std::vector<BrokenJoint> told = event.joints;
     listener(event);
+    if (!std::ranges::equal(told, event.joints, {}, &BrokenJoint::joint, &BrokenJoint::joint)) {
+      throw std::invalid_argument(
+          "plastica: a listener may set `cut` of the joints that it is told of, and no others");
+    }
   }
   // A joint that is spared for another is asked about again, one that the scene only records is
   // not.

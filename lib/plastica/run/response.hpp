@@ -60,7 +60,8 @@ struct ChainBreak {
 };
 
 /// Decides at each break which of its joints are cut: it sets `BrokenJoint::cut`, which the scene's
-/// policy has set before. Called in the thread that runs.
+/// policy has set before; other joints than those that it is told of are refused
+/// (std::invalid_argument). Called in the thread that runs.
 using BreakListener = std::function<void(ChainBreak&)>;
 
 /// How far the energies of a path or motion balance [J]; see chain/README.md. All but the residual

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <stdexcept>
 #include <string>
 
 #include "tests/support/motion_scene.hpp"
@@ -116,6 +117,19 @@ TEST(MotionBreak, KeepsTheLastShapeOfARunThatIsStopped) {
   workspace.on_progress = nullptr;
   run(model, {}, workspace, response);
   EXPECT_EQ(response.chain.frame_sample, (std::vector<std::size_t>{0, 25, 50, 75, 100}));
+}
+
+TEST(MotionBreak, RefusesJointsThatAListenerAdds) {
+  for (const int joint : {-1, 3, 100000}) {
+    EXPECT_THROW(simulate(breaking_scene(16), motion_options(Scheme::EnergyMomentum, 1e-4, 200),
+                          [&](ChainBreak& event) {
+                            BrokenJoint more;
+                            more.joint = joint;
+                            more.cut = true;
+                            event.joints.push_back(more);
+                          }),
+                 std::invalid_argument);
+  }
 }
 
 TEST(MotionBreak, AsksTheListenerWhatToCut) {

@@ -99,7 +99,7 @@ TEST(Heap, IsNotUsedByRunWithTheStressAlone) {
 TEST(Heap, IsNotUsedByRunSensitivity) {
   const std::vector<std::string> all{"yield_stress", "youngs_modulus", "kinematic_fraction"};
   for (const HardeningLaw law : kLaws) {
-    const std::size_t own = law == HardeningLaw::Ideal ? 2 : all.size();
+    const std::size_t own = law == HardeningLaw::Linear ? all.size() : 2;  // has all of them
     for (std::size_t count = 1; count <= own; ++count) {
       Scene scene = coupon_scene(Deformation::Tension, {0.001, 0.02, -0.03, 0.05});
       scene.material.hardening = hardening_of(law);
