@@ -52,6 +52,26 @@ TEST(DampingBy, AnglesIsThatByMomentsOfAnElasticBeam) {
   }
 }
 
+/// So it is where joints stretch and shear, with a damping time of several steps.
+TEST(DampingBy, AnglesIsThatByMomentsWhereJointsStretch) {
+  const Scene scene = pushed(false, YieldModel::Elastic);
+  for (const Scheme scheme : {Scheme::EnergyMomentum, Scheme::LinearlyImplicitMidpoint}) {
+    const auto damped = [&](Damping damping) {
+      SolverOptions options = motion_options(scheme, 1e-3, 100);
+      options.translation = JointTranslation::Elastic;
+      options.damping = damping;
+      options.damping_time = 5e-3;
+      const Response response = testing::completed(scene, options);
+      EXPECT_EQ(response.counters.cutbacks, 0);
+      return response.probes[0];
+    };
+    const auto angles = damped(Damping::Stiffness);
+    const auto moments = damped(Damping::Relaxation);
+    const double size = -*std::min_element(angles.begin(), angles.end());
+    EXPECT_LT(largest_difference(angles, moments), 1e-9 * size) << static_cast<int>(scheme);
+  }
+}
+
 /// Elastic or flowing, at a plane level or in space; the truth is another scheme's.
 TEST(DampingBy, MomentsIsOfSecondOrderInTheStep) {
   for (const bool in_space : {false, true}) {
