@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "plastica/theory/domain.hpp"
+#include "plastica/base/domain.hpp"
 
 namespace plastica::theory {
 namespace {

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "plastica/theory/domain.hpp"
+#include "plastica/base/domain.hpp"
 
 namespace plastica::theory {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "plastica/theory/domain.hpp"
+#include "plastica/base/domain.hpp"
 
 namespace plastica::theory {
 

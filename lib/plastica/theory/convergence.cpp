@@ -10,7 +10,7 @@
 #include <string_view>
 
 #include "plastica/base/check.hpp"
-#include "plastica/theory/domain.hpp"
+#include "plastica/base/domain.hpp"
 
 namespace plastica::theory {
 namespace {

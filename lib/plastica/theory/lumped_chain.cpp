@@ -3,8 +3,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "plastica/base/domain.hpp"
 #include "plastica/theory/bending.hpp"
-#include "plastica/theory/domain.hpp"
 
 namespace plastica::theory {
 

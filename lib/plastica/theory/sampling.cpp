@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "plastica/base/check.hpp"
-#include "plastica/theory/domain.hpp"
+#include "plastica/base/domain.hpp"
 
 namespace plastica::theory {
 namespace {

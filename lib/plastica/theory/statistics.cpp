@@ -6,7 +6,7 @@
 #include <numbers>
 #include <vector>
 
-#include "plastica/theory/domain.hpp"
+#include "plastica/base/domain.hpp"
 
 namespace plastica::theory {
 namespace {

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <cstddef>
 
+#include "plastica/base/domain.hpp"
 #include "plastica/model/hardening_kind.hpp"
-#include "plastica/theory/domain.hpp"
 
 namespace plastica::theory {
 

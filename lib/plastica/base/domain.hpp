@@ -4,7 +4,7 @@
 #include <stdexcept>
 #include <string>
 
-namespace plastica::theory {
+namespace plastica {
 
 /// Closed forms hold within a domain: what lies outside has no number, not a wrong one.
 /// @param what  must hold, in the words of the function's arguments
@@ -15,4 +15,4 @@ inline void require_domain(bool holds, const char* what,
   throw std::domain_error(std::string(where.function_name()) + ": needs " + what);
 }
 
-}  // namespace plastica::theory
+}  // namespace plastica
