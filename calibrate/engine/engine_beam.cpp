@@ -275,8 +275,7 @@ std::array<double, 3> EngineSegment::point(double fraction) const {
 
 EngineBeam engine_beam(const Scene& scene, const SolverOptions& options) {
   if (scene.is_coupon()) {
-    throw InputError({}, "drive.strain", "",
-                     "a coupon has no joints: an export needs a beam with supports");
+    throw InputError({}, "drive.strain", "", "a coupon has no joints: an export needs a beam");
   }
   for (std::size_t i = 0; i < scene.supports.size(); ++i) {
     if (!traits_of(scene.supports[i]).releases) continue;

@@ -43,13 +43,18 @@ void judge_misfit(const std::vector<double>& residual, const Target& target,
   if (!lack.empty()) result.warnings.push_back(std::move(lack));
 }
 
-/// What residuals say of a stated noise.
-/// @param parameters  that they were fitted with
-StatedNoise judged_noise(const FitResult& result, double noise, std::size_t parameters) {
-  const double degrees = result.effective_samples - static_cast<double>(parameters);
-  const double mean_square = result.misfit_rms * result.misfit_rms * result.effective_samples;
-  return judge_stated_noise(std::sqrt(mean_square / degrees) / noise, degrees);
-}
+/// The residuals' own noise: their root mean square by their degrees of freedom [Pa].
+struct OwnNoise {
+  double deviation = 0.0;
+  double degrees = 0.0;  ///< of freedom, at least 1
+
+  explicit OwnNoise(const FitResult& result)
+      : degrees(
+            std::max(1.0, result.effective_samples - static_cast<double>(result.free_count()))) {
+    deviation = result.misfit_rms * std::sqrt(result.effective_samples / degrees);
+  }
+  StatedNoise judge(double stated) const { return judge_stated_noise(deviation / stated, degrees); }
+};
 
 /// Errors and interval of a parameter that the curve determines.
 void set_errors(const Uncertainty& u, std::size_t k, double confidence, const FitResult& result,
@@ -61,9 +66,9 @@ void set_errors(const Uncertainty& u, std::size_t k, double confidence, const Fi
   p.degrees_of_freedom = u.degrees_of_freedom[k];
   // Of noise as large as the residuals: a stated one may be smaller, or larger.
   const bool is_stated = std::isinf(u.degrees_of_freedom[k]);
-  const double over = is_stated ? result.misfit_rms / u.noise : 1.0;
-  const bool is_larger =
-      is_stated && judged_noise(result, u.noise, u.identified.size()) == StatedNoise::TooSmall;
+  const OwnNoise own(result);
+  const double over = is_stated ? own.deviation / u.noise : 1.0;
+  const bool is_larger = is_stated && own.judge(u.noise) == StatedNoise::TooSmall;
   const bool in_runs = are_in_runs(result.runs_test_p, result.autocorrelation);
   if (in_runs || is_larger) {
     const auto parameters = static_cast<int>(u.identified.size());
@@ -172,11 +177,12 @@ std::string unequal_noise(const Uncertainty& u) {
 }
 
 void warn_of_noise(double stated, FitResult& result) {
-  const StatedNoise is = judged_noise(result, stated, result.free_count());
+  const OwnNoise own(result);
+  const StatedNoise is = own.judge(stated);
   if (is == StatedNoise::Fits) return;
   result.warnings.push_back(
       fmt::format("a noise of {:.3g} MPa is stated, but the residuals are of {:.3g} MPa: {}",
-                  stated / 1e6, result.misfit_rms / 1e6,
+                  stated / 1e6, own.deviation / 1e6,
                   is == StatedNoise::TooSmall
                       ? "the errors count these; profiles and the choice of a law do not"
                       : "the errors are those of the stated noise, too large by as much"));

@@ -112,7 +112,7 @@ class Guesser {
     // One of two alone is told of.
     const bool is_true = deformation && load && guess_.columns[*deformation].is_true &&
                          guess_.columns[*load].is_true;
-    if (is_true && !source.measure) source.measure = Measure::True;
+    if (is_true && !source.measure && source.may_be_true()) source.measure = Measure::True;
     const GivenGeometry geometry = find_geometry(table_);
     const auto value = [&](const char* key, const std::optional<GivenValue>& found,
                            const std::string& doubt, const char* unit,

@@ -68,6 +68,8 @@ struct TargetSource {
   io::CsvOptions csv;
   std::shared_ptr<KeptTables> kept{};  ///< of its files, those that were read already
 
+  /// Whether its columns may be of the true measure: strain and stress, in tension.
+  bool may_be_true() const { return test == Test::Tension && !elongation && !force; }
   /// Whether something says values of each specimen: a table, or a file of HDF5.
   bool has_values() const;
   /// Whether it asks for what a table, or an HDF5 file, says of each specimen.

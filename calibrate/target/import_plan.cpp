@@ -75,15 +75,11 @@ ImportPlan plan_of(const TargetSource& source) {
     throw InputError(where, "test", source.test == Test::Bending ? "bending" : "torsion",
                      "elongation and force are for tension; give strain and stress");
   }
-  if (source.measure == Measure::True) {
-    if (divided) {
-      throw InputError(where, "measure", "true",
-                       "is not that of force over area and of elongation over gauge length: "
-                       "corrections.measure = \"true\" converts them");
-    }
-    if (source.test != Test::Tension) {
-      throw InputError(where, "measure", "true", "goes with test = \"tension\" alone");
-    }
+  if (source.measure == Measure::True && !source.may_be_true()) {
+    throw InputError(where, "measure", "true",
+                     divided ? "is not that of force over area and of elongation over gauge "
+                               "length: corrections.measure = \"true\" converts them"
+                             : "goes with test = \"tension\" alone");
   }
   ImportPlan plan;
   plan.strain = source.strain ? &*source.strain : &*source.elongation;

@@ -16,9 +16,8 @@ ColumnMeaning meaning_in(const io::CsvTable& table, std::size_t column) {
 
 void check_named_measure(const TargetSource& source, const io::CsvTable& table, std::size_t strain,
                          std::size_t stress) {
-  if (source.measure || !meaning_in(table, strain).is_true || !meaning_in(table, stress).is_true) {
-    return;
-  }
+  if (source.measure || !source.may_be_true()) return;
+  if (!meaning_in(table, strain).is_true || !meaning_in(table, stress).is_true) return;
   throw InputError(
       source.where, "measure", "",
       fmt::format("is needed: \"{}\" and \"{}\" are true strain and stress by their "
@@ -29,6 +28,7 @@ void check_named_measure(const TargetSource& source, const io::CsvTable& table, 
 void warn_of_named_measure(const TargetSource& source, const io::CsvTable& table,
                            std::size_t strain, std::size_t stress,
                            std::vector<std::string>& warnings) {
+  if (!source.may_be_true()) return;
   const bool as_true = source.measure == Measure::True;
   for (const std::size_t column : {strain, stress}) {
     const ColumnMeaning meaning = meaning_in(table, column);

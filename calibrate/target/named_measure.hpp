@@ -9,12 +9,13 @@
 /// What the names of columns say of the measure, against what the block says; not installed.
 namespace plastica::calibrate {
 
-/// Refuses "True strain" and "True stress" in a block that does not say which measure they are.
+/// Refuses "True strain" and "True stress" of a tension test in a block that does not say which
+/// measure they are.
 /// @throws InputError
 void check_named_measure(const TargetSource& source, const io::CsvTable& table, std::size_t strain,
                          std::size_t stress);
 
-/// Warns of columns that are of the other measure by their names.
+/// Warns of columns of strain and stress in tension that are of the other measure by their names.
 void warn_of_named_measure(const TargetSource& source, const io::CsvTable& table,
                            std::size_t strain, std::size_t stress,
                            std::vector<std::string>& warnings);

@@ -97,6 +97,8 @@ class SectionJointsBase : public JointLaws<L, kElastic> {
         plastic_(joints_.size()) {}
 
   const std::vector<SectionJoint<L>>& joints() const { return joints_; }
+  /// Whether no joint can yield.
+  bool is_elastic() const { return is_elastic_; }
   /// Section forces of the last trial (M_x, M_y, T, N) of each joint (joints).
   const std::vector<law::SectionForce<S>>& section_forces() const { return force_; }
   /// Elastic energy of each joint in the last trial [J] (joints).
@@ -136,6 +138,7 @@ class SectionJointsBase : public JointLaws<L, kElastic> {
   std::vector<SectionJoint<L>> joints_;
   std::vector<law::SectionForce<S>> force_;
   std::vector<S> elastic_, work_, plastic_, aside_;
+  bool is_elastic_ = false;
 };
 
 }  // namespace plastica::chain

@@ -45,6 +45,7 @@ class SectionJoints final : public SectionJointsBase<L, kElastic> {
     before_.resize(states);
     after_.resize(states);
     find_uneven();
+    this->is_elastic_ = std::is_empty_v<typename Law::State>;
     if constexpr (kSeesAside) aside_.resize(joints_.size());
     if constexpr (kSeesAxial) {
       this->sees_axial_ = true;

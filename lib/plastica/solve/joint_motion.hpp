@@ -125,8 +125,9 @@ class JointMotion {
     length_before_ = length_;
   }
 
-  /// The rates that damping comes from have jumped: it begins anew, from the joints' spins where it
-  /// is of the angles' rates (shifts are taken as at rest), else from none.
+  /// The rates that damping comes from have jumped: it begins anew, from the joints' spins (shifts
+  /// are taken as at rest). The moments of joints that can yield may go no further: by their rates
+  /// damping begins from none, of first order in the step.
   /// @param spins  [rad/s]; empty: not known (joints)
   /// @param forces  of the laws; damping is added
   void begin_damping(const MotionOptions& options, std::span<const typename L::Spin> angles,
@@ -134,21 +135,28 @@ class JointMotion {
     length_before_ = 0.0;
     for (std::size_t j = 0; j < stiffness_.size(); ++j) {
       damped_before_[j] = {};
-      if (spins.empty() || options.damping != Damping::Stiffness) continue;
+      if (spins.empty() || options.damping == Damping::None) continue;
+      const S time = constant<S>(options.damping_time);
       Vec<S, kR> rate;
       for (std::size_t m = 0; m < kR; ++m) rate[m] = spins[j][m];
-      Mat<S, kR, kR> to_angle = identity<S, kR>();
-      if constexpr (kR == 3) {
-        const Vec<S, 3> angle = angles[j];
-        to_angle =
-            chain::inverse_tangent_map(angle, chain::RotationCoefficients<S>(dot(angle, angle)));
-        rate = to_angle * rate;
+      if (options.damping == Damping::Relaxation) {
+        if (!joints_->is_elastic()) continue;
+        for (std::size_t k = 0; k < kJ; ++k) {
+          for (std::size_t m = 0; m < kR; ++m)
+            damped_before_[j][k] += time * forces.tangent[j](k, m) * rate[m];
+        }
+      } else {
+        Mat<S, kR, kR> to_angle = identity<S, kR>();
+        if constexpr (kR == 3) {
+          const Vec<S, 3> angle = angles[j];
+          to_angle =
+              chain::inverse_tangent_map(angle, chain::RotationCoefficients<S>(dot(angle, angle)));
+          rate = to_angle * rate;
+        }
+        for (std::size_t m = 0; m < kR; ++m) rate[m] = time * stiffness_[j][m] * rate[m];
+        const Vec<S, kR> moment = transposed_times(to_angle, rate);
+        for (std::size_t m = 0; m < kR; ++m) damped_before_[j][m] = moment[m];
       }
-      for (std::size_t m = 0; m < kR; ++m) {
-        rate[m] = constant<S>(options.damping_time) * stiffness_[j][m] * rate[m];
-      }
-      const Vec<S, kR> moment = transposed_times(to_angle, rate);
-      for (std::size_t m = 0; m < kR; ++m) damped_before_[j][m] = moment[m];
       forces.force[j] += damped_before_[j];
     }
   }

@@ -70,7 +70,7 @@ void MotionStep<L, kElastic>::set_stage() {
 /// How fast the joints turn at the step's end.
 template <class L, bool kElastic>
 void MotionStep<L, kElastic>::set_joint_spins(const Motions& motion, double time) {
-  if (rule_.conserves || options_.damping != Damping::Stiffness) return;
+  if (rule_.conserves || options_.damping == Damping::None) return;
   spins_.resize(chain_.joints());
   const auto slope_at = [&](std::size_t history) {
     return chain::factor_as<S>(chain_.histories[history].slope_at(time));

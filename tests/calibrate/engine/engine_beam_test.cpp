@@ -288,7 +288,7 @@ TEST(EngineBeam, OfACouponIsRefused) {
   Scene scene = breakable_scene();
   scene.drive.strain = {0.0, 0.01};
   EXPECT_EQ(message_of([&] { beam_of(scene); }),
-            "drive.strain: a coupon has no joints: an export needs a beam with supports");
+            "drive.strain: a coupon has no joints: an export needs a beam");
 }
 
 TEST(EngineBeam, ThatIsBentAndHeldInPartIsRefused) {

@@ -174,6 +174,12 @@ TEST(GuessFile, TrueMeasuresAreTrueWhoeverNamesThem) {
   EXPECT_EQ(measure(), Measure::True);
   given.measure = Measure::Engineering;
   EXPECT_EQ(measure(), Measure::Engineering);
+  // A logger's names, and a test that has no true measure.
+  EXPECT_EQ(guess_of("Log displacement (mm),Log force (kN)", {0.1, 2}).blocks[0].source.measure,
+            std::nullopt);
+  given.measure.reset();
+  given.test = calibrate::Test::Bending;
+  EXPECT_EQ(measure(), std::nullopt);
 }
 
 /// What a sensor shows when it is taken off turns no test.

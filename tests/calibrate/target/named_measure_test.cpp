@@ -82,5 +82,18 @@ TEST(NamedMeasure, IsNotTrueOfForceAndElongation) {
             "fit.toml:3: measure = true: goes with test = \"tension\" alone");
 }
 
+/// What cannot be true is neither asked for nor doubted.
+TEST(NamedMeasure, OfOtherTestsAndOfForceIsNoQuestion) {
+  const CurveFiles files("other_measure");
+  TargetSource bending = source_of(files, {"True strain", "True stress"});
+  bending.test = calibrate::Test::Bending;
+  EXPECT_NO_THROW(import_targets(bending));
+  TargetSource divided = source_of(files, {"Log strain", "Log force"});
+  divided.force = ColumnSource{"Log force", "kN", {}};
+  divided.stress.reset();
+  divided.area = SpecimenValue{1e-4, "", "mm^2", {}};
+  EXPECT_NO_THROW(import_targets(divided));
+}
+
 }  // namespace
 }  // namespace plastica::calibrate

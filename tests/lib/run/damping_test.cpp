@@ -52,6 +52,28 @@ TEST(DampingBy, AnglesIsThatByMomentsOfAnElasticBeam) {
   }
 }
 
+/// A beam that begins with speeds has a moment's rate at once; of second order where it is elastic.
+TEST(DampingBy, MomentsBeginsWithTheirRate) {
+  Scene scene = testing::cantilever_scene(8);
+  scene.yield_model = YieldModel::Elastic;
+  InitialMotion blow;
+  blow.from = {0.5, {}};
+  blow.velocity = {0.0, -0.5, 0.0};
+  scene.initial_motions = {blow};
+  add_probe(scene, ProbeQuantity::Displacement, Place::end(), Component::Y);
+  const auto exact = tip(scene, Scheme::EnergyMomentum, Damping::Relaxation, 1e-5);
+  const double size = -*std::min_element(exact.begin(), exact.end());
+  const auto error = [&](double step) {
+    SolverOptions options = motion_options(Scheme::GeneralizedAlpha, step, 50);
+    options.duration = 0.1;
+    options.damping = Damping::Relaxation;
+    options.damping_time = 2e-3;
+    return largest_difference(simulate(scene, options).probes[0], exact) / size;
+  };
+  EXPECT_LT(error(2.5e-4), 2e-3);
+  EXPECT_LT(error(6.25e-5), 2e-4);
+}
+
 /// So it is where joints stretch and shear, with a damping time of several steps.
 TEST(DampingBy, AnglesIsThatByMomentsWhereJointsStretch) {
   const Scene scene = pushed(false, YieldModel::Elastic);
