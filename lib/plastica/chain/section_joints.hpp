@@ -301,8 +301,7 @@ class SectionJoints final : public SectionJointsBase<L, kElastic> {
     }
     Vec<S, kJ>& force = forces.force[j];
     Mat<S, kJ, kJ>& tangent = forces.tangent[j];
-    // What a scheme has added to it may stand where the law has nothing.
-    if constexpr (kElastic) tangent = {};
+    if constexpr (kElastic) tangent = {};  // has what a scheme added, where the law has nothing
     for (std::size_t k = 0; k < kR; ++k) {
       force[k] = moment[k];
       for (std::size_t m = 0; m < kR; ++m) tangent(k, m) = slope(k, m);
