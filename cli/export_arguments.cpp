@@ -12,6 +12,7 @@
 #include "calibrate/engine/engine_world.hpp"
 #include "cli/common_options.hpp"
 #include "cli/export_paraview.hpp"
+#include "cli/run_files.hpp"
 #include "plastica/base/check.hpp"
 
 namespace plastica::cli {

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <source_location>
 #include <stdexcept>
 #include <string>
 
@@ -10,9 +9,8 @@ namespace plastica {
 /// @param what  must hold, in the words of the function's arguments
 /// @throws std::domain_error if it does not
 inline void require_domain(bool holds, const char* what,
-                           std::source_location where = std::source_location::current()) {
-  if (holds) return;
-  throw std::domain_error(std::string(where.function_name()) + ": needs " + what);
+                           const char* function = __builtin_FUNCTION()) {
+  if (!holds) throw std::domain_error(std::string(function) + ": needs " + what);
 }
 
 }  // namespace plastica

@@ -106,6 +106,7 @@ CsvTable CsvTable::of_texts(const std::vector<Hdf5TableColumn>& columns, const s
 /// Names and units are found as those of a text are; the numbers need none.
 CsvTable CsvTable::of_numbers(std::vector<Hdf5TableColumn> columns, const std::string& file) {
   std::vector<Hdf5TableColumn> heads;
+  heads.reserve(columns.size());
   for (const Hdf5TableColumn& column : columns) {
     heads.push_back(
         {column.header, std::vector<double>(std::min<std::size_t>(column.size(), 1)), {}});

@@ -11,6 +11,7 @@
 #include "plastica/run/run_warnings.hpp"
 #include "plastica/run/simulate.hpp"
 #include "tests/lib/run/warnings_of.hpp"
+#include "tests/support/chain_scene.hpp"
 
 namespace plastica {
 namespace {

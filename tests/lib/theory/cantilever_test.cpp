@@ -36,8 +36,8 @@ TEST(ElastoplasticCantilever, IsToldFromWhatHasNoNumber) {
     tip_deflection_ratio(1.6);
     ADD_FAILURE() << "beyond the limit load";
   } catch (const std::domain_error& error) {
-    EXPECT_TRUE(std::string(error.what())
-                    .ends_with("tip_deflection_ratio(double): needs p >= 0.0 && p <= 1.5"))
+    EXPECT_TRUE(
+        std::string(error.what()).ends_with("tip_deflection_ratio: needs p >= 0.0 && p <= 1.5"))
         << error.what();
   }
 }
