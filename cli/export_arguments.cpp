@@ -93,6 +93,11 @@ void check_options(const ExportArguments& arguments, ResultKind kind) {
                      "is a scene, which has a beam alone: what it does is in the result of "
                      "plastica simulate");
   }
+  constexpr std::string_view kOfResults = "is for results; this is a scene";
+  refuse_option(arguments.is_scene_file && !arguments.time.empty(), "--time", kOfResults);
+  refuse_option(arguments.is_scene_file && !arguments.beam.scene.empty(), "--scene", kOfResults);
+  refuse_option(arguments.is_scene_file && !arguments.beam.target.empty(), "--target", kOfResults);
+  refuse_option(arguments.is_scene_file && !arguments.beam.which.empty(), "--case", kOfResults);
   const std::array options{
       ResultOption{"--time", !arguments.time.empty(), {Scene}},
       ResultOption{"--scene", !arguments.beam.scene.empty(), {Fits, SceneFits}},

@@ -177,7 +177,8 @@ TEST_F(ExportBeam, OfASceneFileNeedsABeamAlone) {
        "bare.toml: is a scene, which has a beam alone: what it does is in the result of plastica "
        "simulate"},
       {{"bare.toml", "--what", "probes"}, "bare.toml: is a scene, which has a beam alone: …"},
-      {{"bare.toml", "--case", "a"}, "--case: is for results of fits; this is a simulated scene"},
+      {{"bare.toml", "--case", "a"}, "--case: is for results; this is a scene"},
+      {{"bare.toml", "--time", "1 s"}, "--time: is for results; this is a scene"},
       {{"coupon.toml"}, "coupon.toml:2: drive.strain: a coupon has no joints: …"},
       {{"wrong.toml"}, "wrong.toml:15: material.yield_stress = -1 Pa: …"}};
   for (const auto& [more, line] : requests) {

@@ -70,7 +70,7 @@ void MotionStep<L, kElastic>::set_stage() {
 /// How fast the joints turn at the step's end.
 template <class L, bool kElastic>
 void MotionStep<L, kElastic>::set_joint_spins(const Motions& motion, double time) {
-  if (rule_.conserves || options_.damping == Damping::None) return;
+  if (rule_.conserves) return;
   spins_.resize(chain_.joints());
   const auto slope_at = [&](std::size_t history) {
     return chain::factor_as<S>(chain_.histories[history].slope_at(time));
@@ -106,7 +106,9 @@ void MotionStep<L, kElastic>::assemble(bool slopes) {
   }
   if (of.midpoint) set_stage();
   evaluate_laws();
-  set_joint_spins(motion_now_, w_.time - kRounding * h_);  // before a corner
+  if (options_.damping == Damping::Stiffness) {
+    set_joint_spins(motion_now_, w_.time - kRounding * h_);  // before a corner
+  }
   joint_motion_.take(options_, rule_, h_, w_.angles, w_.q.shift, spins_, slopes, w_.joints);
   chain::gather_forces(
       chain_, w_.q, w_.placement, w_.stage, w_.joints,

@@ -309,7 +309,7 @@ void MotionStep<L, kElastic>::restart() {
   chain::place<kElastic>(chain_, w_.q, w_.time, w_.placement);
   joints_.set_time(0.0);
   evaluate_laws();
-  set_joint_spins(motion_, w_.time + reach());
+  if (options_.damping != Damping::None) set_joint_spins(motion_, w_.time + reach());
   joint_motion_.begin_damping(options_, w_.angles, spins_, w_.joints);
   for (std::size_t g = 0; g < ground_moment_.size(); ++g) ground_moment_[g] = ground_moment(g);
   for (MomentumError<L>& error : momentum_) error.knows_outside = false;
