@@ -61,6 +61,10 @@ constexpr std::array<std::string_view, 16> kLesser{
     "set ",  "setpoint", "soll",      "command",    "target",  "demand",  "peak",      "max",
     "error", "std",      "deviation", "abweichung", "plastic", "elastic", "plastisch", "elastisch"};
 
+/// A strain without its elastic part, unless it is that of an "elastic-plastic" specimen, or total.
+constexpr std::array<std::string_view, 4> kPlastic{"plastic", "plastisch", "plastique", "plástic"};
+constexpr std::array<std::string_view, 3> kTotal{"total", "gesamt", "elast"};
+
 bool has(std::string_view name, Words words) {
   return std::ranges::any_of(words,
                              [&](auto word) { return name.find(word) != std::string_view::npos; });
@@ -208,6 +212,8 @@ ColumnMeaning meaning_of(std::string_view name, std::string_view unit) {
       meaning.role == ColumnRole::Travel ||
       (meaning.role == ColumnRole::Strain &&
        (said.travel || lower.find("nominal") != std::string::npos) && !said.elongation);
+  meaning.is_plastic =
+      meaning.role == ColumnRole::Strain && has(lower, kPlastic) && !has(lower, kTotal);
   meaning.why = meaning.is_weak ? "unit" : meaning.unit ? "name, unit" : "name";
   return meaning;
 }

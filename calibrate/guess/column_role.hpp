@@ -24,6 +24,7 @@ struct ColumnMeaning {
   bool is_true = false;         ///< true strain or stress, as its name says
   bool is_engineering = false;  ///< the opposite, as its name says
   bool is_travel = false;       ///< a strain that is travel over a length
+  bool is_plastic = false;      ///< a strain without its elastic part
   bool is_lesser = false;  ///< wanted of the machine ("set", "soll"), an extreme, an error, a part
   bool is_weak = false;    ///< its unit alone says so, not its name
   std::optional<std::string> unit;  ///< the file's own, or the one that ends the name

@@ -45,11 +45,13 @@ struct Window {
 };
 
 /// Samples from the last at or below `low` to the first above `high`, both left out.
-Window window_of(Values stress, double sign, double low, double high) {
+/// @param level  of a sample [Pa]
+template <typename Level>
+Window window_of(std::size_t samples, double low, double high, const Level& level) {
   Window window;
-  while (window.end < stress.size() && sign * stress[window.end] <= high) ++window.end;
+  while (window.end < samples && level(window.end) <= high) ++window.end;
   window.begin = window.end;
-  while (window.begin > 0 && sign * stress[window.begin - 1] > low) --window.begin;
+  while (window.begin > 0 && level(window.begin - 1) > low) --window.begin;
   return window;
 }
 
@@ -65,11 +67,18 @@ Noise noise_in(Values strain, Values stress) {
   return {noise_of(rows, strain), noise_of(rows, stress)};
 }
 
+struct Regression {
+  ElasticLine line;
+  /// What of a sample's distance above the line is its stress's noise carried along the line: how
+  /// much of it leads from its strain to its foot on the line; 0 without noise in the strain.
+  double share = 0.0;
+};
+
 /// The line through samples with noise in both: Deming, Statistical Adjustment of Data (1943), 178.
 /// Without noise in the strain it is the regression of the stress, whose slope that noise would
 /// make too small.
 /// @param noise  of the stress about the curve, a floor of the standard errors
-ElasticLine regress(Values strain, Values stress, double noise) {
+Regression regress(Values strain, Values stress, double noise) {
   const double n = static_cast<double>(strain.size());
   double mean_strain = 0.0;
   double mean_stress = 0.0;
@@ -89,9 +98,10 @@ ElasticLine regress(Values strain, Values stress, double noise) {
     sxy += x * y;
     syy += y * y;
   }
-  ElasticLine line;
+  Regression regression;
+  ElasticLine& line = regression.line;
   line.samples = strain.size();
-  if (!(sxx > 0.0)) return line;
+  if (!(sxx > 0.0)) return regression;
   line.modulus = sxy / sxx;
   const Noise both = noise_in(strain, stress);
   if (both.strain > 0.0 && sxy > 0.0) {
@@ -101,6 +111,7 @@ ElasticLine regress(Values strain, Values stress, double noise) {
     const double root = std::hypot(excess, 2.0 * std::sqrt(ratio) * sxy);
     line.modulus =
         excess > 0.0 ? (excess + root) / (2.0 * sxy) : 2.0 * ratio * sxy / (root - excess);
+    regression.share = 1.0 / (1.0 + ratio / (line.modulus * line.modulus));
   }
   line.zero_strain = mean_strain - mean_stress / line.modulus;
   double squares = 0.0;
@@ -112,20 +123,62 @@ ElasticLine regress(Values strain, Values stress, double noise) {
   line.modulus_stderr = scatter / std::sqrt(sxx);
   const double arm = mean_strain - line.zero_strain;
   line.zero_strain_stderr = scatter / line.modulus * std::sqrt(1.0 / n + arm * arm / sxx);
-  return line;
+  return regression;
+}
+
+/// The line through the samples of a window; empty if there are too few, or they do not rise.
+/// @param low, high  of the window [Pa]
+std::optional<Regression> regression_in(Values strain, Values stress, Window window, double low,
+                                        double high, double noise) {
+  const std::size_t count = window.end - window.begin;
+  if (count < 3) return std::nullopt;
+  Regression found =
+      regress(strain.subspan(window.begin, count), stress.subspan(window.begin, count), noise);
+  ElasticLine& line = found.line;
+  if (!(line.modulus > 0.0) || !std::isfinite(line.modulus)) return std::nullopt;
+  line.low = std::max(low, 0.0);
+  line.high = high;
+  return found;
+}
+
+/// The line through the samples whose measured stress lies in a window.
+std::optional<Regression> measured_line(Values strain, Values stress, double sign, double low,
+                                        double high, double noise) {
+  const Window window =
+      window_of(stress.size(), low, high, [&](std::size_t i) { return sign * stress[i]; });
+  return regression_in(strain, stress, window, low, high, noise);
 }
 
 std::optional<ElasticLine> line_in(Values strain, Values stress, double sign, double low,
                                    double high, double noise) {
-  const Window window = window_of(stress, sign, low, high);
-  const std::size_t count = window.end - window.begin;
-  if (count < 3) return std::nullopt;
-  ElasticLine line =
-      regress(strain.subspan(window.begin, count), stress.subspan(window.begin, count), noise);
-  if (!(line.modulus > 0.0) || !std::isfinite(line.modulus)) return std::nullopt;
-  line.low = std::max(low, 0.0);
-  line.high = high;
-  return line;
+  const auto found = measured_line(strain, stress, sign, low, high, noise);
+  return found ? std::optional(found->line) : std::nullopt;
+}
+
+/// The line through the samples whose feet on it lie in its window. Measured stresses choose by
+/// their noise: above the window's lower end they take the samples that it has lifted, below the
+/// upper end those that it has lowered, which makes the slope too small. The noise of a sample's
+/// foot is not correlated with that of its distance from the line (Deming's projection), so that
+/// choosing by feet has no such bias.
+/// @param low  of the window [Pa]; -infinity: has no lower end
+std::optional<ElasticLine> unbiased_line(Values strain, Values stress, double sign, double low,
+                                         double high, double noise) {
+  constexpr int kRounds = 10;  // most lines settle in two
+  auto found = measured_line(strain, stress, sign, low, high, noise);
+  std::optional<Window> before;
+  for (int round = 0; found && round < kRounds; ++round) {
+    const auto& [line, share] = *found;
+    const Window window = window_of(stress.size(), low, high, [&](std::size_t i) {
+      const double on_line = line.modulus * (strain[i] - line.zero_strain);
+      return sign * (on_line + share * (stress[i] - on_line));
+    });
+    if (before && window.begin == before->begin && window.end == before->end) break;
+    before = window;
+    const auto next = regression_in(strain, stress, window, low, high, noise);
+    if (!next) break;
+    found = next;
+  }
+  return found ? std::optional(found->line) : std::nullopt;
 }
 
 std::optional<ElasticLine> automatic_line(Values strain, Values stress, double sign, double yield,
@@ -256,7 +309,7 @@ std::optional<ElasticLine> find_elastic_line(const Curve& curve, Loading loading
     }
     auto line = options.modulus_method == ModulusMethod::Chord
                     ? chord(strain, stress, sign, low, high)
-                    : line_in(strain, stress, sign, low, high, noise);
+                    : unbiased_line(strain, stress, sign, low, high, noise);
     if (line) line->yield_stress = peak;
     return line;
   }
@@ -265,7 +318,16 @@ std::optional<ElasticLine> find_elastic_line(const Curve& curve, Loading loading
   }
 
   auto line = settled_line(curve, loading, strain, stress, sign, peak, noise, options);
-  if (loading != Loading::Monotonic) return line;
+  const auto settled_window = [&] {
+    if (!line) return line;
+    const double low = line->low > 0.0 ? line->low : -std::numeric_limits<double>::infinity();
+    auto unbiased = unbiased_line(strain, stress, sign, low, line->high, noise);
+    if (!unbiased) return line;
+    unbiased->yield_stress = line->yield_stress;
+    unbiased->bend = line->bend;
+    return unbiased;
+  };
+  if (loading != Loading::Monotonic) return settled_window();
   // A curve that hardens strongly has a window above its knee, too, that agrees with the proof
   // stress of its own slope. What is elastic is steeper than a foot and than all that is plastic.
   for (double start = 0.5 * peak; start > std::max(kLeastProof * peak, 10.0 * noise);
@@ -279,7 +341,7 @@ std::optional<ElasticLine> find_elastic_line(const Curve& curve, Loading loading
   for (int i = 0; line; ++i) {
     line->bend = bend_of(strain, stress, sign, *line, noise);
     const bool is_beyond = is_beyond_knee(strain, stress, *line, noise);
-    if (!is_beyond && !(line->bend > kPlastic)) return line;
+    if (!is_beyond && !(line->bend > kPlastic)) return settled_window();
     narrower.modulus_low *= 0.75;
     narrower.modulus_high *= 0.75;
     const double start = std::min(line->yield_stress, 0.999 * peak);
@@ -287,7 +349,7 @@ std::optional<ElasticLine> find_elastic_line(const Curve& curve, Loading loading
     if (!lower) lower = automatic_line(strain, stress, sign, line->yield_stress, noise, narrower);
     const double error = is_beyond ? 0.1 : 0.03;  // better a poor one than a wrong one
     if (i == 4 || !lower || lower->modulus_stderr > error * lower->modulus) {
-      return is_beyond ? std::nullopt : line;
+      return is_beyond ? std::nullopt : settled_window();
     }
     if (lower->yield_stress == 0.0) lower->yield_stress = line->yield_stress;
     line = lower;

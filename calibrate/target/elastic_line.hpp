@@ -25,7 +25,8 @@ struct ElasticLine {
 };
 
 /// Finds the elastic line by the rules of TargetOptions, on the first loading, up to the largest
-/// stress (a cyclic curve that starts in compression is mirrored).
+/// stress (a cyclic curve that starts in compression is mirrored). Samples lie in the window by
+/// their feet on the line, so that their noise does not decide which are in.
 /// @param noise  of the stress [Pa], a floor of the standard errors
 /// @return empty if the window holds too few samples even when widened
 /// @throws InputError if a chord is asked for without a window, or a window is empty

@@ -25,6 +25,13 @@ void check_named_measure(const TargetSource& source, const io::CsvTable& table, 
                   table.names()[strain], table.names()[stress]));
 }
 
+void check_total_strain(const io::CsvTable& table, std::size_t strain) {
+  if (!meaning_in(table, strain).is_plastic) return;
+  throw InputError({table.file(), 0}, "strain", table.names()[strain],
+                   "is plastic strain by its name: a fit needs the total strain, which is stress/E "
+                   "more (--accept, or plausible.accept = true, takes it as it is)");
+}
+
 void warn_of_named_measure(const TargetSource& source, const io::CsvTable& table,
                            std::size_t strain, std::size_t stress,
                            std::vector<std::string>& warnings) {

@@ -15,6 +15,10 @@ namespace plastica::calibrate {
 void check_named_measure(const TargetSource& source, const io::CsvTable& table, std::size_t strain,
                          std::size_t stress);
 
+/// Refuses a strain that is the plastic one alone by its name: a curve is one of the total strain.
+/// @throws InputError
+void check_total_strain(const io::CsvTable& table, std::size_t strain);
+
 /// Warns of columns of strain and stress in tension that are of the other measure by their names.
 void warn_of_named_measure(const TargetSource& source, const io::CsvTable& table,
                            std::size_t strain, std::size_t stress,

@@ -231,5 +231,37 @@ TEST(ElasticLine, DoesNotMoveForRowsAfterTheEndOfTheTest) {
   }
 }
 
+// A window of measured stresses chooses samples by their noise: the slopes of many tests would
+// come out 0.4 % too small together, each within its own error.
+TEST(ElasticLine, IsNotBentByTheNoiseThatDecidesWhichSamplesLieInTheWindow) {
+  constexpr int kTests = 500;
+  struct Noise {
+    double strain, stress;
+  };
+  for (const auto& [of_strain, of_stress] : {Noise{0.0, 1e6}, Noise{0.0, 3e6}, Noise{2e-5, 3e6}}) {
+    std::mt19937_64 random(11);
+    std::normal_distribution<double> normal(0.0, 1.0);
+    double sum = 0.0, squares = 0.0, zero = 0.0, zero_squares = 0.0;
+    for (int test = 0; test < kTests; ++test) {
+      Curve curve;
+      for (int i = 0; i < 300; ++i) {
+        const double strain = 0.01 * i / 299.0;
+        curve.strain.push_back(strain + of_strain * normal(random));
+        curve.stress.push_back(std::min(200e9 * strain, 400e6) + of_stress * normal(random));
+      }
+      const auto line = find_elastic_line(curve, Loading::Monotonic, of_stress, TargetOptions{});
+      ASSERT_TRUE(line.has_value());
+      const double off = line->modulus / 200e9 - 1.0;
+      sum += off;
+      squares += off * off;
+      zero += line->zero_strain;
+      zero_squares += line->zero_strain * line->zero_strain;
+    }
+    const std::string what = std::to_string(of_strain) + ", " + std::to_string(of_stress / 1e6);
+    EXPECT_LT(std::abs(sum), 3.0 * std::sqrt(squares)) << what << ": " << sum / kTests;
+    EXPECT_LT(std::abs(zero), 3.0 * std::sqrt(zero_squares)) << what << ": " << zero / kTests;
+  }
+}
+
 }  // namespace
 }  // namespace plastica::calibrate
