@@ -8,10 +8,10 @@
 
 namespace plastica::calibrate {
 
-/// Tables of fits: SI, units in the header as "rp02 [Pa]" or, where they differ from row to row, in
-/// a column of their own; quoted after RFC 4180 with line feeds; what a fit does not have is an
-/// empty cell. Numbers have all their digits. Where laws are compared a fit is called by its name
-/// and law, "bend:voce", in the tables that have no column of laws.
+/// Tables of fits: SI, units in the header as "proof_stress [Pa]" or, where they differ from row to
+/// row, in a column of their own; quoted after RFC 4180 with line feeds; what a fit does not have
+/// is an empty cell. Numbers have all their digits. Where laws are compared a fit is called by its
+/// name and law, "bend:voce", in the tables that have no column of laws.
 
 /// A row per fit: what JSON has of it but for lists; of curves characteristics and groups; per
 /// parameter value, errors, interval, bounds and verdict, of fits through scenes the value

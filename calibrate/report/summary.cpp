@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::array<CharacteristicEntry, 8> kEntries = {{
     {"youngs_modulus", "E", Dimension::Stress, &Characteristics::youngs_modulus},
-    {"rp02", "Rp", Dimension::Stress, &Characteristics::rp02},
+    {"proof_stress", "Rp", Dimension::Stress, &Characteristics::proof_stress},
     {"reh", "ReH", Dimension::Stress, &Characteristics::reh},
     {"rel", "ReL", Dimension::Stress, &Characteristics::rel},
     {"rm", "Rm", Dimension::Stress, &Characteristics::rm},

@@ -124,7 +124,7 @@ std::string specimens_text(std::span<const FitRecord> records, const ReportOptio
   const auto modulus = [](const FitRecord& record) {
     return record.target.characteristics.sound_modulus();
   };
-  const auto proof = characteristic(&Characteristics::rp02);
+  const auto proof = characteristic(&Characteristics::proof_stress);
   const auto strength = characteristic(&Characteristics::rm);
   const DisplayUnit gpa = display_unit(Dimension::Stress, largest(records, modulus), true);
   const DisplayUnit mpa = display_unit(Dimension::Stress, largest(records, strength));

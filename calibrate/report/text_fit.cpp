@@ -118,7 +118,7 @@ std::string characteristics_text(const Target& target, const Ink& ink) {
                    : significant(value),
                std::string(unit.name), note});
   }
-  add_stress(proof_label(all), all.rp02, "proof stress");
+  add_stress(proof_label(all), all.proof_stress, "proof stress");
   add_stress("ReH", all.reh, "upper yield strength");
   add_stress("ReL", all.rel, "lower yield strength");
   add_stress(

@@ -23,7 +23,7 @@ using plastica::report::Table;
 
 std::string label_of(std::string_view name, const std::string& modulus, const std::string& proof) {
   if (name == "youngs_modulus") return modulus;
-  if (name == "rp02") return proof;
+  if (name == "proof_stress") return proof;
   for (const CharacteristicEntry& entry : characteristic_entries()) {
     if (entry.name == name) return std::string(entry.label);
   }

@@ -16,7 +16,7 @@ inline constexpr auto kDescribeCharacteristics = [](auto& d) {
     "stress where the line ends");
   d("modulus_method", "", PLASTICA_MEMBER(modulus_method), "regression, chord or given");
   d("proof_offset", "1", PLASTICA_MEMBER(offset), "permanent strain of the proof stress");
-  d("rp02", "Pa", PLASTICA_MEMBER(rp02), "proof stress at that offset");
+  d("proof_stress", "Pa", PLASTICA_MEMBER(proof_stress), "proof stress at that offset");
   d("reh", "Pa", PLASTICA_MEMBER(reh), "upper yield strength");
   d("rel", "Pa", PLASTICA_MEMBER(rel), "lower yield strength");
   d("rm", "Pa", PLASTICA_MEMBER(rm), "largest stress");

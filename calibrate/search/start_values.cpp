@@ -165,7 +165,7 @@ CurveSizes curve_sizes(const Target& target, const FitOptions& options) {
   s.strain = largest_magnitude(target.corrected.strain);
   s.modulus = c.youngs_modulus.value_or(s.stress / s.strain);
   const double strength = c.rm.value_or(s.stress);
-  const double proof = c.rp02.value_or(strength);
+  const double proof = c.proof_stress.value_or(strength);
   if (target.loading == Loading::Cyclic) {
     s.yield = 0.8 * s.stress;
   } else if (options.setup.scene.material.hardening.law == HardeningLaw::Ideal) {
@@ -175,7 +175,7 @@ CurveSizes curve_sizes(const Target& target, const FitOptions& options) {
   }
   // The largest of noisy stresses lies above the plateau, where the model does not yield at all and
   // no slope leads back.
-  if (!c.rp02 && target.loading == Loading::Monotonic) s.yield *= 0.95;
+  if (!c.proof_stress && target.loading == Loading::Monotonic) s.yield *= 0.95;
   const double strain_at_proof = proof / s.modulus;
   const double run = c.strain_at_rm.value_or(s.strain) - strain_at_proof;
   if (run > 0.0) s.slope = std::max(0.0, (strength - proof) / run);

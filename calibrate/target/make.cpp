@@ -66,8 +66,8 @@ void check_sampling(Target& target, double noise, const TargetOptions& options) 
   const Characteristics& c = target.characteristics;
   const Curve& curve = target.corrected;
   const double modulus = *c.youngs_modulus;
-  const double yield =
-      c.rp02 ? *c.rp02 : *std::max_element(curve.stress.begin(), curve.stress.end());
+  const double yield = c.proof_stress ? *c.proof_stress
+                                      : *std::max_element(curve.stress.begin(), curve.stress.end());
   const double doubt = std::clamp(
       5.0 * (c.youngs_modulus_stderr.value_or(0.0) / modulus + noise / yield), 1e-6, 0.1);
   const double yield_strain = yield / modulus;
@@ -77,7 +77,7 @@ void check_sampling(Target& target, double noise, const TargetOptions& options) 
     elastic += strain <= yield_strain * (1.0 + doubt) ? 1 : 0;
     plateau += strain >= yield_strain * (1.0 - doubt) ? 1 : 0;
   }
-  const bool no_plateau = !c.rp02 && elastic_to_the_end(curve, modulus, noise, yield);
+  const bool no_plateau = !c.proof_stress && elastic_to_the_end(curve, modulus, noise, yield);
   if (no_plateau)
     target.warnings.emplace_back("elastic to its end: the yield stress is not identifiable");
   if (elastic >= options.min_samples && (no_plateau || plateau >= options.min_samples)) return;

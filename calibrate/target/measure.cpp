@@ -62,8 +62,8 @@ void warn_of_given_modulus(Target& target, const ElasticLine& given, double nois
 /// Takes out what cannot be, and warns of that and of what is doubtful: a number would be believed.
 void drop_impossible(Target& target, const ElasticLine& line) {
   Characteristics& c = target.characteristics;
-  if (c.rp02 && !(*c.rp02 > line.low && *c.rp02 > 0.0)) {
-    c.rp02.reset();
+  if (c.proof_stress && !(*c.proof_stress > line.low && *c.proof_stress > 0.0)) {
+    c.proof_stress.reset();
     target.warnings.emplace_back("no proof stress: it would lie below the window of the modulus");
   }
   if (c.break_strain_plastic && *c.break_strain_plastic < 0.0) {
@@ -76,8 +76,9 @@ void drop_impossible(Target& target, const ElasticLine& line) {
         "Young's modulus is not known: its standard error is {:.2g} %, above 5 %, of "
         "too few samples, or too much noise, on the elastic part{}",
         100.0 * *c.youngs_modulus_stderr / *c.youngs_modulus,
-        c.rp02 ? fmt::format("; the proof stress leans on {:.4g} GPa", *c.youngs_modulus / 1e9)
-               : std::string()));
+        c.proof_stress
+            ? fmt::format("; the proof stress leans on {:.4g} GPa", *c.youngs_modulus / 1e9)
+            : std::string()));
   }
   if (!line.is_straight()) {
     target.warnings.push_back(fmt::format(
@@ -134,7 +135,7 @@ void measure_characteristics(Target& target, const ElasticLine& line, const RawF
   if (!sees_offset(line.modulus, options.offset, noise)) {
     target.warnings.emplace_back("no proof stress: its offset is lost in the noise");
   } else if (!elastic_to_the_end(curve, line.modulus, noise, *c.rm)) {
-    c.rp02 = proof_stress(curve.strain, curve.stress, line.modulus, 0.0, options.offset);
+    c.proof_stress = proof_stress(curve.strain, curve.stress, line.modulus, 0.0, options.offset);
   }
   if (auto point = find_yield_point(curve.stress, noise, options.yield_drop)) {
     leave_out_transient(curve.strain, curve.stress, noise, options.yield_drop, *point);
@@ -145,7 +146,7 @@ void measure_characteristics(Target& target, const ElasticLine& line, const RawF
     const double ran = curve.strain[point->lower_at] - curve.strain[point->at];
     const bool pauses = ran < (point->upper - point->lower) / line.modulus;
     constexpr double kBelow = 0.995;  // of the proof stress: flow has not begun
-    if (c.rp02 && point->upper < kBelow * *c.rp02) {
+    if (c.proof_stress && point->upper < kBelow * *c.proof_stress) {
       target.warnings.push_back(fmt::format(
           "the stress falls at {:.4g} MPa, below the proof stress: a pause or a slip, and no upper "
           "yield strength",

@@ -28,7 +28,8 @@ std::optional<Judged> judged(const Target& target) {
   if (target.test != Test::Tension || !c.youngs_modulus || !c.rm) return std::nullopt;
   // Of what stretches far the true stress is many times the engineering one.
   const double rm = target.measure == Measure::True ? *c.rm / std::exp(c.largest_strain) : *c.rm;
-  return Judged{*c.youngs_modulus, c.rp02.value_or(rm), c.largest_strain, c.rp02.has_value()};
+  return Judged{*c.youngs_modulus, c.proof_stress.value_or(rm), c.largest_strain,
+                c.proof_stress.has_value()};
 }
 
 /// A mistake: by what it multiplies stresses and strains.

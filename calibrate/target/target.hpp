@@ -46,12 +46,12 @@ struct Characteristics {
   std::optional<double> youngs_modulus_stderr;  ///< of the regression
   double modulus_window_low = 0.0;              ///< stress window of the modulus [Pa]
   double modulus_window_high = 0.0;
-  std::string modulus_method;    ///< "regression", "chord", "given"
-  std::optional<double> offset;  ///< the proof-stress offset used [1], 0.002 by default
-  std::optional<double> rp02;    ///< proof stress at that offset
-  std::optional<double> reh;     ///< upper yield strength
-  std::optional<double> rel;     ///< lower yield strength
-  std::optional<double> rm;      ///< largest stress
+  std::string modulus_method;          ///< "regression", "chord", "given"
+  std::optional<double> offset;        ///< the proof-stress offset used [1], 0.002 by default
+  std::optional<double> proof_stress;  ///< at that offset
+  std::optional<double> reh;           ///< upper yield strength
+  std::optional<double> rel;           ///< lower yield strength
+  std::optional<double> rm;            ///< largest stress
   std::optional<double> strain_at_rm;
   std::optional<double> break_strain;          ///< total, middle of the sampling interval
   std::optional<double> break_strain_plastic;  ///< break_strain - stress/E

@@ -161,7 +161,7 @@ class Fit:
 
     @property
     def characteristics(self) -> dict[str, float | None]:
-        """Of the curve after ISO 6892-1: ``youngs_modulus``, ``rp02``, ``rm``, … [SI]; None where it
+        """Of the curve after ISO 6892-1: ``youngs_modulus``, ``proof_stress``, ``rm``, … [SI]; None where it
         has none."""
         return self._curve().characteristics
 

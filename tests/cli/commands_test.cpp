@@ -223,8 +223,8 @@ TEST(Command, WritesTheDocumentedKeysIntoTheSummary) {
       EXPECT_TRUE(fit.contains(key)) << key;
     }
     const auto& found = fit.at("characteristics");
-    for (const char* key :
-         {"youngs_modulus", "rp02", "rm", "strain_at_rm", "break_strain", "break_strain_plastic"}) {
+    for (const char* key : {"youngs_modulus", "proof_stress", "rm", "strain_at_rm", "break_strain",
+                            "break_strain_plastic"}) {
       EXPECT_TRUE(found.at(key).is_number()) << key;
     }
     for (const char* key : {"reh", "rel"}) EXPECT_TRUE(found.at(key).is_null()) << key;

@@ -22,7 +22,7 @@ COLUMNS = {
     "fits": "name status reason file test measure loading target_status target_reason samples seed "
             "cost misfit_rms misfit_fraction misfit_word break_strain_total free_parameters",
     "characteristics": "youngs_modulus youngs_modulus_standard_error modulus_window_low "
-                       "modulus_window_high modulus_method proof_offset rp02 reh rel rm "
+                       "modulus_window_high modulus_method proof_offset proof_stress reh rel rm "
                        "strain_at_rm break_strain break_strain_plastic largest_strain broke "
                        "last_intact_strain last_intact_stress first_broken_strain break_rule",
     "parameters/yield_stress": "row role value standard_error noise_error sampling_error misfit_error "

@@ -66,8 +66,8 @@ FigurePanel curve_panel(const FitRecord& record, bool with_raw) {
       add({{*yield}, "fitted yield", kVermillion, Stroke::Points, 9});
     }
   }
-  if (c.rp02 && c.youngs_modulus && c.offset) {
-    add({{{100.0 * (*c.rp02 / *c.youngs_modulus + *c.offset), 1e-6 * *c.rp02}},
+  if (c.proof_stress && c.youngs_modulus && c.offset) {
+    add({{{100.0 * (*c.proof_stress / *c.youngs_modulus + *c.offset), 1e-6 * *c.proof_stress}},
          "proof stress",
          kDark,
          Stroke::Points,

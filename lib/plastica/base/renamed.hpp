@@ -49,6 +49,7 @@ inline constexpr std::array kRenamedStored{
     Renamed{"numerical", "numerical_dissipation"},
     Renamed{"parts", "targets"},
     Renamed{"pieces", "fragments"},
+    Renamed{"rp02", "proof_stress"},
     Renamed{"runs_probability", "runs_test_p"},
     Renamed{"segment_shares", "segment_fractions"},
     Renamed{"turn", "rotation"},

@@ -35,8 +35,8 @@ TEST(SpecimenTable, IsReadBackBitForBit) {
       io::CsvTable::parse(specimens_of({record, rejected_record("bar-02", "empty")}), "t.csv");
   ASSERT_EQ(table.rows(), 2U);
   EXPECT_EQ(table.number(0, *table.find("fit.yield_stress")), 280e6 / 3.0);
-  EXPECT_EQ(table.number(0, *table.find("rp02")), 280e6 / 3.0);
-  EXPECT_EQ(table.units()[*table.find("rp02")], "Pa");
+  EXPECT_EQ(table.number(0, *table.find("proof_stress")), 280e6 / 3.0);
+  EXPECT_EQ(table.units()[*table.find("proof_stress")], "Pa");
   EXPECT_EQ(table.number(0, *table.find("fit.break_strain.standard_error")), 0.00025);
   EXPECT_EQ(table.cell(0, *table.find("group.temperature")), "20");
   EXPECT_EQ(table.number(0, *table.find("evaluations")), 142.0);

@@ -33,7 +33,7 @@ TEST(JsonSummary, GivesCharacteristicsAndParametersInSi) {
   EXPECT_EQ(fit["status"], "fitted");
   EXPECT_EQ(fit["reason"], nullptr);
   EXPECT_EQ(fit["characteristics"]["youngs_modulus"], 70e9);
-  EXPECT_EQ(fit["characteristics"]["rp02"], 280e6);
+  EXPECT_EQ(fit["characteristics"]["proof_stress"], 280e6);
   EXPECT_EQ(fit["characteristics"]["reh"], nullptr);
   EXPECT_EQ(fit["characteristics"]["break_strain"], 0.10425);
   const OrderedJson& yield = fit["parameters"]["yield_stress"];
@@ -62,7 +62,7 @@ TEST(JsonSummary, HasItsKeysInAFixedOrder) {
   EXPECT_EQ(std::vector<std::string>(characteristics.begin(), characteristics.begin() + 8),
             (std::vector<std::string>{"youngs_modulus", "youngs_modulus_standard_error",
                                       "modulus_window_low", "modulus_window_high", "modulus_method",
-                                      "proof_offset", "rp02", "reh"}));
+                                      "proof_offset", "proof_stress", "reh"}));
   EXPECT_EQ(keys_of(fit["parameters"]),
             (std::vector<std::string>{"youngs_modulus", "yield_stress", "break_strain"}));
 }

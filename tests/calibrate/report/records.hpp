@@ -59,7 +59,7 @@ inline FitRecord fitted_record(std::string name = "bar-01", double yield = 280e6
   all.modulus_window_high = 112e6;
   all.modulus_method = "regression";
   all.offset = 0.002;
-  all.rp02 = yield;
+  all.proof_stress = yield;
   all.rm = yield + 1.4e6;
   all.strain_at_rm = 0.08;
   all.observed_break = BreakObservation{0.104, yield, 0.1045, "fall-to-zero"};

@@ -185,7 +185,7 @@ TEST(Summary, NamesSpecimensOutOfLine) {
   EXPECT_DOUBLE_EQ(yield->out_of_line[0].value, 320e6);
   EXPECT_DOUBLE_EQ(yield->out_of_line[0].median, 281e6);
   EXPECT_NEAR(yield->out_of_line[0].score, 0.6745 * 13.0, 1e-9);
-  EXPECT_EQ(find(group.characteristics, "rp02")->out_of_line.size(), 1U);
+  EXPECT_EQ(find(group.characteristics, "proof_stress")->out_of_line.size(), 1U);
   // All have the same modulus.
   EXPECT_TRUE(find(group.characteristics, "youngs_modulus")->out_of_line.empty());
   // In a group of its own it is in line with itself.

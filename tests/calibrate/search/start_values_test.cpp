@@ -19,7 +19,7 @@ Target steel_bar(Deformation test = Deformation::Tension) {
   for (const double e : strain)
     stress.push_back(e < 0.0015 ? 200e9 * e : 300e6 + 2e9 * (e - 0.0015));
   Target target = target_of(strain, stress, test);
-  target.characteristics.rp02 = 300e6;
+  target.characteristics.proof_stress = 300e6;
   return target;
 }
 

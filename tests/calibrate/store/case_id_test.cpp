@@ -25,7 +25,7 @@ TEST(CaseId, ChangesWithWhateverOfATargetDecidesItsFit) {
       [](Target& t) { t.status = TargetStatus::TooCoarse; },
       [](Target& t) { t.corrected.strain[3] = std::nextafter(t.corrected.strain[3], 1.0); },
       [](Target& t) { t.corrected.stress[0] = -0.0; },
-      [](Target& t) { t.characteristics.rp02.reset(); },
+      [](Target& t) { t.characteristics.proof_stress.reset(); },
       [](Target& t) { t.characteristics.observed_break.reset(); },
       [](Target& t) { t.characteristics.observed_break->first_broken_strain += 1e-6; },
       [](Target& t) {

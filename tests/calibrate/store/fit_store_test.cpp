@@ -290,8 +290,8 @@ TEST(FitStore, ShowsWhatIsMissingAsNotANumber) {
   const io::ScratchFolder folder;
   write_fit_store(folder.file("a.h5"), contents_of(mixed_records()));
   const io::Hdf5File file = io::Hdf5File::open(folder.file("a.h5"));
-  for (const char* path : {"fits/cost", "parameters/yield_stress/value", "characteristics/rp02",
-                           "characteristics/first_broken_strain"}) {
+  for (const char* path : {"fits/cost", "parameters/yield_stress/value",
+                           "characteristics/proof_stress", "characteristics/first_broken_strain"}) {
     const auto values = file.root().read<double>(path);
     ASSERT_EQ(values.size(), 4U);
     EXPECT_FALSE(std::isnan(values[0])) << path;

@@ -28,7 +28,7 @@ inline Target ideal_target(const std::string& name, double yield, std::size_t sa
   t.raw = t.corrected;
   Characteristics& c = t.characteristics;
   c.youngs_modulus = kModulus;
-  c.rp02 = yield;
+  c.proof_stress = yield;
   c.rm = yield;
   c.strain_at_rm = kLast;
   c.largest_strain = t.corrected.strain.back();

@@ -114,7 +114,8 @@ TEST(Correction, TakesOffSlackWhereTheModulusIsGiven) {
     EXPECT_TRUE(find(target, "toe").applied) << slack;
     EXPECT_NEAR(find(target, "toe").amount, slack, 2e-5);
     const Target plain = make_target("plain", smooth, options);
-    EXPECT_NEAR(*target.characteristics.rp02 / *plain.characteristics.rp02, 1.0, 1e-3);
+    EXPECT_NEAR(*target.characteristics.proof_stress / *plain.characteristics.proof_stress, 1.0,
+                1e-3);
     // Of another slope than the given one nothing is known of its zero.
     TargetOptions other = options;
     other.youngs_modulus = 100e9;

@@ -54,10 +54,10 @@ TEST(ElasticLine, IsBelowTheKneeHoweverStronglyACurveHardens) {
         ASSERT_EQ(target.status, TargetStatus::Ready) << what;
         const Characteristics& c = target.characteristics;
         EXPECT_NEAR(*c.youngs_modulus / of.modulus, 1.0, noise > 0.0 ? 0.05 : 1e-9) << what;
-        ASSERT_TRUE(c.rp02.has_value()) << what;
+        ASSERT_TRUE(c.proof_stress.has_value()) << what;
         // Its line is crossed where the permanent strain is 0.2 %, between two samples.
         const double proof = of.yield + of.strength * std::pow(0.002, of.exponent);
-        EXPECT_NEAR(*c.rp02 / proof, 1.0, 0.02) << what;
+        EXPECT_NEAR(*c.proof_stress / proof, 1.0, 0.02) << what;
         EXPECT_LT(c.modulus_window_high, proof) << what;
         for (const Correction& correction : target.corrections) {
           if (correction.kind == "toe") {
@@ -98,7 +98,7 @@ TEST(ElasticLine, MovesDownACurveThatBends) {
     EXPECT_NEAR(*target.characteristics.youngs_modulus / 193e9, 1.0, is_warned ? 0.25 : 0.1)
         << exponent;
     EXPECT_EQ(is_warned, exponent < 5.0) << exponent;
-    EXPECT_NEAR(*target.characteristics.rp02 / 240e6, 1.0, exponent < 8.0 ? 0.04 : 0.01)
+    EXPECT_NEAR(*target.characteristics.proof_stress / 240e6, 1.0, exponent < 8.0 ? 0.04 : 0.01)
         << exponent;
   }
 }
@@ -226,7 +226,7 @@ TEST(ElasticLine, DoesNotMoveForRowsAfterTheEndOfTheTest) {
     const Characteristics &a = alone.characteristics, &b = target.characteristics;
     EXPECT_NEAR(b.modulus_window_high / a.modulus_window_high, 1.0, 1e-3);
     EXPECT_NEAR(*b.youngs_modulus / *a.youngs_modulus, 1.0, 1e-6);
-    EXPECT_NEAR(*b.rp02 / *a.rp02, 1.0, 1e-3);
+    EXPECT_NEAR(*b.proof_stress / *a.proof_stress, 1.0, 1e-3);
     EXPECT_NEAR(*b.break_strain, *a.break_strain, 1e-9);
   }
 }

@@ -58,8 +58,8 @@ TEST(IdealPlasticCurve, PassesEveryAutomaticRuleUndisturbed) {
         make_target("ideal", test.curve(k), plastica::testing::any_numbers()).characteristics;
     EXPECT_NEAR(c.youngs_modulus.value_or(0.0) / test.modulus, 1.0, 1e-9) << k;
     EXPECT_NEAR(c.rm.value_or(0.0) / test.yield_stress, 1.0, 1e-12) << k;
-    if (c.rp02) {
-      EXPECT_NEAR(*c.rp02 / test.yield_stress, 1.0, 1e-9) << k;
+    if (c.proof_stress) {
+      EXPECT_NEAR(*c.proof_stress / test.yield_stress, 1.0, 1e-9) << k;
     }
     EXPECT_NEAR(c.break_strain_plastic.value_or(0.0), test.permanent_break,
                 c.observed_break->half_interval() + 1e-12)

@@ -22,7 +22,7 @@ void expect_ideal(const Target& target) {
   ASSERT_EQ(target.raw.size(), ideal.size());
   EXPECT_NEAR(target.raw.strain[77], ideal.strain[77], 1e-12);
   EXPECT_NEAR(target.raw.stress[77], ideal.stress[77], 1e-3);
-  EXPECT_NEAR(target.characteristics.rp02.value(), 400e6, 1.0);
+  EXPECT_NEAR(target.characteristics.proof_stress.value(), 400e6, 1.0);
 }
 
 TEST(ImportTargets, ReadsStrainAndStressWithTheUnitsOfTheBlock) {

@@ -70,7 +70,7 @@ TEST(MakeTarget, WarnsOfACurveThatIsElasticToItsEndAndKeepsItReady) {
   EXPECT_EQ(target.status, TargetStatus::Ready) << target.reason;
   ASSERT_EQ(target.warnings.size(), 1U);
   EXPECT_EQ(target.warnings[0], "elastic to its end: the yield stress is not identifiable");
-  EXPECT_FALSE(target.characteristics.rp02.has_value());
+  EXPECT_FALSE(target.characteristics.proof_stress.has_value());
   EXPECT_TRUE(make_target("smooth", plastica::testing::smooth_curve()).warnings.empty());
 }
 

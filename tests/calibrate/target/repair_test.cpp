@@ -151,7 +151,7 @@ TEST(Repair, TakesATensionTestWithALoopForMonotonicAndDropsTheLoop) {
     EXPECT_EQ(target.status, TargetStatus::Ready) << target.reason;
     EXPECT_EQ(count_of(target, "unloading-loops"), 39U);
     EXPECT_EQ(target.corrected.strain, plain.corrected.strain);
-    EXPECT_EQ(target.characteristics.rp02, plain.characteristics.rp02);
+    EXPECT_EQ(target.characteristics.proof_stress, plain.characteristics.proof_stress);
     EXPECT_FALSE(target.characteristics.observed_break.has_value());
   }
   EXPECT_EQ(find_loading(with_loops(4, 0.1)), Loading::Monotonic);

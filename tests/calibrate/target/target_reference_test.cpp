@@ -51,7 +51,7 @@ std::map<std::string, Means> means_by_temperature(const std::vector<Target>& tar
     const Characteristics& c = target.characteristics;
     Means& sum = groups[target.group.at(0).second];
     sum.modulus += c.youngs_modulus.value_or(NAN);
-    sum.yield += c.rp02.value_or(NAN);
+    sum.yield += c.proof_stress.value_or(NAN);
     sum.ultimate += c.rm.value_or(NAN);
     sum.break_strain += c.break_strain.value_or(NAN);
     sum.count += 1.0;
@@ -85,8 +85,8 @@ TEST(TargetReference, NineSpecimensOfAl6061T6MeetThePublishedMetrics) {
     for (std::size_t i = 0; i < targets.size(); ++i) {
       const Characteristics& c = targets[i].characteristics;
       EXPECT_EQ(targets[i].status, TargetStatus::Ready) << targets[i].name << targets[i].reason;
-      ASSERT_TRUE(c.rp02 && c.rm) << targets[i].name;
-      EXPECT_NEAR(*c.rp02 / kKsi, published.number(i, 0), 0.01) << targets[i].name;
+      ASSERT_TRUE(c.proof_stress && c.rm) << targets[i].name;
+      EXPECT_NEAR(*c.proof_stress / kKsi, published.number(i, 0), 0.01) << targets[i].name;
       EXPECT_NEAR(c.largest_strain, published.number(i, 1), 1e-5) << targets[i].name;
       EXPECT_NEAR(*c.rm / kKsi, published.number(i, 2), 0.01) << targets[i].name;
       ++met;
@@ -165,8 +165,8 @@ TEST(TargetReference, FourRawMachineFilesOfS355MeetThePublishedValues) {
     const Characteristics& c = target.characteristics;
     const auto value = [&](const char* name) { return published.number(i, *published.find(name)); };
     EXPECT_EQ(target.status, TargetStatus::Ready) << target.name << ": " << target.reason;
-    ASSERT_TRUE(c.rp02 && c.reh && c.rm && c.youngs_modulus) << target.name;
-    EXPECT_NEAR(*c.rp02 / 1e6, value("Rp02_MPa"), 1.0) << target.name;
+    ASSERT_TRUE(c.proof_stress && c.reh && c.rm && c.youngs_modulus) << target.name;
+    EXPECT_NEAR(*c.proof_stress / 1e6, value("Rp02_MPa"), 1.0) << target.name;
     EXPECT_NEAR(*c.reh / 1e6, value("ReH_MPa"), 1.0) << target.name;
     EXPECT_NEAR(*c.rm / 1e6, value("Rm_MPa"), 0.5) << target.name;
     EXPECT_NEAR(*c.youngs_modulus / 1e9 / value("E_GPa"), 1.0, 0.05) << target.name;
