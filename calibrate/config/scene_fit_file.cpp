@@ -261,11 +261,6 @@ class Reader {
     if (const auto trim = table.find("trim")) read.source.trim = read_choice(*trim, x);
     if (const auto tolerance = table.find("reversal_tolerance")) {
       read.source.reversal_tolerance = tolerance->quantity(x);
-      if (is_driven(target.kind)) {
-        throw tolerance->error(
-            "is for an abscissa of a probe: a scene follows a driven one to and "
-            "fro");
-      }
       if (*read.source.reversal_tolerance < 0.0) throw tolerance->error("must be at least 0");
     }
     if (const auto noise = table.find("noise")) {

@@ -74,35 +74,99 @@ std::vector<double> medians_of_three(std::span<const double> values) {
   return out;
 }
 
-void average_reversals(const Samples& samples, std::string_view name) {
-  struct Pool {
-    double abscissa, ordinate;  ///< sums
-    std::size_t count, first;
-    double mean() const { return abscissa / static_cast<double>(count); }
-  };
-  std::vector<Pool> pools;
-  for (std::size_t i = 0; i < samples.size(); ++i) {
+namespace {
+
+/// Samples that were averaged to one.
+struct Pool {
+  double abscissa, ordinate;  ///< sums
+  std::size_t count, first;
+  double mean() const { return abscissa / static_cast<double>(count); }
+};
+
+/// Pools samples of a part whose abscissa rises (way 1) or falls (way -1) but for noise, until it
+/// does; those before the part stay as they are.
+void pool_part(const Samples& samples, std::size_t begin, std::size_t end, double way,
+               std::vector<Pool>& pools) {
+  const std::size_t before = pools.size();
+  for (std::size_t i = begin; i < end; ++i) {
     Pool pool{samples.abscissa[i], samples.ordinate[i], 1, i};
-    for (; !pools.empty() && pool.mean() < pools.back().mean(); pools.pop_back()) {
-      const Pool& before = pools.back();
-      pool = {before.abscissa + pool.abscissa, before.ordinate + pool.ordinate,
-              before.count + pool.count, before.first};
+    for (; pools.size() > before && way * pool.mean() < way * pools.back().mean();
+         pools.pop_back()) {
+      const Pool& last = pools.back();
+      pool = {last.abscissa + pool.abscissa, last.ordinate + pool.ordinate,
+              last.count + pool.count, last.first};
     }
     pools.push_back(pool);
   }
+}
+
+/// Of how many samples the pools of more than one are.
+std::size_t averaged_in(std::span<const Pool> pools) {
   std::size_t averaged = 0;
+  for (const Pool& pool : pools) averaged += pool.count > 1 ? pool.count : 0;
+  return averaged;
+}
+
+void take_pools(const Samples& samples, std::span<const Pool> pools, std::string_view name) {
   for (std::size_t k = 0; k < pools.size(); ++k) {
     const Pool& pool = pools[k];
     samples.abscissa[k] = pool.mean();
     samples.ordinate[k] = pool.ordinate / static_cast<double>(pool.count);
     if (samples.rows != nullptr) (*samples.rows)[k] = (*samples.rows)[pool.first];
-    if (pool.count > 1) averaged += pool.count;
   }
   samples.abscissa.resize(pools.size());
   samples.ordinate.resize(pools.size());
   if (samples.rows != nullptr) samples.rows->resize(pools.size());
-  note_repair(samples.repairs, std::string(name) + "-reversals", averaged,
+  note_repair(samples.repairs, std::string(name) + "-reversals", averaged_in(pools),
               "samples averaged where the " + std::string(name) + " ran backwards");
+}
+
+/// Pools of a path that goes to and fro: what turns round by more than the tolerance is its way.
+std::vector<Pool> pools_between_turns(const Samples& samples, double tolerance) {
+  const std::vector<double>& x = samples.abscissa;
+  std::vector<Pool> pools;
+  std::size_t begin = 0, low = 0, high = 0;
+  double way = 0.0;  // not known yet
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    if (x[i] > x[high]) high = i;
+    if (x[i] < x[low]) low = i;
+    const bool falls = way >= 0.0 && x[i] < x[high] - tolerance;
+    const bool rises = way <= 0.0 && x[i] > x[low] + tolerance;
+    if (!falls && !rises) continue;
+    const std::size_t turn = falls ? high : low;
+    if (way != 0.0 || turn > 0) {
+      pool_part(samples, begin, turn + 1, way != 0.0 ? way : (falls ? 1.0 : -1.0), pools);
+      begin = turn + 1;
+    }
+    way = falls ? -1.0 : 1.0;
+    low = high = i;
+  }
+  pool_part(samples, begin, x.size(), way != 0.0 ? way : 1.0, pools);
+  return pools;
+}
+
+}  // namespace
+
+void average_reversals(const Samples& samples, std::string_view name) {
+  std::vector<Pool> pools;
+  pool_part(samples, 0, samples.size(), 1.0, pools);
+  take_pools(samples, pools, name);
+}
+
+void average_small_reversals(const Samples& samples, double tolerance, std::string_view name) {
+  take_pools(samples, pools_between_turns(samples, tolerance), name);
+}
+
+std::size_t reversed_by_noise(const Samples& samples, double& noise) {
+  constexpr double kNoise = 8.0, kSmall = 0.05;
+  if (samples.size() == 0) return 0;
+  std::vector<double> rows(samples.size());
+  std::iota(rows.begin(), rows.end(), 0.0);
+  noise = noise_of(rows, samples.abscissa);
+  const auto [low, high] = std::ranges::minmax_element(samples.abscissa);
+  // Waves of few samples look as noise does.
+  if (!(noise > 0.0 && kNoise * noise < kSmall * (*high - *low))) return 0;
+  return averaged_in(pools_between_turns(samples, kNoise * noise));
 }
 
 void mend_reversals(const Samples& samples, double tolerance, std::string_view name) {

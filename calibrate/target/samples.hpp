@@ -100,6 +100,15 @@ void mend_reversals(const Samples& samples, double tolerance, std::string_view n
 /// and shift the curve by it. "NAME-reversals".
 void average_reversals(const Samples& samples, std::string_view name);
 
+/// The same of an abscissa that goes to and fro, as one that a scene follows: between turns by more
+/// than the tolerance, each way by itself.
+void average_small_reversals(const Samples& samples, double tolerance, std::string_view name);
+
+/// How many samples lie where the abscissa turns round by no more than 8 standard deviations of its
+/// noise; 0 where waves of few samples may look as noise (8 are more than 5 % of its range).
+/// @param[out] noise  that standard deviation
+std::size_t reversed_by_noise(const Samples& samples, double& noise);
+
 /// Median of each value and its neighbours; the first and last value as they are.
 std::vector<double> medians_of_three(std::span<const double> values);
 

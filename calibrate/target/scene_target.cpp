@@ -1,5 +1,7 @@
 #include "calibrate/target/scene_target.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
@@ -71,6 +73,27 @@ void refuse_lost_corner(const io::CsvTable& table, std::size_t column, const Sce
   }
 }
 
+/// A scene follows what it is driven by, noise as well: each step back unloads it, and each peak
+/// makes it flow.
+void mend_driven(const SceneTargetSource& source, const Samples& samples, SceneTarget& target) {
+  constexpr std::size_t kFew = 10;
+  constexpr double kMany = 0.05;
+  if (source.reversal_tolerance) {
+    average_small_reversals(samples, *source.reversal_tolerance, "abscissa");
+    return;
+  }
+  double noise = 0.0;
+  const std::size_t reversed = reversed_by_noise(samples, noise);
+  if (reversed < kFew || static_cast<double>(reversed) < kMany * static_cast<double>(samples.size()))
+    return;
+  const std::string_view unit = si_unit(target.abscissa_is);
+  target.warnings.push_back(
+      fmt::format("the abscissa runs to and fro by its noise of {:.2g} {} in {} of {} samples, and "
+                  "the scene follows it: once it yields, stresses come out too large; "
+                  "reversal_tolerance averages what turns round by less, such as {:.2g} {}",
+                  noise, unit, reversed, samples.size(), 8.0 * noise, unit));
+}
+
 }  // namespace
 
 SceneTarget read_scene_target(const SceneTargetSource& source, const Scene& scene,
@@ -106,7 +129,10 @@ SceneTarget read_scene_target(const SceneTargetSource& source, const Scene& scen
     drop_outliers(samples);
   }
   cut_at_break(target, source.trim, tolerance);
-  if (is_driven(target.kind)) return target;
+  if (is_driven(target.kind)) {
+    mend_driven(source, samples, target);
+    return target;
+  }
   const std::size_t back = first_back(target.abscissa, tolerance);
   if (back < samples.size()) {
     if (target.kind != Abscissa::Time && goes_one_way(target.abscissa, tolerance)) {

@@ -72,7 +72,8 @@ struct SceneTargetSource {
   /// At the break, see scene_break.hpp; amount: the abscissa [SI] beyond which the beam is broken.
   CorrectionChoice trim{};
   /// How far the abscissa may run back, as noise of its measurement [SI], >= 0; empty: by
-  /// `kReversalFraction` of its range under load. Not for one that the scene follows.
+  /// `kReversalFraction` of its range under load. One that the scene follows is left as it is, if
+  /// empty.
   std::optional<double> reversal_tolerance{};
 };
 

@@ -96,11 +96,6 @@ INSTANTIATE_TEST_SUITE_P(
             "ToleranceWithoutUnit", "scene =", "reversal_tolerance = 1\nscene =",
             "5: target[1].reversal_tolerance = 1: a length needs a unit (examples: m, mm, "
             "in)"),
-        refused("ToleranceOfADrivenAbscissa", "Displacement (mm),Force (N)\n0,0\n1,130\n2,260\n",
-                "fit.toml:5: target[1].reversal_tolerance = 0.1 mm: is for an abscissa of a probe: "
-                "a scene follows a driven one to and fro",
-                changed(changed(kBentBarFit, "probe = 'tip'", "drive = 'support[2]'"),
-                        "scene =", "reversal_tolerance = '0.1 mm'\nscene =")),
         scene_fit_change("NegativeTolerance", "scene =", "reversal_tolerance = '-1 mm'\nscene =",
                          "5: target[1].reversal_tolerance = -1 mm: must be at least 0")),
     name_of_case);

@@ -182,6 +182,33 @@ class Layouts(Hdf5Curves):
         self.assertIn("2 samples     rows dropped that lack one of the two numbers", said)
         self.assertIsNotNone(fits["curves"][2])
 
+    def test_packed_numbers_are_what_they_stand_for(self):
+        """As netCDF-4 and loggers store them."""
+        strain, stress = CURVES["A-0"]
+        packed = numpy.round(stress / 0.05).astype("i2")
+        packed[[7, 60]] = -32768
+        with self.file() as file:
+            file["A/strain"] = strain
+            file["A/stress [MPa]"] = packed
+            file["A/stress [MPa]"].attrs.update(scale_factor=0.05, add_offset=0.0, _FillValue=numpy.int16(-32768))
+            file["B"] = numpy.column_stack([strain / 1e-4 - 3, stress])
+            file["B"].attrs.update(columns=["strain", "stress"], units=["1", "MPa"])
+            file["C/strain"] = strain / 2 - 0.5
+            file["C/strain"].attrs.update(scale_factor=[2.0], add_offset=1.0)
+            file["C/stress [MPa]"] = stress
+        said, fits = self.fit('files = "curves.h5"\n' + COLUMNS)
+        self.assertIn("2 samples     rows dropped that lack one of the two numbers",
+                      self.command("show", "fit.h5", "--target", "curves:A"))
+        raw = fits["curves:A"]
+        self.assertTrue(numpy.isnan(raw[1][[7, 60]]).all())
+        there = ~numpy.isnan(raw[1])
+        self.assertTrue(numpy.allclose(raw[1][there], 0.05e6 * packed[there], rtol=1e-12))
+        self.assertTrue(numpy.allclose(fits["curves:C"][0], strain, rtol=0, atol=1e-15))
+        with self.file() as file:
+            file["strain"], file["stress [MPa]"] = strain, stress
+            file["strain"].attrs["scale_factor"] = "two"
+        self.assertIn("scale_factor", self.fit('files = "curves.h5"\n' + COLUMNS)[0])
+
 
 if __name__ == "__main__":
     unittest.main(argv=sys.argv[:1])

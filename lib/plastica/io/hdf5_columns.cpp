@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "plastica/io/hdf5_check.hpp"
+#include "plastica/io/hdf5_packing.hpp"
 #include "plastica/io/hdf5_strings.hpp"
 #include "plastica/io/read_input.hpp"
 
@@ -183,6 +184,7 @@ Column column_of(const Hdf5Handle& dataset, const std::string& name, const Place
   Column column{name, units_of(dataset, 1, place).front(), {}, {}};
   fill(
       dataset, type, [](hid_t value) { return Hdf5Handle(H5Tcopy(value)); }, place, column);
+  unpack(dataset, place, column);
   return column;
 }
 
@@ -228,6 +230,10 @@ std::vector<Column> columns_of_records(const Hdf5Handle& dataset, const Place& p
   const Hdf5Handle type(H5Dget_type(dataset.get()));
   const auto members = static_cast<std::size_t>(std::max(H5Tget_nmembers(type.get()), 0));
   const std::vector<std::string> units = units_of(dataset, members, place);
+  if (is_packed(dataset)) {
+    place.refuse("has records and scale_factor, add_offset, _FillValue or missing_value: of which "
+                 "field is not said");
+  }
   std::vector<Column> columns;
   for (const unsigned index : fields_of(type)) {
     Column column{name_of_field(type, index), units[index], {}, {}};
@@ -258,6 +264,7 @@ std::vector<Column> columns_of_matrix(const Hdf5Handle& dataset, const Place& pl
     columns[k].unit = units[k];
     columns[k].numbers.reserve(values.size() / width);
     for (std::size_t i = k; i < values.size(); i += width) columns[k].numbers.push_back(values[i]);
+    unpack(dataset, place, columns[k]);
   }
   return columns;
 }

@@ -297,6 +297,45 @@ TEST_F(SceneTargetFile, GoesBackAsFarAsTheUserSays) {
   EXPECT_THROW(read_within(0.05e-3), InputError);
 }
 
+// A scene that follows noise unloads at each step back, and yields at each peak.
+TEST_F(SceneTargetFile, IsToldThatItsNoiseWouldBeFollowed) {
+  const auto path = [](double noise) {
+    std::mt19937_64 random(3);
+    std::normal_distribution<double> normal(0.0, 1.0);
+    std::string text = "Displacement (mm),Force (N)\n";
+    for (int i = 0; i < 900; ++i) {  // up, down and up again
+      const double x = i < 300 ? 0.1 * i : i < 600 ? 0.1 * (600 - i) : 0.1 * (i - 600);
+      text += std::to_string(x + noise * normal(random)) + ',' + std::to_string(50.0 * x) + '\n';
+    }
+    return text;
+  };
+  EXPECT_TRUE(read_driven(path(0.0)).warnings.empty());
+  const SceneTarget noisy = read_driven(path(0.1));
+  ASSERT_EQ(noisy.warnings.size(), 1U);
+  EXPECT_TRUE(noisy.warnings[0].starts_with("the abscissa runs to and fro by its noise of 0.0001 m"))
+      << noisy.warnings[0];
+  EXPECT_EQ(noisy.abscissa.size(), 900U);
+
+  SceneTargetSource from = source(path(0.1));
+  from.reversal_tolerance = 1e-3;
+  SceneTarget probes;
+  probes.kind = Abscissa::Support;
+  probes.driven = 1;
+  probes.ordinate_probe = "force";
+  const SceneTarget mended = read_scene_target(from, bend_test(4).scene, probes);
+  EXPECT_TRUE(mended.warnings.empty());
+  int turns = 0;
+  double shift = 0.0;
+  for (std::size_t i = 0; i < mended.abscissa.size(); ++i) {
+    shift += mended.abscissa[i] - mended.ordinate[i] / 50e3;
+    if (i < 2) continue;
+    const double before = mended.abscissa[i - 1] - mended.abscissa[i - 2];
+    turns += before * (mended.abscissa[i] - mended.abscissa[i - 1]) < 0.0 ? 1 : 0;
+  }
+  EXPECT_EQ(turns, 2);
+  EXPECT_NEAR(shift / static_cast<double>(mended.abscissa.size()), 0.0, 0.15e-4);
+}
+
 TEST_F(SceneTargetFile, BreaksWhereItsAbscissaIsNoisyAndGoesBackAfterwards) {
   const std::string loaded = "Displacement (mm),Force (N)\n0,0\n5,500\n10,600\n";
   for (const std::string rest : {"9.995,0\n", "9.995,0\n10.2,0\n4,0\n", "10.002,0\n0,0\n"}) {
