@@ -241,9 +241,12 @@ const Field& parameter_field(std::string_view name, const SourceLocation& where,
   std::vector<std::string> names;
   for (const Field& field : fields()) {
     if (field.material) names.emplace_back(last_part(field.path));
-    if (field.path == name || last_part(field.path) == name) {
-      throw InputError(where, key, "", "is not a field that a fit can move");
-    }
+    if (field.path != name && last_part(field.path) != name) continue;
+    const bool by_path = scope == ParameterScope::Scene && field.kind == FieldKind::Number;
+    throw InputError(where, key, "",
+                     by_path
+                         ? "needs its whole path, in quotes: \"" + std::string(field.path) + "\""
+                         : "is not a field that a fit can move");
   }
   std::string rule = "is not the name of a parameter";
   if (const auto nearest = io::nearest_word(last_part(name), names)) {

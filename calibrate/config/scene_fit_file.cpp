@@ -3,9 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <filesystem>
 #include <limits>
+#include <map>
 #include <optional>
 #include <utility>
 
@@ -13,6 +13,7 @@
 #include "calibrate/config/read_fit_options.hpp"
 #include "calibrate/config/read_intervals.hpp"
 #include "calibrate/config/read_parameters.hpp"
+#include "calibrate/config/read_scene_abscissa.hpp"
 #include "calibrate/config/read_target.hpp"
 #include "calibrate/config/read_target_options.hpp"
 #include "calibrate/config/target_files.hpp"
@@ -36,48 +37,6 @@ constexpr int kMaxEvaluations = 1'000'000;
 constexpr int kMaxStarts = 10'000;
 constexpr int kMaxScreened = 1'000'000;
 constexpr int kMaxSegments = 100'000;
-
-/// "strain", "support[2]" or "load[1]", by its number from 1 on.
-void read_drive(const TomlValue& value, SceneTarget& target) {
-  const std::string& word = value.string();
-  if (word == "strain") {
-    target.kind = Abscissa::Strain;
-    return;
-  }
-  for (const auto& [name, kind] : {std::pair{std::string_view("support["), Abscissa::Support},
-                                   std::pair{std::string_view("load["), Abscissa::Load}}) {
-    if (!word.starts_with(name) || !word.ends_with(']')) continue;
-    const char* first = word.data() + name.size();
-    const char* last = word.data() + word.size() - 1;
-    const auto [end, error] = std::from_chars(first, last, target.driven);
-    if (error != std::errc{} || end != last || first == last) break;
-    if (target.driven == 0) break;
-    --target.driven;
-    target.kind = kind;
-    return;
-  }
-  throw value.error("must be \"strain\", \"support[I]\" or \"load[I]\", I its number from 1 on");
-}
-
-/// What the abscissa is: { probe = ... }, { drive = ... } or { time = true }.
-void read_kind(const TomlTable& axis, SceneTarget& target) {
-  const auto probe = axis.find("probe");
-  const auto drive = axis.find("drive");
-  const auto time = axis.find("time");
-  const int given = (probe ? 1 : 0) + (drive ? 1 : 0) + (time ? 1 : 0);
-  if (given != 1) {
-    throw InputError(axis.where(), axis.key(), "",
-                     "needs one of probe (compared along the scene's own path), drive (the scene "
-                     "follows what was measured) and time = true");
-  }
-  target.abscissa_where = (probe ? *probe : drive ? *drive : *time).where();
-  if (probe) target.abscissa_probe = probe->string();
-  if (drive) read_drive(*drive, target);
-  if (time) {
-    if (!time->boolean()) throw time->error("must be true, or left out");
-    target.kind = Abscissa::Time;
-  }
-}
 
 /// What the targets of a table have in common.
 struct TargetTable {
@@ -228,9 +187,26 @@ class Reader {
         const std::string stem = std::filesystem::path(file_.path).stem().string();
         file_.cases.push_back({together ? stem : weighted.target.name, {}});
       }
+      warn_of_same_curve(path, weighted.target);
       file_.cases.back().targets.push_back(std::move(weighted));
     }
     table.check_unused();
+  }
+
+  /// Columns of one file may be two curves; one that is read twice counts twice.
+  void warn_of_same_curve(const std::string& path, SceneTarget& target) {
+    auto& known = of_file_[path];
+    for (const auto& [of_case, of_target] : known) {
+      const SceneTarget& other = file_.cases[of_case].targets[of_target].target;
+      if (other.ordinate_probe != target.ordinate_probe || other.ordinate != target.ordinate ||
+          other.abscissa != target.abscissa) {
+        continue;
+      }
+      target.warnings.push_back("its curve is that of " + other.name +
+                                ", too: two [[target]] blocks read it, and it counts twice");
+      return;
+    }
+    known.emplace_back(file_.cases.size() - 1, file_.cases.back().targets.size());
   }
 
   TargetTable read_table(const TomlTable& table) {
@@ -247,7 +223,7 @@ class Reader {
     refuse_own_parameters(table);
     const TomlTable abscissa = table.at("abscissa").table();
     const TomlTable ordinate = table.at("ordinate").table();
-    read_kind(abscissa, target);
+    read_scene_abscissa(abscissa, target);
     const TomlValue probe = ordinate.at("probe");
     target.ordinate_probe = probe.string();
     target.ordinate_where = probe.where();
@@ -321,6 +297,8 @@ class Reader {
   TomlTable root_;
   std::string folder_;
   UniqueNames names_;
+  /// Numbers of cases and their targets that were read of a file, each curve once.
+  std::map<std::string, std::vector<std::pair<std::size_t, std::size_t>>> of_file_;
   std::optional<TomlValue> segments_;
   SceneFitFile file_;
 };

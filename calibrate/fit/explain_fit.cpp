@@ -69,7 +69,8 @@ void set_errors(const Uncertainty& u, std::size_t k, double confidence, const Fi
   const OwnNoise own(result);
   const double over = is_stated ? own.deviation / u.noise : 1.0;
   const bool is_larger = is_stated && own.judge(u.noise) == StatedNoise::TooSmall;
-  const bool in_runs = are_in_runs(result.runs_test_p, result.autocorrelation);
+  const bool in_runs =
+      are_in_runs(result.runs_test_p, result.autocorrelation, result.effective_samples);
   if (in_runs || is_larger) {
     const auto parameters = static_cast<int>(u.identified.size());
     const double times =

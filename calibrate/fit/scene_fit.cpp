@@ -220,7 +220,8 @@ class SceneFit {
       of_target.fitted.push_back(target.ordinate[i] + residual[i]);
     }
     of_target.runs_test_p = runs_test_p(residual);
-    in_runs_ = in_runs_ || are_in_runs(of_target.runs_test_p, autocorrelation(residual));
+    in_runs_ = in_runs_ || are_in_runs(of_target.runs_test_p, autocorrelation(residual),
+                                       static_cast<double>(residual.size()));
     is_doubted_ = is_doubted_ || stated_noise(index) == StatedNoise::TooSmall;
     of_target.break_strain = kNan;
     result_.targets.push_back(std::move(of_target));

@@ -10,9 +10,11 @@
 
 namespace plastica::calibrate {
 
-bool are_in_runs(double runs_test_p, double autocorrelation) {
-  constexpr double kOfNeighbours = 0.5;  // those of noise have less
-  return runs_test_p < kFewRuns || autocorrelation > kOfNeighbours;
+bool are_in_runs(double runs_test_p, double autocorrelation, double samples) {
+  constexpr double kAlike = 0.5;     // however few they are
+  constexpr double kQuantile = 3.3;  // normal, of 1 in 2000
+  return runs_test_p < kFewRuns || autocorrelation > kAlike ||
+         autocorrelation * std::sqrt(samples) > kQuantile;
 }
 
 double variance_inflation(double autocorrelation, double samples, int parameters) {

@@ -7,10 +7,14 @@
 
 namespace plastica::calibrate {
 
-/// Whether residuals are no noise: in fewer runs than noise has (`kFewRuns`), or with neighbours
-/// alike. Errors that take them for independent are then too small.
+/// Whether residuals are no independent noise: in fewer runs than noise has (`kFewRuns`), or with
+/// neighbours alike by more than 0.5, or by more than those of so many independent ones would be
+/// once in two thousand times. Errors that take them for independent are then too small. The
+/// correlation of neighbours has a standard deviation of 1/sqrt(n) there (Bartlett, J. R. Stat.
+/// Soc. Suppl. 8 (1946) 27).
 /// @param runs_test_p  NaN: too few to count
-bool are_in_runs(double runs_test_p, double autocorrelation);
+/// @param samples      what they count by their weights
+bool are_in_runs(double runs_test_p, double autocorrelation, double samples);
 
 /// By what residuals in runs raise the variance of a parameter over that of independent ones: what
 /// the samples count over what they are worth (`samples_worth`), where no fewer are left than one

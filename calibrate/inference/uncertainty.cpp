@@ -95,7 +95,7 @@ bool are_noise(const VectorXd& residual, double largest_stress) {
   const double squares = residual.squaredNorm() / static_cast<double>(residual.size());
   if (!(std::sqrt(squares) > kNothing * largest_stress)) return false;
   const std::span<const double> all(residual.data(), static_cast<std::size_t>(residual.size()));
-  return !are_in_runs(runs_test_p(all), autocorrelation(all));
+  return !are_in_runs(runs_test_p(all), autocorrelation(all), static_cast<double>(all.size()));
 }
 
 StressErrors stress_errors(const Misfit::Details& d, std::span<const double> active,

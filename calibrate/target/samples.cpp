@@ -93,8 +93,8 @@ void pool_part(const Samples& samples, std::size_t begin, std::size_t end, doubl
     for (; pools.size() > before && way * pool.mean() < way * pools.back().mean();
          pools.pop_back()) {
       const Pool& last = pools.back();
-      pool = {last.abscissa + pool.abscissa, last.ordinate + pool.ordinate,
-              last.count + pool.count, last.first};
+      pool = {last.abscissa + pool.abscissa, last.ordinate + pool.ordinate, last.count + pool.count,
+              last.first};
     }
     pools.push_back(pool);
   }

@@ -84,13 +84,15 @@ void mend_driven(const SceneTargetSource& source, const Samples& samples, SceneT
   }
   double noise = 0.0;
   const std::size_t reversed = reversed_by_noise(samples, noise);
-  if (reversed < kFew || static_cast<double>(reversed) < kMany * static_cast<double>(samples.size()))
+  if (reversed < kFew ||
+      static_cast<double>(reversed) < kMany * static_cast<double>(samples.size()))
     return;
-  const std::string_view unit = si_unit(target.abscissa_is);
+  const std::string_view si = si_unit(target.abscissa_is);
+  const std::string unit = si == "1" ? std::string() : ' ' + std::string(si);
   target.warnings.push_back(
-      fmt::format("the abscissa runs to and fro by its noise of {:.2g} {} in {} of {} samples, and "
+      fmt::format("the abscissa runs to and fro by its noise of {:.2g}{} in {} of {} samples, and "
                   "the scene follows it: once it yields, stresses come out too large; "
-                  "reversal_tolerance averages what turns round by less, such as {:.2g} {}",
+                  "reversal_tolerance averages what turns round by less, such as {:.2g}{}",
                   noise, unit, reversed, samples.size(), 8.0 * noise, unit));
 }
 

@@ -190,24 +190,27 @@ class Layouts(Hdf5Curves):
         with self.file() as file:
             file["A/strain"] = strain
             file["A/stress [MPa]"] = packed
-            file["A/stress [MPa]"].attrs.update(scale_factor=0.05, add_offset=0.0, _FillValue=numpy.int16(-32768))
-            file["B"] = numpy.column_stack([strain / 1e-4 - 3, stress])
-            file["B"].attrs.update(columns=["strain", "stress"], units=["1", "MPa"])
+            file["A/stress [MPa]"].attrs.update(scale_factor=0.05, add_offset=0.0,
+                                                _FillValue=numpy.int16(-32768))
+            file["B"] = numpy.column_stack([strain, stress]) / 4
+            file["B"].attrs.update(columns=["strain", "stress"], units=["1", "MPa"], scale_factor=4)
             file["C/strain"] = strain / 2 - 0.5
             file["C/strain"].attrs.update(scale_factor=[2.0], add_offset=1.0)
             file["C/stress [MPa]"] = stress
         said, fits = self.fit('files = "curves.h5"\n' + COLUMNS)
         self.assertIn("2 samples     rows dropped that lack one of the two numbers",
-                      self.command("show", "fit.h5", "--target", "curves:A"))
+                      self.command("show", "fit.h5", "--case", "curves:A"))
         raw = fits["curves:A"]
         self.assertTrue(numpy.isnan(raw[1][[7, 60]]).all())
         there = ~numpy.isnan(raw[1])
         self.assertTrue(numpy.allclose(raw[1][there], 0.05e6 * packed[there], rtol=1e-12))
+        self.assertTrue(numpy.array_equal(fits["curves:B"][0], strain))
         self.assertTrue(numpy.allclose(fits["curves:C"][0], strain, rtol=0, atol=1e-15))
         with self.file() as file:
             file["strain"], file["stress [MPa]"] = strain, stress
             file["strain"].attrs["scale_factor"] = "two"
-        self.assertIn("scale_factor", self.fit('files = "curves.h5"\n' + COLUMNS)[0])
+        self.assertIn("/strain/scale_factor: must be one number",
+                      self.fit('files = "curves.h5"\n' + COLUMNS, code=1)[0])
 
 
 if __name__ == "__main__":

@@ -231,8 +231,9 @@ std::vector<Column> columns_of_records(const Hdf5Handle& dataset, const Place& p
   const auto members = static_cast<std::size_t>(std::max(H5Tget_nmembers(type.get()), 0));
   const std::vector<std::string> units = units_of(dataset, members, place);
   if (is_packed(dataset)) {
-    place.refuse("has records and scale_factor, add_offset, _FillValue or missing_value: of which "
-                 "field is not said");
+    place.refuse(
+        "has records and scale_factor, add_offset, _FillValue or missing_value: of which "
+        "field is not said");
   }
   std::vector<Column> columns;
   for (const unsigned index : fields_of(type)) {

@@ -13,9 +13,7 @@ constexpr const char* kScale = "scale_factor";
 constexpr const char* kOffset = "add_offset";
 constexpr std::array<const char*, 2> kMissing{"_FillValue", "missing_value"};
 
-bool has(const Hdf5Handle& dataset, const char* name) {
-  return H5Aexists(dataset.get(), name) > 0;
-}
+bool has(const Hdf5Handle& dataset, const char* name) { return H5Aexists(dataset.get(), name) > 0; }
 
 /// The number that an attribute is.
 double number_of(const Hdf5Handle& dataset, const char* name, const Place& place) {

@@ -17,6 +17,19 @@ std::string yield_warning(const Scene& scene, const SolverOptions& options, cons
            " N_p: next to no moment, and out of the plane, one yield surface lets it bend as if it "
            "were elastic; rules.yield_model = \"fibre\" finds where it buckles";
   }
+  if (note.lacks > 0.0) {
+    const bool at_end = note.lacks >= 1.0;
+    return std::string("the joint at ") +
+           (at_end ? "a clamped end" : "a rigid support within the beam") +
+           " yielded under an axial force of up to " + force + ": its hinge lengthens, and shows " +
+           (at_end ? "nothing" : "half") +
+           " of that here, so that axial forces of a beam that is held along its axis come out too "
+           "large, and it does not slacken as it should; " +
+           (at_end ? "rules.end_rule = \"half\" has the hinge in a joint that lengthens (of first "
+                     "order in the segments)"
+                   : "a load under displacement control, in place of a support that moves, shows "
+                     "all of it");
+  }
   const bool stretches = options.translation == JointTranslation::Elastic;
   if (!per_axis && options.analysis == Analysis::Statics) {
     if (stretches) return {};

@@ -127,6 +127,10 @@ struct AxialNote {
   double left = 1.0;      ///< moment that the section carries beside it, over that without [1]
   double thrust = 0.0;    ///< the largest compression of a joint that yields, where hardening takes
                           ///< it over N_p and one surface stands for the section; else 0 [1]
+  /// What of its hinge's elongation the chain lacks where joints stretch: all of it at a clamped
+  /// end (1), half at a rigid support within the beam (1/2); 0: nothing, or nothing of it is looked
+  /// for.
+  double lacks = 0.0;
 };
 
 /// What a run gives; sized by `make_response`, so that `run` does not allocate.
@@ -149,8 +153,9 @@ struct Response {
   std::optional<BucklingModes> buckling;
   std::optional<VibrationModes> vibration;
   /// Set where joints yield, or would, that do not see the axial force (on each axis by itself; in
-  /// motion, those that do not stretch), where it is beyond N_p in joints that do not stretch, and
-  /// where hardening joints yield in compression; `axial_warning` puts it in words.
+  /// motion, those that do not stretch), where it is beyond N_p in joints that do not stretch,
+  /// where joints stretch but for this one, and where hardening joints yield in compression;
+  /// `axial_warning` puts it in words.
   std::optional<AxialNote> axial;
   /// Of a path at a planar level: some joint is under thrust, while no support keeps the beam from
   /// leaving its plane, so that nothing tells whether it does.

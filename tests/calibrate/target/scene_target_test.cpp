@@ -312,7 +312,8 @@ TEST_F(SceneTargetFile, IsToldThatItsNoiseWouldBeFollowed) {
   EXPECT_TRUE(read_driven(path(0.0)).warnings.empty());
   const SceneTarget noisy = read_driven(path(0.1));
   ASSERT_EQ(noisy.warnings.size(), 1U);
-  EXPECT_TRUE(noisy.warnings[0].starts_with("the abscissa runs to and fro by its noise of 0.0001 m"))
+  EXPECT_TRUE(
+      noisy.warnings[0].starts_with("the abscissa runs to and fro by its noise of 0.0001 m"))
       << noisy.warnings[0];
   EXPECT_EQ(noisy.abscissa.size(), 900U);
 
