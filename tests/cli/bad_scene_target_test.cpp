@@ -96,6 +96,10 @@ INSTANTIATE_TEST_SUITE_P(
             "ToleranceWithoutUnit", "scene =", "reversal_tolerance = 1\nscene =",
             "5: target[1].reversal_tolerance = 1: a length needs a unit (examples: m, mm, "
             "in)"),
+        scene_fit_change("FieldByItsLastPart", "parameters.youngs",
+                         "parameters.density = {}\nparameters.youngs",
+                         "2: fit.parameters.density: needs its whole path, in quotes: "
+                         "\"material.density\""),
         scene_fit_change("NegativeTolerance", "scene =", "reversal_tolerance = '-1 mm'\nscene =",
                          "5: target[1].reversal_tolerance = -1 mm: must be at least 0")),
     name_of_case);

@@ -107,6 +107,18 @@ TEST_F(SceneFitFileTest, ReadsCurvesAsItSays) {
   EXPECT_EQ(target.repairs[0].kind, "abscissa-reversals");
 }
 
+TEST_F(SceneFitFileTest, SaysThatACurveCountsTwice) {
+  std::string once = kTarget;
+  once.replace(once.find("*.csv"), 5, "a.csv");
+  const SceneFitFile file = parse(kFit + once + once);
+  ASSERT_EQ(file.cases.at(0).targets.size(), 2U);
+  EXPECT_TRUE(file.cases[0].targets[0].target.warnings.empty());
+  EXPECT_EQ(
+      file.cases[0].targets[1].target.warnings,
+      (std::vector<std::string>{
+          "its curve is that of a, too: two [[target]] blocks read it, and it counts twice"}));
+}
+
 TEST_F(SceneFitFileTest, ReadsObjectiveAndAlgorithm) {
   const SceneFitFile usual = parse(kFit + kTarget);
   EXPECT_EQ(usual.options.objective, Objective::LeastSquares);

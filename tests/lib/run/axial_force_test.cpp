@@ -256,6 +256,77 @@ TEST(AxialWarning, SaysThatAMotionLeavesTheAxialForceOutOfTheJointAtAClamp) {
   EXPECT_NE(warning.find("do not stretch"), std::string::npos) << warning;
 }
 
+/// A bar that is held along its axis at both ends, bent by 0.45 of its depth at the middle.
+Scene held_bar(SupportKind ends) {
+  Scene scene;
+  scene.beam = {.length = 2.0, .segments = 16};
+  scene.section = {.width = 0.02, .height = 0.1};
+  scene.material.youngs_modulus = 200e9;
+  scene.material.yield_stress = 100e6;
+  scene.yield_model = YieldModel::Interaction;
+  scene.yield_cap = YieldCap::FullyPlastic;
+  scene.supports = {{.at = Place::start(), .kind = ends}, {.at = Place::end(), .kind = ends}};
+  scene.probes = {{"N", ProbeQuantity::Force, {0.25, {}}, Component::Z}};
+  return scene;
+}
+
+/// Its plastic hinges lengthen by n h/2 times what they turn (normality to m + n^2 = 1), of which
+/// the stretch 2 d^2/L of a bar with straight halves is less:
+/// N_p L/EA dn = 4 d/L dd - n h/2 dturn.
+/// @param hinges  how often both halves' turn, 2 d/L, is in the turn of all
+double force_of_held_bar(double deflection, double hinges) {
+  const double length = 2.0, depth = 0.1, yield_strain = 100e6 / 200e9;
+  double n = 0.0;
+  constexpr int kSteps = 100'000;
+  const double step = deflection / kSteps;
+  for (int i = 0; i < kSteps; ++i) {
+    const double d = (i + 0.5) * step;
+    const double turns = hinges * 2.0 / length;
+    n += step * (4.0 * d / length - n * 0.5 * depth * turns) / (yield_strain * length);
+  }
+  return n * 100e6 * 0.02 * 0.1;
+}
+
+TEST(AxialWarning, SaysWhichHingesDoNotLengthen) {
+  SolverOptions options;
+  options.level = Level::Planar;
+  options.translation = JointTranslation::Elastic;
+  options.steps = 45;
+  SolverOptions plain = options;
+  options.control = PathControl::Displacement;
+  options.control_at = {0.5, {}};
+  options.control_motion = {0.0, -0.045, 0.0};
+  Scene clamped = held_bar(SupportKind::Clamp);
+  clamped.loads = {{.at = {0.5, {}}, .force = {0.0, -1e3, 0.0}}};
+  const Response stiff = testing::completed(clamped, options);
+  const auto warnings = axial_warnings(clamped, options, stiff);
+  ASSERT_EQ(warnings.size(), 1U);
+  EXPECT_TRUE(warnings[0].starts_with("the joint at a clamped end yielded under an axial force"))
+      << warnings[0];
+  // What it says to do: the hinges at the ends lengthen, too, as the one in the middle.
+  clamped.end_rule = EndRule::Half;
+  const Response right = testing::completed(clamped, options);
+  EXPECT_TRUE(axial_warnings(clamped, options, right).empty());
+  EXPECT_NEAR(right.probes[0].back() / force_of_held_bar(0.045, 4.0), 1.0, 0.03);
+  EXPECT_GT(stiff.probes[0].back(), 1.5 * right.probes[0].back());
+
+  // At a support that pushes the middle half of the elongation is lacking.
+  Scene pushed = held_bar(SupportKind::Pin);
+  pushed.supports.push_back({.at = {0.5, {}}, .kind = SupportKind::Roller});
+  pushed.supports[2].hold = HeldFreedoms{false, true, false, false, false, false};
+  pushed.supports[2].translation = {0.0, -0.045, 0.0};
+  const Response half = testing::completed(pushed, plain);
+  const auto of_support = axial_warnings(pushed, plain, half);
+  ASSERT_EQ(of_support.size(), 1U);
+  EXPECT_TRUE(of_support[0].starts_with("the joint at a rigid support within the beam yielded"))
+      << of_support[0];
+  Scene loaded = held_bar(SupportKind::Pin);
+  loaded.loads = clamped.loads;
+  const Response whole = testing::completed(loaded, options);
+  EXPECT_TRUE(axial_warnings(loaded, options, whole).empty());
+  EXPECT_NEAR(whole.probes[0].back() / force_of_held_bar(0.045, 2.0), 1.0, 0.08);
+}
+
 /// A bar beyond N_p that nothing bends: no joint yields, and per_axis would say nothing.
 TEST(AxialWarning, SaysThatPerAxisCarriesMoreThanAllOfTheSection) {
   for (const double n : {0.9, 2.0, -2.0}) {
