@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "calibrate/target/characteristics.hpp"
+#include "calibrate/target/deming_line.hpp"
 #include "plastica/base/check.hpp"
 
 namespace plastica::calibrate {
@@ -55,85 +55,14 @@ Window window_of(std::size_t samples, double low, double high, const Level& leve
   return window;
 }
 
-/// Standard deviations of the noise of strain [1] and stress [Pa], each by itself.
-struct Noise {
-  double strain = 0.0;
-  double stress = 0.0;
-};
-
-Noise noise_in(Values strain, Values stress) {
-  std::vector<double> rows(strain.size());
-  std::iota(rows.begin(), rows.end(), 0.0);
-  return {noise_of(rows, strain), noise_of(rows, stress)};
-}
-
-struct Regression {
-  ElasticLine line;
-  /// What of a sample's distance above the line is its stress's noise carried along the line: how
-  /// much of it leads from its strain to its foot on the line; 0 without noise in the strain.
-  double share = 0.0;
-};
-
-/// The line through samples with noise in both: Deming, Statistical Adjustment of Data (1943), 178.
-/// Without noise in the strain it is the regression of the stress, whose slope that noise would
-/// make too small.
-/// @param noise  of the stress about the curve, a floor of the standard errors
-Regression regress(Values strain, Values stress, double noise) {
-  const double n = static_cast<double>(strain.size());
-  double mean_strain = 0.0;
-  double mean_stress = 0.0;
-  for (std::size_t i = 0; i < strain.size(); ++i) {
-    mean_strain += strain[i];
-    mean_stress += stress[i];
-  }
-  mean_strain /= n;
-  mean_stress /= n;
-  double sxx = 0.0;
-  double sxy = 0.0;
-  double syy = 0.0;
-  for (std::size_t i = 0; i < strain.size(); ++i) {
-    const double x = strain[i] - mean_strain;
-    const double y = stress[i] - mean_stress;
-    sxx += x * x;
-    sxy += x * y;
-    syy += y * y;
-  }
-  Regression regression;
-  ElasticLine& line = regression.line;
-  line.samples = strain.size();
-  if (!(sxx > 0.0)) return regression;
-  line.modulus = sxy / sxx;
-  const Noise both = noise_in(strain, stress);
-  if (both.strain > 0.0 && sxy > 0.0) {
-    const double ratio = std::pow(both.stress / both.strain, 2);
-    const double excess = syy - ratio * sxx;
-    // Two forms of one root: neither loses digits.
-    const double root = std::hypot(excess, 2.0 * std::sqrt(ratio) * sxy);
-    line.modulus =
-        excess > 0.0 ? (excess + root) / (2.0 * sxy) : 2.0 * ratio * sxy / (root - excess);
-    regression.share = 1.0 / (1.0 + ratio / (line.modulus * line.modulus));
-  }
-  line.zero_strain = mean_strain - mean_stress / line.modulus;
-  double squares = 0.0;
-  for (std::size_t i = 0; i < strain.size(); ++i) {
-    const double r = stress[i] - mean_stress - line.modulus * (strain[i] - mean_strain);
-    squares += r * r;
-  }
-  const double scatter = std::max(noise, std::sqrt(squares / (n - 2.0)));
-  line.modulus_stderr = scatter / std::sqrt(sxx);
-  const double arm = mean_strain - line.zero_strain;
-  line.zero_strain_stderr = scatter / line.modulus * std::sqrt(1.0 / n + arm * arm / sxx);
-  return regression;
-}
-
 /// The line through the samples of a window; empty if there are too few, or they do not rise.
 /// @param low, high  of the window [Pa]
-std::optional<Regression> regression_in(Values strain, Values stress, Window window, double low,
+std::optional<DemingLine> regression_in(Values strain, Values stress, Window window, double low,
                                         double high, double noise) {
   const std::size_t count = window.end - window.begin;
   if (count < 3) return std::nullopt;
-  Regression found =
-      regress(strain.subspan(window.begin, count), stress.subspan(window.begin, count), noise);
+  DemingLine found =
+      deming_line(strain.subspan(window.begin, count), stress.subspan(window.begin, count), noise);
   ElasticLine& line = found.line;
   if (!(line.modulus > 0.0) || !std::isfinite(line.modulus)) return std::nullopt;
   line.low = std::max(low, 0.0);
@@ -142,7 +71,7 @@ std::optional<Regression> regression_in(Values strain, Values stress, Window win
 }
 
 /// The line through the samples whose measured stress lies in a window.
-std::optional<Regression> measured_line(Values strain, Values stress, double sign, double low,
+std::optional<DemingLine> measured_line(Values strain, Values stress, double sign, double low,
                                         double high, double noise) {
   const Window window =
       window_of(stress.size(), low, high, [&](std::size_t i) { return sign * stress[i]; });
