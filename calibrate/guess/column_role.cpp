@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <span>
 #include <utility>
+#include <vector>
 
 #include "plastica/io/units.hpp"
 
@@ -61,9 +62,17 @@ constexpr std::array<std::string_view, 16> kLesser{
     "set ",  "setpoint", "soll",      "command",    "target",  "demand",  "peak",      "max",
     "error", "std",      "deviation", "abweichung", "plastic", "elastic", "plastisch", "elastisch"};
 
-/// A strain without its elastic part, unless it is that of an "elastic-plastic" specimen, or total.
-constexpr std::array<std::string_view, 4> kPlastic{"plastic", "plastisch", "plastique", "plástic"};
-constexpr std::array<std::string_view, 3> kTotal{"total", "gesamt", "elast"};
+/// What makes a strain one without its elastic part, beside its word: "true plastic strain", not
+/// "plastic specimen strain".
+constexpr std::array<std::string_view, 10> kPlastic{
+    "plastic",  "plastische", "plastischer", "plastique", "plástica",
+    "plastica", "permanent",  "permanente",  "bleibende", "inelastic"};
+/// Words that may stand between them.
+constexpr std::array<std::string_view, 9> kBetween{"true",  "eng",        "engineering",
+                                                   "log",   "equivalent", "logarithmic",
+                                                   "wahre", "nominal",    "accumulated"};
+/// Words that make it the whole strain.
+constexpr std::array<std::string_view, 4> kTotal{"total", "elastic", "elastisch", "gesamt"};
 
 bool has(std::string_view name, Words words) {
   return std::ranges::any_of(words,
@@ -105,6 +114,32 @@ bool fits(std::string_view unit, Dimension dimension) {
   } catch (const InputError&) {
     return false;
   }
+}
+
+/// Whether it is the plastic strain alone.
+bool is_plastic_strain(const std::string& name) {
+  std::vector<std::string_view> words;
+  const auto is_letter = [](char c) {
+    const auto code = static_cast<unsigned char>(c);
+    return code >= 0x80 || std::isalpha(code) != 0;
+  };
+  for (std::size_t begin = 0; begin < name.size();) {
+    std::size_t end = begin;
+    while (end < name.size() && is_letter(name[end])) ++end;
+    if (end > begin) words.push_back(std::string_view(name).substr(begin, end - begin));
+    begin = end + 1;
+  }
+  const auto is_one_of = [](std::string_view word, Words known) {
+    return std::ranges::find(known, word) != known.end();
+  };
+  std::erase_if(words, [&](std::string_view word) { return is_one_of(word, kBetween); });
+  const auto is_total = [&](std::string_view word) { return is_one_of(word, kTotal); };
+  if (std::ranges::any_of(words, is_total)) return false;
+  for (std::size_t i = 1; i < words.size(); ++i) {
+    if (is_one_of(words[i - 1], kPlastic) && has(words[i], kStrain)) return true;
+    if (is_one_of(words[i], kPlastic) && has(words[i - 1], kStrain)) return true;
+  }
+  return false;
 }
 
 /// The unit that ends a name: "Stress_MPa", "elongation_mm"; empty if that is none.
@@ -212,8 +247,7 @@ ColumnMeaning meaning_of(std::string_view name, std::string_view unit) {
       meaning.role == ColumnRole::Travel ||
       (meaning.role == ColumnRole::Strain &&
        (said.travel || lower.find("nominal") != std::string::npos) && !said.elongation);
-  meaning.is_plastic =
-      meaning.role == ColumnRole::Strain && has(lower, kPlastic) && !has(lower, kTotal);
+  meaning.is_plastic = meaning.role == ColumnRole::Strain && is_plastic_strain(lower);
   meaning.why = meaning.is_weak ? "unit" : meaning.unit ? "name, unit" : "name";
   return meaning;
 }

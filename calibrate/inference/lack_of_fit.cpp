@@ -60,6 +60,7 @@ bool lacks_fit(double fraction, double runs_test_p) {
 
 std::string_view misfit_word(double fraction, double runs_test_p, double autocorrelation) {
   if (lacks_fit(fraction, runs_test_p)) return "poor";
+  // Of no samples: for the word neighbours must be alike by much, not only surely.
   const bool is_noise = !std::isnan(runs_test_p) && !are_in_runs(runs_test_p, autocorrelation, 0.0);
   return is_noise || fraction < kLacking ? "close" : "fair";
 }

@@ -59,7 +59,7 @@ DemingLine deming_line(Values strain, Values stress, double noise) {
     const double root = std::hypot(excess, 2.0 * std::sqrt(ratio) * sxy);
     line.modulus =
         excess > 0.0 ? (excess + root) / (2.0 * sxy) : 2.0 * ratio * sxy / (root - excess);
-    regression.share = 1.0 / (1.0 + ratio / (line.modulus * line.modulus));
+    regression.foot_fraction = 1.0 / (1.0 + ratio / (line.modulus * line.modulus));
   }
   line.zero_strain = mean_strain - mean_stress / line.modulus;
   double squares = 0.0;

@@ -9,9 +9,10 @@ namespace plastica::calibrate {
 /// A straight line through samples.
 struct DemingLine {
   ElasticLine line;
-  /// The foot of a sample on the line, by whose noise it is not moved along it, lies at the line's
-  /// stress at its strain and this fraction of its distance above; 0 without noise in the strain.
-  double share = 0.0;
+  /// A sample's foot on the line is where the line has the stress that it has at the sample's
+  /// strain, and this fraction of the sample's distance above it more; 0 without noise in the
+  /// strain.
+  double foot_fraction = 0.0;
 };
 
 /// The line through samples with noise in both: Deming, Statistical Adjustment of Data (1943), 178.

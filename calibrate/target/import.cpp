@@ -229,7 +229,10 @@ Imported import_table(const Block& block, const TableOfFile& from) {
     for (const io::FoundColumn& stress : columns.stress) {
       check_named_measure(source, *table, columns.strain.index, stress.index);
     }
-    if (!block.options.accept) check_total_strain(*table, columns.strain.index);
+    if (!block.options.accept) {
+      check_total_strain(*table, columns.strain.index,
+                         "--accept, or plausible.accept = true, takes it as it is");
+    }
     parts = parts_of(source, *table, whole);
     if (!block.specimens && source.asks_for_values()) {
       properties.emplace(properties_of(source, from, tables.get()));

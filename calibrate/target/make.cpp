@@ -61,6 +61,13 @@ std::string not_in_tension(const Curve& curve) {
   return *high > 0.0 ? "" : "the stress is nowhere positive";
 }
 
+/// The model follows the strain to and fro, its noise as well, as unloading and new flow.
+void mend_cyclic(const Samples& samples) {
+  double noise = 0.0;
+  if (reversed_by_noise(samples, noise) == 0) return;
+  average_small_reversals(samples, kNoises * noise, "strain");
+}
+
 /// The rule of TargetOptions::min_samples.
 void check_sampling(Target& target, double noise, const TargetOptions& options) {
   const Characteristics& c = target.characteristics;
@@ -117,6 +124,7 @@ void process_target(Target& target, const TargetOptions& options) {
     if (!reason.empty()) return give_up(target, TargetStatus::Rejected, std::move(reason));
     drop_foot_reversals(target, options.reversal_tolerance);
   }
+  if (!monotonic) mend_cyclic(samples_of(target));
   const double noise = noise_of(curve.strain, curve.stress);
   const auto line = find_elastic_line(curve, target.loading, noise, options);
   if (!line) {

@@ -25,11 +25,12 @@ void check_named_measure(const TargetSource& source, const io::CsvTable& table, 
                   table.names()[strain], table.names()[stress]));
 }
 
-void check_total_strain(const io::CsvTable& table, std::size_t strain) {
+void check_total_strain(const io::CsvTable& table, std::size_t strain, std::string_view way_out) {
   if (!meaning_in(table, strain).is_plastic) return;
   throw InputError({table.file(), 0}, "strain", table.names()[strain],
-                   "is plastic strain by its name: a fit needs the total strain, which is stress/E "
-                   "more (--accept, or plausible.accept = true, takes it as it is)");
+                   fmt::format("is plastic strain by its name: a fit needs the total strain, which "
+                               "is stress/E more ({})",
+                               way_out));
 }
 
 void warn_of_named_measure(const TargetSource& source, const io::CsvTable& table,

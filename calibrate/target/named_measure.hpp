@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "calibrate/target/import.hpp"
@@ -16,8 +17,9 @@ void check_named_measure(const TargetSource& source, const io::CsvTable& table, 
                          std::size_t stress);
 
 /// Refuses a strain that is the plastic one alone by its name: a curve is one of the total strain.
+/// @param way_out  what takes it all the same, for the message
 /// @throws InputError
-void check_total_strain(const io::CsvTable& table, std::size_t strain);
+void check_total_strain(const io::CsvTable& table, std::size_t strain, std::string_view way_out);
 
 /// Warns of columns of strain and stress in tension that are of the other measure by their names.
 void warn_of_named_measure(const TargetSource& source, const io::CsvTable& table,

@@ -108,9 +108,8 @@ struct TargetOptions {
   /// ends, to at most 0 and 0.8, while it holds fewer than 3 samples; at the low end while the
   /// modulus has a standard error above 3 %. Of windows that agree with the proof stress of their
   /// own slope the steepest one counts. Samples lie in it by their place along the line. It moves
-  /// down, to 0.75 of itself and at most four times,
-  /// while the slope of its lower half exceeds that of the upper one by 40 % and 5 standard
-  /// errors.
+  /// down, to 0.75 of itself and at most four times, while the slope of its lower half exceeds that
+  /// of the upper one by 40 % and 5 standard errors.
   std::optional<std::pair<double, double>> modulus_window;
   double modulus_low = 0.2;
   double modulus_high = 0.6;

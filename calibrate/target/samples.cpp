@@ -121,11 +121,15 @@ void take_pools(const Samples& samples, std::span<const Pool> pools, std::string
               "samples averaged where the " + std::string(name) + " ran backwards");
 }
 
-/// Pools of a path that goes to and fro: what turns round by more than the tolerance is its way.
-std::vector<Pool> pools_between_turns(const Samples& samples, double tolerance) {
-  const std::vector<double>& x = samples.abscissa;
-  std::vector<Pool> pools;
-  std::size_t begin = 0, low = 0, high = 0;
+/// Where the parts of a path end that goes to and fro: at turns by more than the tolerance.
+struct Turns {
+  std::vector<std::size_t> ends;  ///< one past the last sample of each part
+  double first_way = 1.0;         ///< whether the first one rises (1) or falls (-1)
+};
+
+Turns turns_of(std::span<const double> x, double tolerance) {
+  Turns turns;
+  std::size_t low = 0, high = 0;
   double way = 0.0;  // not known yet
   for (std::size_t i = 0; i < x.size(); ++i) {
     if (x[i] > x[high]) high = i;
@@ -134,15 +138,89 @@ std::vector<Pool> pools_between_turns(const Samples& samples, double tolerance) 
     const bool rises = way <= 0.0 && x[i] > x[low] + tolerance;
     if (!falls && !rises) continue;
     const std::size_t turn = falls ? high : low;
-    if (way != 0.0 || turn > 0) {
-      pool_part(samples, begin, turn + 1, way != 0.0 ? way : (falls ? 1.0 : -1.0), pools);
-      begin = turn + 1;
-    }
+    // What lies within the tolerance of the first sample is no part of its own.
+    const bool is_first = way == 0.0 && std::abs(x[turn] - x[0]) <= tolerance;
+    if (!is_first) turns.ends.push_back(turn + 1);
+    if (way == 0.0) turns.first_way = is_first == falls ? -1.0 : 1.0;
     way = falls ? -1.0 : 1.0;
     low = high = i;
   }
-  pool_part(samples, begin, x.size(), way != 0.0 ? way : 1.0, pools);
+  turns.ends.push_back(x.size());
+  return turns;
+}
+
+/// Pools a turn with what lies beside it, as long as noise may part them by three standard errors:
+/// of a hold the turn is the sample that noise took furthest.
+/// @param turn  its pool
+void pool_turn(std::vector<Pool>& pools, std::size_t turn, double noise) {
+  const auto distance = [&](std::size_t k) {
+    const double both =
+        1.0 / static_cast<double>(pools[k].count) + 1.0 / static_cast<double>(pools[turn].count);
+    return std::abs(pools[k].mean() - pools[turn].mean()) / (3.0 * noise * std::sqrt(both));
+  };
+  constexpr double kFar = std::numeric_limits<double>::infinity();
+  while (noise > 0.0) {
+    // The first pool is where the path begins.
+    const double before = turn > 1 ? distance(turn - 1) : kFar;
+    const double behind = turn + 1 < pools.size() ? distance(turn + 1) : kFar;
+    if (std::min(before, behind) > 1.0) return;
+    if (before <= behind) --turn;
+    Pool& into = pools[turn];
+    const Pool& other = pools[turn + 1];
+    into = {into.abscissa + other.abscissa, into.ordinate + other.ordinate,
+            into.count + other.count, into.first};
+    pools.erase(pools.begin() + static_cast<std::ptrdiff_t>(turn) + 1);
+  }
+}
+
+/// Pools of a path that goes to and fro: what turns round by more than the tolerance is of the
+/// path.
+std::vector<Pool> pools_between_turns(const Samples& samples, double tolerance, double noise) {
+  const Turns turns = turns_of(samples.abscissa, tolerance);
+  std::vector<Pool> pools;
+  std::vector<std::size_t> last;  // pool of each part
+  std::size_t begin = 0;
+  double way = turns.first_way;
+  for (const std::size_t end : turns.ends) {
+    pool_part(samples, begin, end, way, pools);
+    last.push_back(pools.size() - 1);
+    begin = end;
+    way = -way;
+  }
+  // From the end, so that the numbers of those before stay.
+  for (std::size_t part = last.size(); part-- > 1;) pool_turn(pools, last[part - 1], noise);
   return pools;
+}
+
+/// Standard deviation of the noise of values in the order of their rows.
+double noise_over_rows(std::span<const double> values) {
+  std::vector<double> rows(values.size());
+  std::iota(rows.begin(), rows.end(), 0.0);
+  return noise_of(rows, values);
+}
+
+/// Whether what moves samples to and fro is noise: then the steps between them, less what their
+/// neighbours have in common, are alike by -1/2 from one to the next, and no further. Those of
+/// waves of n samples are so by cos(2 pi/n) and cos(4 pi/n).
+bool moves_by_noise(std::span<const double> x) {
+  constexpr std::size_t kReach = 4;
+  if (x.size() < 4 * kReach) return false;
+  std::vector<double> steps(x.size() - 1);
+  for (std::size_t i = 0; i < steps.size(); ++i) steps[i] = x[i + 1] - x[i];
+  std::vector<double> left, near;
+  for (std::size_t i = kReach; i + kReach < steps.size(); ++i) {
+    const auto at = steps.begin() + static_cast<std::ptrdiff_t>(i);
+    near.assign(at - kReach, at + kReach + 1);
+    std::ranges::nth_element(near, near.begin() + kReach);
+    left.push_back(*at - near[kReach]);
+  }
+  double squares = 0.0, next = 0.0, second = 0.0;
+  for (std::size_t i = 0; i < left.size(); ++i) {
+    squares += left[i] * left[i];
+    if (i + 1 < left.size()) next += left[i] * left[i + 1];
+    if (i + 2 < left.size()) second += left[i] * left[i + 2];
+  }
+  return next < -0.3 * squares && next > -0.7 * squares && std::abs(second) < 0.25 * squares;
 }
 
 }  // namespace
@@ -154,27 +232,24 @@ void average_reversals(const Samples& samples, std::string_view name) {
 }
 
 void average_small_reversals(const Samples& samples, double tolerance, std::string_view name) {
-  take_pools(samples, pools_between_turns(samples, tolerance), name);
+  // Within the tolerance, which is to be some times the noise.
+  const double noise = std::min(noise_over_rows(samples.abscissa), tolerance);
+  take_pools(samples, pools_between_turns(samples, tolerance, noise), name);
 }
 
 std::size_t reversed_by_noise(const Samples& samples, double& noise) {
-  constexpr double kNoise = 8.0, kSmall = 0.05;
-  if (samples.size() == 0) return 0;
-  std::vector<double> rows(samples.size());
-  std::iota(rows.begin(), rows.end(), 0.0);
-  noise = noise_of(rows, samples.abscissa);
-  const auto [low, high] = std::ranges::minmax_element(samples.abscissa);
-  // Waves of few samples look as noise does.
-  if (!(noise > 0.0 && kNoise * noise < kSmall * (*high - *low))) return 0;
-  return averaged_in(pools_between_turns(samples, kNoise * noise));
+  constexpr std::size_t kFew = 10;
+  constexpr double kMany = 0.05;
+  noise = noise_over_rows(samples.abscissa);
+  if (!(noise > 0.0) || !moves_by_noise(samples.abscissa)) return 0;
+  const std::size_t reversed = averaged_in(pools_between_turns(samples, kNoises * noise, 0.0));
+  const double fraction = static_cast<double>(reversed) / static_cast<double>(samples.size());
+  return reversed >= kFew && fraction >= kMany ? reversed : 0;
 }
 
 void mend_reversals(const Samples& samples, double tolerance, std::string_view name) {
-  std::vector<double> rows(samples.size());
-  std::iota(rows.begin(), rows.end(), 0.0);
   // What falls back further than noise does is of the test: a slip, a loop, a pause.
-  constexpr double kNoise = 8.0;
-  const double far = std::max(tolerance, kNoise * noise_of(rows, samples.abscissa));
+  const double far = std::max(tolerance, kNoises * noise_over_rows(samples.abscissa));
   double reached = -std::numeric_limits<double>::infinity();
   const std::size_t dropped = filter(samples, [&](std::size_t i) {
     if (samples.abscissa[i] < reached - far) return false;

@@ -101,11 +101,16 @@ void mend_reversals(const Samples& samples, double tolerance, std::string_view n
 void average_reversals(const Samples& samples, std::string_view name);
 
 /// The same of an abscissa that goes to and fro, as one that a scene follows: between turns by more
-/// than the tolerance, each way by itself.
+/// than the tolerance, each part by itself. A turn is averaged with its neighbours as far as noise
+/// may part them, as in a hold.
 void average_small_reversals(const Samples& samples, double tolerance, std::string_view name);
 
-/// How many samples lie where the abscissa turns round by no more than 8 standard deviations of its
-/// noise; 0 where waves of few samples may look as noise (8 are more than 5 % of its range).
+/// Standard deviations that are no noise.
+inline constexpr double kNoises = 8.0;
+
+/// How many samples lie where the abscissa turns round by no more than `kNoises` standard
+/// deviations of its noise; 0 where these are few (10, or 5 % of all), or what turns it round is no
+/// noise, as in small cycles.
 /// @param[out] noise  that standard deviation
 std::size_t reversed_by_noise(const Samples& samples, double& noise);
 

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <filesystem>
 #include <limits>
@@ -12,6 +13,7 @@
 
 #include "calibrate/target/characteristics.hpp"
 #include "calibrate/target/named_column.hpp"
+#include "calibrate/target/named_measure.hpp"
 #include "calibrate/target/samples.hpp"
 #include "calibrate/target/scene_break.hpp"
 #include "calibrate/trial/scene_drive.hpp"
@@ -76,24 +78,20 @@ void refuse_lost_corner(const io::CsvTable& table, std::size_t column, const Sce
 /// A scene follows what it is driven by, noise as well: each step back unloads it, and each peak
 /// makes it flow.
 void mend_driven(const SceneTargetSource& source, const Samples& samples, SceneTarget& target) {
-  constexpr std::size_t kFew = 10;
-  constexpr double kMany = 0.05;
   if (source.reversal_tolerance) {
     average_small_reversals(samples, *source.reversal_tolerance, "abscissa");
     return;
   }
   double noise = 0.0;
   const std::size_t reversed = reversed_by_noise(samples, noise);
-  if (reversed < kFew ||
-      static_cast<double>(reversed) < kMany * static_cast<double>(samples.size()))
-    return;
+  if (reversed == 0) return;
   const std::string_view si = si_unit(target.abscissa_is);
   const std::string unit = si == "1" ? std::string() : ' ' + std::string(si);
   target.warnings.push_back(
       fmt::format("the abscissa runs to and fro by its noise of {:.2g}{} in {} of {} samples, and "
                   "the scene follows it: once it yields, stresses come out too large; "
                   "reversal_tolerance averages what turns round by less, such as {:.2g}{}",
-                  noise, unit, reversed, samples.size(), 8.0 * noise, unit));
+                  noise, unit, reversed, samples.size(), kNoises * noise, unit));
 }
 
 }  // namespace
@@ -109,6 +107,11 @@ SceneTarget read_scene_target(const SceneTargetSource& source, const Scene& scen
       io::find_column(table, named(source.abscissa, "abscissa"), target.abscissa_is);
   const io::FoundColumn y =
       io::find_column(table, named(source.ordinate, "ordinate"), target.ordinate_is);
+  const bool by_name = !std::ranges::all_of(source.abscissa.column,
+                                            [](unsigned char c) { return std::isdigit(c) != 0; });
+  if (target.kind == Abscissa::Strain && by_name) {
+    check_total_strain(table, x.index, "its number in place of its name takes it as it is");
+  }
   target.abscissa = io::numbers_of(table, x);
   target.ordinate = io::numbers_of(table, y);
   for (const io::FoundColumn& column : {x, y}) warn_of_unit(table, column, target.warnings);

@@ -197,9 +197,27 @@ class Layouts(Hdf5Curves):
             file["C/strain"] = strain / 2 - 0.5
             file["C/strain"].attrs.update(scale_factor=[2.0], add_offset=1.0)
             file["C/stress [MPa]"] = stress
+            # An attribute of another type, as h5py writes a plain number, beside what nobody reads.
+            file["D/strain"] = strain
+            holes = stress.astype("f4")
+            holes[[3, 90]] = -9999.9
+            holes[40] = 1e9
+            file["D/stress [MPa]"] = holes
+            file["D/stress [MPa]"].attrs.update(missing_value=[-9999.9, -1e30], valid_max=1e4)
+            file["D/temperature"] = numpy.zeros(len(strain))
+            file["D/temperature"].attrs["missing_value"] = [1.0, 2.0]
+            # Bytes above 127, as netCDF's third version stores them.
+            file["E/strain"] = strain
+            file["E/stress [MPa]"] = numpy.round(stress).astype("u1").astype("i1")
+            file["E/stress [MPa]"].attrs["_Unsigned"] = "true"
         said, fits = self.fit('files = "curves.h5"\n' + COLUMNS)
-        self.assertIn("2 samples     rows dropped that lack one of the two numbers",
-                      self.command("show", "fit.h5", "--case", "curves:A"))
+        for case, rows in (("A", 2), ("D", 3)):
+            self.assertIn(f"{rows} samples     rows dropped that lack one of the two numbers",
+                          self.command("show", "fit.h5", "--case", f"curves:{case}"))
+        self.assertEqual(set(numpy.flatnonzero(numpy.isnan(fits["curves:D"][1]))), {3, 40, 90})
+        self.assertTrue(numpy.array_equal(fits["curves:E"][0], strain))
+        self.assertTrue(numpy.allclose(fits["curves:E"][1],
+                                       1e6 * numpy.round(stress).astype("u1"), rtol=1e-12))
         raw = fits["curves:A"]
         self.assertTrue(numpy.isnan(raw[1][[7, 60]]).all())
         there = ~numpy.isnan(raw[1])

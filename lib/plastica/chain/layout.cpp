@@ -123,7 +123,7 @@ void set_shift_lengths(const Scene& scene, Layout& layout) {
 void set_bare_halves(const Scene& scene, Layout& layout) {
   const std::array<double, 2> half{0.5 * layout.segment_length.front(),
                                    0.5 * layout.segment_length.back()};
-  if (layout.end_rule != EndRule::HalfJoint || !scene.beam.joint_lengths.empty()) return;
+  if (layout.end_rule != EndRule::HalfJoint) return;
   constexpr std::array<double, 3> kNothing{};
   for (std::size_t e = 0; e < 2; ++e) {
     const double fraction = layout.ends[e == 0 ? 0 : layout.size()];

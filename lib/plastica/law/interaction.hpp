@@ -47,8 +47,9 @@ struct InteractionState {
 ///   A_e = sum a_i z_i^2/r^2                  twice the elastic energy at yield,
 ///   A_p = Y sum V_i z_i^2/r^2,               V_i = modulus cap factor/lever,
 /// so that a plastic multiplier lambda [J/m] is the equivalent plastic strain p = lambda/A_p of the
-/// uniaxial law, and back stresses grow by (A_e/lambda~)(z^ - z) per unit of its law, where
-/// lambda~ = lambda + A_e sum shifts. For one component A_e = a_i and A_p = Y V_i: this is exactly
+/// uniaxial law. Back stresses X recover as its law says, in all directions, and grow by
+/// (A_e/lambda~)(z^ - X' - z) per unit of its source, X' what is left of them, z relative to them,
+/// lambda~ = lambda + A_e sum sources. For one component A_e = a_i and A_p = Y V_i: this is exactly
 /// the uniaxial law of its extreme fibre. For several it is the natural average, of the force that
 /// does the work: along a proportional path increments of any length give the same. (The trial
 /// force is no measure of it: where the axial force is given, flow along the beam turns the trial

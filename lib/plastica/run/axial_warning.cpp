@@ -1,11 +1,42 @@
 #include "plastica/run/axial_warning.hpp"
 
+#include <algorithm>
 #include <utility>
 
 #include "plastica/model/check_value.hpp"
 
 namespace plastica {
 namespace {
+
+/// Whether supports hold the beam along its axis at two places, so that its elongation makes
+/// forces.
+bool is_held_along(const Scene& scene) {
+  const auto holds = [](const Support& support) { return support.held()[2]; };
+  return std::ranges::count_if(scene.supports, holds) > 1;
+}
+
+/// Of a hinge whose elongation is not all shown.
+std::string hinge_warning(const Scene& scene, const AxialNote& note, const std::string& force) {
+  const bool at_end = note.missing_elongation >= 1.0;
+  const auto moves = [](const Support& support) { return support.moves(); };
+  std::string text = std::string("the joint at ") +
+                     (at_end ? "a clamped end" : "a rigid support within the beam") +
+                     " yielded under an axial force of up to " + force +
+                     ": its hinge lengthens, and shows " + (at_end ? "nothing" : "half") +
+                     " of that";
+  if (is_held_along(scene)) {
+    text += ", so that axial forces between the supports come out too large";
+  }
+  if (at_end) {
+    text +=
+        "; rules.end_rule = \"half\" has the hinge in a joint that lengthens (of first order in "
+        "the segments)";
+  } else if (std::ranges::any_of(scene.supports, moves)) {
+    text +=
+        "; a load under displacement control, in place of a support that moves, shows all of it";
+  }
+  return text;
+}
 
 std::string yield_warning(const Scene& scene, const SolverOptions& options, const AxialNote& note) {
   using model_detail::figure;
@@ -17,19 +48,7 @@ std::string yield_warning(const Scene& scene, const SolverOptions& options, cons
            " N_p: next to no moment, and out of the plane, one yield surface lets it bend as if it "
            "were elastic; rules.yield_model = \"fibre\" finds where it buckles";
   }
-  if (note.lacks > 0.0) {
-    const bool at_end = note.lacks >= 1.0;
-    return std::string("the joint at ") +
-           (at_end ? "a clamped end" : "a rigid support within the beam") +
-           " yielded under an axial force of up to " + force + ": its hinge lengthens, and shows " +
-           (at_end ? "nothing" : "half") +
-           " of that here, so that axial forces of a beam that is held along its axis come out too "
-           "large, and it does not slacken as it should; " +
-           (at_end ? "rules.end_rule = \"half\" has the hinge in a joint that lengthens (of first "
-                     "order in the segments)"
-                   : "a load under displacement control, in place of a support that moves, shows "
-                     "all of it");
-  }
+  if (note.missing_elongation > 0.0) return hinge_warning(scene, note, force);
   const bool stretches = options.translation == JointTranslation::Elastic;
   if (!per_axis && options.analysis == Analysis::Statics) {
     if (stretches) return {};

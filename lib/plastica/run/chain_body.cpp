@@ -132,12 +132,17 @@ void ChainBody<L, kElastic>::find_axial_forces(bool in_motion) {
 }
 
 template <class L, bool kElastic>
-double ChainBody<L, kElastic>::lacking_elongation(std::size_t j) const {
+double ChainBody<L, kElastic>::missing_elongation(std::size_t j) const {
   const chain::JointPlan& plan = build.joints[j];
+  const auto& works = joints->work_increment();
+  const std::size_t n = build.chain.size();
+  // The joint whose length makes up for it: where that yields, too, nothing is missing.
+  const std::size_t beside = plan.node == 0 ? 1 : plan.node == n ? n - 1 : plan.node - 1;
+  if (beside > 0 && beside < n && works[beside] > constant<S>(0)) return 0.0;
   if (!joints->joints()[j].stretches) return 1.0;
   const double bends = *std::max_element(plan.length.begin(), plan.length.begin() + 2);
-  const double lacks = 1.0 - plan.length[3] / bends;
-  return lacks > 0.25 ? lacks : 0.0;  // less is how lengths are dealt out beside regions
+  const double missing = 1.0 - plan.length[3] / bends;
+  return missing > 0.25 ? missing : 0.0;  // less is how lengths are dealt out beside regions
 }
 
 template <class L, bool kElastic>
@@ -157,30 +162,30 @@ void ChainBody<L, kElastic>::note_axial(bool in_motion, Response& response,
   // Ideal plasticity does not let N grow; fibres know how they bend under it.
   const bool takes_thrust = !left_out && model.scene.yield_model != YieldModel::Fibre &&
                             model.scene.material.hardening.law != HardeningLaw::Ideal;
-  constexpr double kLacking = 0.05;  // of N_p: below it a hinge hardly lengthens
+  constexpr double kLengthens = 0.05;  // of N_p: below it a hinge hardly lengthens
   for (std::size_t j = 0; j < axial.size(); ++j) {
     const bool stretches = kElastic && joints->joints()[j].stretches;
     const auto& joint = joints->joints()[j];
     const double force = stretches ? joints->section_forces()[j][law::kAxial] : axial[j];
     const double ratio = std::fabs(force) / static_cast<double>(joint.axial_yield);
     const bool seen = stretches && !per_axis;
-    const double lacks = kElastic && !left_out ? lacking_elongation(j) : 0.0;
+    const double missing = kElastic && !left_out ? missing_elongation(j) : 0.0;
     // In a motion, nothing is left out of a joint that stretches; its neighbours that do not, at
     // the ends, may have more than N_p from the hardening of those that do.
     if (in_motion && seen) continue;
     const bool is_beside = kElastic && in_motion && !per_axis;
     if (!yields(j) && !(left_out && !is_beside && ratio > 1.0)) continue;
     const bool grows = takes_thrust && force < 0.0 && ratio > 1.0;
-    const double least = lacks > 0.0 ? kLacking
-                         : grows     ? 1.0
-                         : seen      ? chain::JointModel::kNever
-                         : left_out  ? 1e-3
-                                     : 1.0;
+    const double least = missing > 0.0 ? kLengthens
+                         : grows       ? 1.0
+                         : seen        ? chain::JointModel::kNever
+                         : left_out    ? 1e-3
+                                       : 1.0;
     if (ratio < std::max(least, response.axial ? response.axial->ratio : 0.0)) continue;
     const chain::JointPlan& plan = build.joints[j];
     const double thrust = response.axial ? response.axial->thrust : 0.0;
     response.axial = AxialNote{ratio, model.layout.ends[plan.node], 1.0,
-                               grows ? std::max(thrust, ratio) : thrust, lacks};
+                               grows ? std::max(thrust, ratio) : thrust, missing};
     axial_part_ = joint.law;
   }
 }

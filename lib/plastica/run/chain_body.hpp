@@ -66,8 +66,8 @@ class ChainBody {
   void find_axial_forces(bool in_motion);
   /// Whether a joint transmits more than the force at which its section yields by N alone.
   bool carries_axial_yield() const;
-  /// See `AxialNote::lacks`.
-  double lacking_elongation(std::size_t j) const;
+  /// See `AxialNote`.
+  double missing_elongation(std::size_t j) const;
 
   MaterialValues<double> material_{};  ///< that the joints have
   // Of `note_axial`:

@@ -167,8 +167,7 @@ std::optional<BucklingModes> ChainModes<L, kElastic>::buckling(int count, OutOfP
     if (root.out_of_plane) {
       beside->add_mode_after(root.time, modes.mode);
     } else {
-      pencil.factor(root.time);
-      add_mode(root.time <= (1.0 + kSameRoot) * last, modes.mode);
+      add_mode(pencil, root.time, root.time <= (1.0 + kSameRoot) * last, modes.mode);
       last = root.time;
     }
   }
@@ -176,9 +175,22 @@ std::optional<BucklingModes> ChainModes<L, kElastic>::buckling(int count, OutOfP
 }
 
 template <class L, bool kElastic>
-void ChainModes<L, kElastic>::add_mode(bool again, std::vector<double>& mode) {
+void ChainModes<L, kElastic>::add_mode(solve::Pencil<L, kElastic>& pencil, double root, bool again,
+                                       std::vector<double>& mode) {
   if (!again) known_.clear();
-  known_.push_back(solve::softest_motion(body_.build.chain, w_, known_));
+  // At the root itself a pivot may be 0, and nothing comes of it.
+  std::vector<chain::Motion<L>> motion;
+  for (const double beside : {0.0, 1e-10, 1e-8}) {
+    pencil.factor(root * (1.0 - beside));
+    motion = solve::softest_motion(body_.build.chain, w_, known_);
+    const auto is_finite = [](const chain::Motion<L>& of_segment) {
+      return std::ranges::all_of(of_segment.spin.at, [](const S& spin) {
+        return std::isfinite(static_cast<double>(spin));
+      });
+    };
+    if (std::ranges::all_of(motion, is_finite)) break;
+  }
+  known_.push_back(std::move(motion));
   for (const auto& displacement : solve::mode_of(body_.build.chain, known_.back(), w_)) {
     const auto in_space = body_.view.point_in_space(displacement);
     for (std::size_t k = 0; k < 3; ++k) mode.push_back(static_cast<double>(in_space[k]));
@@ -218,8 +230,8 @@ std::optional<VibrationModes> ChainModes<L, kElastic>::vibration(int count, Stop
     if (is_raised(stop)) break;
     modes.frequency.push_back(std::sqrt(square) / (2.0 * std::numbers::pi));
     // Just below, since at 0 nothing may be there to divide by.
-    pencil.factor(square > 0.0 ? square : -kUnresisted * softest_square);
-    add_mode(square <= (1.0 + kSameRoot) * last, modes.mode);
+    add_mode(pencil, square > 0.0 ? square : -kUnresisted * softest_square,
+             square <= (1.0 + kSameRoot) * last, modes.mode);
     last = square;
   }
   return modes;

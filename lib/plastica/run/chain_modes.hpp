@@ -61,9 +61,10 @@ class ChainModes {
   double softest();
   /// The first constraint that holds nothing with the inertia of a motion at omega^2, or none.
   std::size_t idle_constraint(double square);
-  /// Appends the mode of the tangent that is factored.
+  /// Appends the mode of a root.
   /// @param again  whether it is that of the root before, which is there more than once
-  void add_mode(bool again, std::vector<double>& mode);
+  void add_mode(solve::Pencil<L, kElastic>& pencil, double root, bool again,
+                std::vector<double>& mode);
 
   ChainBody<L, kElastic>& body_;
   solve::NewtonWork<L, kElastic>& w_;

@@ -86,8 +86,15 @@ class SpatialTangent final : public OutOfPlane {
   }
 
   void add_mode_after(double time, std::vector<double>& mode) override {
-    pencil_->factor(time);
-    append_mode(mode);
+    // At the root itself a pivot may be 0, and nothing comes of it.
+    std::vector<double> found;
+    for (const double beside : {0.0, 1e-10, 1e-8}) {
+      found.clear();
+      pencil_->factor(time * (1.0 - beside));
+      append_mode(found);
+      if (std::ranges::all_of(found, [](double u) { return std::isfinite(u); })) break;
+    }
+    mode.insert(mode.end(), found.begin(), found.end());
   }
 
  private:

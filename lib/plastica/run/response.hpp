@@ -127,10 +127,10 @@ struct AxialNote {
   double left = 1.0;      ///< moment that the section carries beside it, over that without [1]
   double thrust = 0.0;    ///< the largest compression of a joint that yields, where hardening takes
                           ///< it over N_p and one surface stands for the section; else 0 [1]
-  /// What of its hinge's elongation the chain lacks where joints stretch: all of it at a clamped
-  /// end (1), half at a rigid support within the beam (1/2); 0: nothing, or nothing of it is looked
-  /// for.
-  double lacks = 0.0;
+  /// What fraction of its hinge's elongation is missing in the chain, where joints stretch and its
+  /// neighbour does not yield, too: 1 at a clamped end, 1/2 at a rigid support within the beam; 0:
+  /// nothing, or nothing of it is looked for [1].
+  double missing_elongation = 0.0;
 };
 
 /// What a run gives; sized by `make_response`, so that `run` does not allocate.

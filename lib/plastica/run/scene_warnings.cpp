@@ -283,10 +283,10 @@ std::vector<std::string> scene_warnings(const Model& model) {
   if (!model.chain) return {};
   const Facts facts(model);
   std::vector<std::string> warnings;
-  for (const auto find :
-       {shear_warning, hinge_warning, cap, thin_wall, per_axis, warping, softening, inner_places,
-        cut_corners, inner_clamp_warning, rigid_stretch_warning, missed_corners, grown_ramps,
-        steep_hardening, covered_region, no_potential, fibre_warning}) {
+  for (const auto find : {shear_warning, thick_wall_warning, hinge_warning, cap, thin_wall,
+                          per_axis, warping, softening, inner_places, cut_corners,
+                          inner_clamp_warning, rigid_stretch_warning, missed_corners, grown_ramps,
+                          steep_hardening, covered_region, no_potential, fibre_warning}) {
     if (auto warning = find(facts)) warnings.push_back(std::move(*warning));
   }
   if (facts.options.analysis == Analysis::Dynamics) {

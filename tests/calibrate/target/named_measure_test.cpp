@@ -98,7 +98,8 @@ TEST(NamedMeasure, OfOtherTestsAndOfForceIsNoQuestion) {
 // A curve of plastic strain begins at its yield stress, and has no elastic part.
 TEST(NamedMeasure, OfPlasticStrainAloneIsRefused) {
   const CurveFiles files("plastic_strain");
-  for (const char* name : {"Plastic strain", "plastische Dehnung", "true plastic strain"}) {
+  for (const char* name : {"Plastic strain", "plastische Dehnung", "true plastic strain",
+                           "strain_plastic", "Inelastic strain"}) {
     const TargetSource source = source_of(files, {name, "Stress"});
     const std::string message = message_of([&] { import_targets(source); });
     EXPECT_NE(message.find("is plastic strain by its name: a fit needs the total strain"),
@@ -108,7 +109,8 @@ TEST(NamedMeasure, OfPlasticStrainAloneIsRefused) {
     accept.accept = true;
     EXPECT_EQ(import_targets(source, accept).at(0).status, TargetStatus::Ready) << name;
   }
-  for (const char* name : {"Total strain (elastic + plastic)", "Strain", "Elastoplastic strain"}) {
+  for (const char* name : {"Total strain (elastic + plastic)", "Strain", "Elastoplastic strain",
+                           "Plastic specimen strain"}) {
     EXPECT_EQ(import_targets(source_of(files, {name, "Stress"})).at(0).status, TargetStatus::Ready)
         << name;
   }

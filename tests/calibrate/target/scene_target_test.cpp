@@ -11,7 +11,7 @@
 #include "calibrate/target/samples.hpp"
 #include "calibrate/target/scene_break.hpp"
 #include "tests/calibrate/fit/bent_bar.hpp"
-#include "tests/lib/io/scratch_folder.hpp"
+#include "tests/calibrate/target/scene_target_file.hpp"
 #include "tests/support/message.hpp"
 
 namespace plastica::calibrate {
@@ -19,53 +19,7 @@ namespace {
 
 using testing::bend_test;
 using testing::message_of;
-
-class SceneTargetFile : public ::testing::Test {
- protected:
-  SceneTarget read(const std::string& text, const std::string& probe = "force") {
-    SceneTarget probes;
-    probes.abscissa_probe = "displacement";
-    probes.ordinate_probe = probe;
-    probes.ordinate_where = {"fit.toml", 5};
-    probes.ordinate_factor = -1.0;
-    return read_scene_target(source(text), bend_test(4).scene, probes);
-  }
-
-  std::string refusal(const std::string& text, const std::string& probe = "force") {
-    return message_of([&] { read(text, probe); });
-  }
-
-  SceneTargetSource source(const std::string& text) {
-    SceneTargetSource source;
-    source.file = folder_.write("bar.csv", text);
-    source.abscissa = {"Displacement", {}, {"fit.toml", 4}};
-    source.ordinate = {"Force", {}, {"fit.toml", 5}};
-    return source;
-  }
-
-  /// Of a scene whose support follows the column.
-  SceneTarget read_driven(const std::string& text) {
-    SceneTarget driven;
-    driven.kind = Abscissa::Support;
-    driven.driven = 1;
-    driven.ordinate_probe = "force";
-    return read_scene_target(source(text), bend_test(4).scene, driven);
-  }
-
-  /// "kind: text", in their order.
-  static std::vector<std::string> repairs_of(const std::vector<Repair>& repairs) {
-    std::vector<std::string> all;
-    for (const Repair& repair : repairs) {
-      EXPECT_TRUE(repair.text.starts_with(std::to_string(repair.count)) || repair.count == 1);
-      all.push_back(repair.kind + ": " + repair.text);
-    }
-    return all;
-  }
-
-  std::string file(const std::string& line) const { return folder_.file("bar.csv") + ":" + line; }
-
-  io::ScratchFolder folder_;
-};
+using testing::SceneTargetFile;
 
 TEST_F(SceneTargetFile, IsReadInSi) {
   const SceneTarget target = read("Displacement (mm),Force (kN)\n0,0\n1,0.5\n2,0.75\n");
@@ -295,46 +249,6 @@ TEST_F(SceneTargetFile, GoesBackAsFarAsTheUserSays) {
   };
   EXPECT_EQ(read_within(0.2e-3), 3U);
   EXPECT_THROW(read_within(0.05e-3), InputError);
-}
-
-// A scene that follows noise unloads at each step back, and yields at each peak.
-TEST_F(SceneTargetFile, IsToldThatItsNoiseWouldBeFollowed) {
-  const auto path = [](double noise) {
-    std::mt19937_64 random(3);
-    std::normal_distribution<double> normal(0.0, 1.0);
-    std::string text = "Displacement (mm),Force (N)\n";
-    for (int i = 0; i < 900; ++i) {  // up, down and up again
-      const double x = i < 300 ? 0.1 * i : i < 600 ? 0.1 * (600 - i) : 0.1 * (i - 600);
-      text += std::to_string(x + noise * normal(random)) + ',' + std::to_string(50.0 * x) + '\n';
-    }
-    return text;
-  };
-  EXPECT_TRUE(read_driven(path(0.0)).warnings.empty());
-  const SceneTarget noisy = read_driven(path(0.1));
-  ASSERT_EQ(noisy.warnings.size(), 1U);
-  EXPECT_TRUE(
-      noisy.warnings[0].starts_with("the abscissa runs to and fro by its noise of 0.0001 m"))
-      << noisy.warnings[0];
-  EXPECT_EQ(noisy.abscissa.size(), 900U);
-
-  SceneTargetSource from = source(path(0.1));
-  from.reversal_tolerance = 1e-3;
-  SceneTarget probes;
-  probes.kind = Abscissa::Support;
-  probes.driven = 1;
-  probes.ordinate_probe = "force";
-  const SceneTarget mended = read_scene_target(from, bend_test(4).scene, probes);
-  EXPECT_TRUE(mended.warnings.empty());
-  int turns = 0;
-  double shift = 0.0;
-  for (std::size_t i = 0; i < mended.abscissa.size(); ++i) {
-    shift += mended.abscissa[i] - mended.ordinate[i] / 50e3;
-    if (i < 2) continue;
-    const double before = mended.abscissa[i - 1] - mended.abscissa[i - 2];
-    turns += before * (mended.abscissa[i] - mended.abscissa[i - 1]) < 0.0 ? 1 : 0;
-  }
-  EXPECT_EQ(turns, 2);
-  EXPECT_NEAR(shift / static_cast<double>(mended.abscissa.size()), 0.0, 0.15e-4);
 }
 
 TEST_F(SceneTargetFile, BreaksWhereItsAbscissaIsNoisyAndGoesBackAfterwards) {

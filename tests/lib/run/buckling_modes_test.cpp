@@ -250,6 +250,23 @@ TEST(BucklingModes, GrowInProportionWhereHistoriesHold) {
               1.0, kExact);
 }
 
+// Where a search has come upon the very root a pivot is 0: there the mode had no numbers.
+TEST(BucklingModes, AreThereAtTheRootItself) {
+  Scene scene = testing::cantilever_scene(40);
+  scene.material.youngs_modulus = 2e9;
+  scene.material.poisson_ratio = 0.3;
+  scene.section = {.width = 0.01, .height = 0.02};
+  scene.supports[0].at = Place::end();
+  for (const double force : {12.0, 16.0, 18.0, 20.0, 22.0}) {
+    for (const int steps : {20, 40, 50, 100}) {
+      scene.loads = {{.at = Place::start(), .force = {0.0, force, 0.0}}};
+      const BucklingModes modes = buckling_of(scene, {.level = Level::Planar, .steps = steps}, 3);
+      ASSERT_FALSE(modes.mode.empty());
+      for (const double u : modes.mode) ASSERT_TRUE(std::isfinite(u)) << force << ", " << steps;
+    }
+  }
+}
+
 TEST(BucklingModes, SayHowFarTheShapeChangesUpToThem) {
   // A square cantilever bends in the plane of its load, and leaves it only on paper.
   Scene scene = testing::cantilever_scene(16);

@@ -150,6 +150,16 @@ TEST(ChainBeams, TurnEvenlyAtJointsAndInTheMiddleOfSegments) {
   EXPECT_NEAR(slope(31, {0.5, {}}), 0.5, tolerance(1e-10));
 }
 
+// To state what they are anyway changes nothing: the end's half segment is beside them.
+TEST(ChainBeams, TurnAtTheirEndWithTributaryLengthsAsWell) {
+  Scene scene = cantilever_scene(10);
+  scene.loads = {{.moment = {1e-3, 0.0, 0.0}}};
+  scene.beam.joint_lengths.assign(9, 0.1);
+  add_probe(scene, ProbeQuantity::Rotation, Place::end(), Component::X);
+  const double rotation = last_of(completed(scene, {.steps = 1}), 0);
+  EXPECT_NEAR(rotation * bending_stiffness_of(scene) / 1e-3, 1.0, tolerance(1e-10));
+}
+
 TEST(ChainBeams, GiveTheEndRuleByTributaryLengths) {
   constexpr int kSegments = 8;
   Scene scene = cantilever_scene(kSegments);

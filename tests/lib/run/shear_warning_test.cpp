@@ -74,5 +74,31 @@ TEST(ShearWarning, SaysWhatASpanLeavesOut) {
   }
 }
 
+TEST(ShearWarning, SaysThatThickWallsAreTakenForThin) {
+  Scene scene = cantilever();
+  scene.section = {.shape = SectionShape::RectangularTube,
+                   .width = 0.03,
+                   .height = 0.045,
+                   .inner_width = 0.015,
+                   .inner_height = 0.03};
+  const auto warnings = [&](JointTranslation translation) {
+    SolverOptions options;
+    options.translation = translation;
+    std::vector<std::string> all = scene_warnings(prepare(scene, options));
+    std::erase_if(all, [](const std::string& text) {
+      return text.find("Cowper's of thin walls") == std::string::npos;
+    });
+    return all.size();
+  };
+  EXPECT_EQ(warnings(JointTranslation::Elastic), 1U);
+  EXPECT_EQ(warnings(JointTranslation::Rigid), 0U);
+  scene.section.shear_coefficient = 0.8;
+  EXPECT_EQ(warnings(JointTranslation::Elastic), 0U);
+  scene.section.shear_coefficient.reset();
+  scene.section.inner_width = 0.025;
+  scene.section.inner_height = 0.04;
+  EXPECT_EQ(warnings(JointTranslation::Elastic), 0U);
+}
+
 }  // namespace
 }  // namespace plastica
