@@ -61,11 +61,17 @@ std::string not_in_tension(const Curve& curve) {
   return *high > 0.0 ? "" : "the stress is nowhere positive";
 }
 
-/// The model follows the strain to and fro, its noise as well, as unloading and new flow.
-void mend_cyclic(const Samples& samples) {
+/// The model follows the strain of a cyclic curve to and fro, its noise as well.
+void warn_of_followed_noise(Target& target) {
   double noise = 0.0;
-  if (reversed_by_noise(samples, noise) == 0) return;
-  average_small_reversals(samples, kNoises * noise, "strain");
+  const Samples samples = samples_of(target);
+  const std::size_t reversed = reversed_by_noise(samples, noise);
+  if (reversed == 0) return;
+  target.warnings.push_back(
+      fmt::format("the strain runs to and fro by its noise of {:.2g} in {} of {} samples, and the "
+                  "model of a cyclic test follows it, as unloading and new flow: stresses come out "
+                  "too large; smooth the strain before",
+                  noise, reversed, samples.size()));
 }
 
 /// The rule of TargetOptions::min_samples.
@@ -124,7 +130,7 @@ void process_target(Target& target, const TargetOptions& options) {
     if (!reason.empty()) return give_up(target, TargetStatus::Rejected, std::move(reason));
     drop_foot_reversals(target, options.reversal_tolerance);
   }
-  if (!monotonic) mend_cyclic(samples_of(target));
+  if (!monotonic) warn_of_followed_noise(target);
   const double noise = noise_of(curve.strain, curve.stress);
   const auto line = find_elastic_line(curve, target.loading, noise, options);
   if (!line) {
