@@ -96,10 +96,10 @@ std::optional<ElasticLine> unbiased_line(Values strain, Values stress, double si
   auto found = measured_line(strain, stress, sign, low, high, noise);
   std::optional<Window> before;
   for (int round = 0; found && round < kRounds; ++round) {
-    const auto& [line, foot_fraction] = *found;
+    const DemingLine& now = *found;
     const Window window = window_of(stress.size(), low, high, [&](std::size_t i) {
-      const double on_line = line.modulus * (strain[i] - line.zero_strain);
-      return sign * (on_line + foot_fraction * (stress[i] - on_line));
+      const double on_line = now.line.modulus * (strain[i] - now.line.zero_strain);
+      return sign * (on_line + now.foot_fraction * (stress[i] - on_line));
     });
     if (before && window.begin == before->begin && window.end == before->end) break;
     before = window;
