@@ -1,6 +1,7 @@
 #include "plastica/run/peak_warning.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 
 #include <fmt/format.h>
@@ -22,9 +23,15 @@ bool is_ideal(const Scene& scene) {
 }  // namespace
 
 std::vector<std::string> peak_warnings(const Scene& scene, const Response& response) {
+  const bool is_loaded = !scene.loads.empty() || scene.gravity != std::array<double, 3>{};
   const std::vector<double>& time = response.chain.time;
   const std::vector<double>& factor = response.chain.factor;
   std::vector<std::string> all;
+  if (response.status == Status::LimitLoad && !is_loaded) {
+    all.emplace_back(
+        "nothing but motions of supports loads the beam: beyond that factor of them it jumps to "
+        "another equilibrium, or the path was lost; more solver.steps tell");
+  }
   if (response.plateau && is_ideal(scene)) {
     all.push_back(
         fmt::format("the beam gives way as it yields: between factors of {:.5g} and {:.5g} it "

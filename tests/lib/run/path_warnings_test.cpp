@@ -8,6 +8,7 @@
 #include <numbers>
 #include <string>
 
+#include "plastica/run/peak_warning.hpp"
 #include "plastica/run/run_warnings.hpp"
 #include "plastica/run/simulate.hpp"
 #include "tests/lib/run/warnings_of.hpp"
@@ -185,6 +186,19 @@ TEST(PathWarnings, SayNothingOfCapsUnderAnAxialForceNorOfHardeningThatIsFlat) {
       },
       {});
   EXPECT_FALSE(warns(hardened, "gives way"));
+}
+
+TEST(PathWarnings, SayThatNoLoadHasComeToALimitWhereNoneActs) {
+  Scene scene = testing::cantilever_scene(4);
+  Response response;
+  response.status = Status::LimitLoad;
+  ASSERT_EQ(peak_warnings(scene, response).size(), 1U);
+  EXPECT_TRUE(peak_warnings(scene, response)[0].starts_with("nothing but motions of supports"));
+  scene.loads.push_back({.force = {0.0, 1.0, 0.0}});
+  EXPECT_TRUE(peak_warnings(scene, response).empty());
+  scene.loads.clear();
+  scene.gravity = {0.0, -9.81, 0.0};
+  EXPECT_TRUE(peak_warnings(scene, response).empty());
 }
 
 TEST(PathWarnings, SayWhereARegionCoversAnother) {
