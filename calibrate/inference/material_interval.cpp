@@ -11,9 +11,9 @@
 namespace plastica::calibrate {
 
 bool are_in_runs(double runs_test_p, double autocorrelation, double samples) {
-  constexpr double kAlike = 0.5;     // however few they are
-  constexpr double kQuantile = 3.3;  // normal, of 1 in 2000
-  return runs_test_p < kFewRuns || autocorrelation > kAlike ||
+  constexpr double kVeryAlike = 0.5;  // however few they are
+  constexpr double kQuantile = 3.3;   // normal, of 1 in 2000
+  return runs_test_p < kFewRuns || autocorrelation > kVeryAlike ||
          autocorrelation * std::sqrt(samples) > kQuantile;
 }
 
