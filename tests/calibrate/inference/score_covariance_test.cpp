@@ -63,7 +63,8 @@ TEST(ScoreCovariance, OfIndependentResidualsIsTheNormalMatrix) {
   }
   const std::vector<double> covariance = score_covariance(slopes, residual);
   for (std::size_t k = 0; k < 4; ++k) {
-    // Four standard deviations of the mean of n squares, and of twice the correlation of neighbours.
+    // Four standard deviations of the mean of n squares, and of twice the correlation of
+    // neighbours.
     EXPECT_NEAR(covariance[k] / expected[k], 1.0, 4.0 * std::sqrt(6.0 / kCount)) << k;
   }
 }
