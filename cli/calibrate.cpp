@@ -80,6 +80,33 @@ bool has_scenes(const CalibrateArguments& arguments) {
          arguments.bare_option.empty() && calibrate::names_scenes(arguments.inputs.front());
 }
 
+/// Gives back what a large list no longer needs.
+template <typename Item>
+void give_back(std::vector<Item>& items) {
+  constexpr std::size_t kFew = 1000;
+  if (items.capacity() > kFew && items.size() < items.capacity() / 8 * 7) items.shrink_to_fit();
+}
+
+/// Targets and their results, from the last to the first: what has been taken from both lists is
+/// given back meanwhile, as a large batch has no room for all of it twice.
+std::vector<calibrate::FitRecord> records_of(const std::vector<calibrate::FitCase>& cases,
+                                             std::vector<calibrate::Target> targets,
+                                             std::vector<calibrate::FitResult> results) {
+  std::vector<calibrate::FitRecord> records;
+  records.reserve(results.size());
+  for (std::size_t i = results.size(); i-- > 0;) {
+    const std::size_t of = cases[i].target;
+    const bool is_first = i == 0 || cases[i - 1].target != of;
+    records.push_back({is_first ? std::move(targets[of]) : targets[of], std::move(results[i])});
+    results.pop_back();
+    give_back(results);
+    if (!is_first) continue;
+    targets.pop_back();
+    give_back(targets);
+  }
+  return records;
+}
+
 int calibrate_files(const CalibrateArguments& arguments) {
   const auto begin = std::chrono::steady_clock::now();
   const std::string output = output_of(arguments);
@@ -131,14 +158,7 @@ int calibrate_files(const CalibrateArguments& arguments) {
   return run_fits(arguments, output, found, contents, begin, batch, [&] {
     std::vector<calibrate::FitResult> results = batch.run();
     bar.clear();
-    std::vector<calibrate::FitRecord> records;
-    records.reserve(results.size());
-    for (std::size_t i = 0; i < results.size(); ++i) {
-      const std::size_t of = batch.cases()[i].target;
-      const bool is_last = i + 1 == results.size() || batch.cases()[i + 1].target != of;
-      records.push_back({is_last ? std::move(targets[of]) : targets[of], std::move(results[i])});
-    }
-    return records;
+    return records_of(batch.cases(), std::move(targets), std::move(results));
   });
 }
 
