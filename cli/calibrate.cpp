@@ -87,8 +87,9 @@ void give_back(std::vector<Item>& items) {
   if (items.capacity() > kFew && items.size() < items.capacity() / 8 * 7) items.shrink_to_fit();
 }
 
-/// Targets and their results, from the last to the first: what has been taken from both lists is
-/// given back meanwhile, as a large batch has no room for all of it twice.
+/// Targets and their results, from the last to the first (the caller puts them in order): what has
+/// been taken from both lists is given back meanwhile, as a large batch has no room for all of it
+/// twice.
 std::vector<calibrate::FitRecord> records_of(const std::vector<calibrate::FitCase>& cases,
                                              std::vector<calibrate::Target> targets,
                                              std::vector<calibrate::FitResult> results) {

@@ -5,8 +5,7 @@
 
 namespace plastica::calibrate {
 
-/// Reads what the abscissa of a beam's curve is: { probe = ... }, { drive = ... } or { time = true
-/// }.
+/// Reads what the abscissa of a beam's curve is: its key is `probe`, `drive` or `time`.
 /// @param[in,out] target  gets kind, probe or what it drives, and where that is said
 /// @throws InputError
 void read_scene_abscissa(const io::TomlTable& axis, SceneTarget& target);

@@ -48,8 +48,8 @@ std::vector<double> score_covariance(std::span<const double> slopes,
   double unit = 1.0;
   const double seen = correlation_of_neighbours(r);
   if (seen > 0.0 && n > 2) {
-    const double taken =
-        (static_cast<double>(parameters) + 1.0 + 3.0 * seen) / static_cast<double>(n);
+    const double k = static_cast<double>(parameters);
+    const double taken = (k * (1.0 + seen) + 2.0 * seen) / static_cast<double>(n);
     const double rho = std::min(seen + taken, kMost);
     score = whitened(score, rho);
     r = whitened(r, rho);

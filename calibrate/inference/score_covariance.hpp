@@ -14,12 +14,12 @@ namespace plastica::calibrate {
 /// the sum comes out too small in a curve of few samples, by half for rho = 0.5 and 80 of them
 /// (Andrews & Monahan, Econometrica 60 (1992) 953). rho is the correlation of neighbouring
 /// residuals, within [0, 0.97]; where it is positive, what a fit of k parameters has taken from it
-/// is added, (k + 1 + 3 rho)/n (Kendall, Biometrika 41 (1954) 403, for the mean alone). L = 1.1447
-/// (a n)^(1/3), a = 4 rho'^2/(1 - rho'^2)^2 and rho' the correlation that is left in r_i - rho
-/// r_{i-1} (Andrews, Econometrica 59 (1991) 817, eq. 6.2 and 6.4), n - 1 at most. For independent
-/// residuals of unit variance it tends to J^T J. Divided by A = J^T J from both sides it is the
-/// covariance of a least-squares solution whose model does not follow the curve, as far as the
-/// curve can say it.
+/// is added, (k (1 + rho) + 2 rho)/n (for none and for a mean alone after Kendall, Biometrika 41
+/// (1954) 403). L = 1.1447 (a n)^(1/3), a = 4 rho'^2/(1 - rho'^2)^2 and rho' the correlation that
+/// is left in r_i - rho r_{i-1} (Andrews, Econometrica 59 (1991) 817, eq. 6.2 and 6.4), n - 1 at
+/// most. For independent residuals of unit variance it tends to J^T J. Divided by A = J^T J from
+/// both sides it is the covariance of a least-squares solution whose model does not follow the
+/// curve, as far as the curve can say it.
 /// @param slopes    d residual / d parameter (n x n_parameters), row by row
 /// @param residual  in the order of the path (n >= 1)
 /// @return (n_parameters x n_parameters), row by row

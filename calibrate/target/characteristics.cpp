@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <vector>
 
 namespace plastica::calibrate {
@@ -34,6 +35,12 @@ double noise_of(std::span<const double> strain, std::span<const double> stress) 
   const auto middle = is_still ? begin + left / 2 : bends.begin() + std::ssize(bends) / 2;
   std::nth_element(is_still ? begin : bends.begin(), middle, bends.end());
   return *middle / 0.6745;
+}
+
+double noise_over_rows(std::span<const double> values) {
+  std::vector<double> rows(values.size());
+  std::iota(rows.begin(), rows.end(), 0.0);
+  return noise_of(rows, values);
 }
 
 std::optional<double> Characteristics::sound_modulus() const {

@@ -15,6 +15,9 @@ namespace plastica::calibrate {
 /// stretches however they are sampled, little disturbed by bends.
 double noise_of(std::span<const double> strain, std::span<const double> stress);
 
+/// The same of values in the order of their rows.
+double noise_over_rows(std::span<const double> values);
+
 /// Whether the proof stress can be told from the elastic line: the line shifted by the offset must
 /// lie more than 6 standard deviations of the noise beside it.
 bool sees_offset(double modulus, double offset, double noise);

@@ -2,8 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
-#include <vector>
 
 #include "calibrate/target/characteristics.hpp"
 
@@ -11,18 +9,6 @@ namespace plastica::calibrate {
 namespace {
 
 using Values = std::span<const double>;
-
-/// Standard deviations of the noise of strain [1] and stress [Pa], each by itself.
-struct Noise {
-  double strain = 0.0;
-  double stress = 0.0;
-};
-
-Noise noise_in(Values strain, Values stress) {
-  std::vector<double> rows(strain.size());
-  std::iota(rows.begin(), rows.end(), 0.0);
-  return {noise_of(rows, strain), noise_of(rows, stress)};
-}
 
 }  // namespace
 
@@ -51,9 +37,9 @@ DemingLine deming_line(Values strain, Values stress, double noise) {
   line.samples = strain.size();
   if (!(sxx > 0.0)) return regression;
   line.modulus = sxy / sxx;
-  const Noise both = noise_in(strain, stress);
-  if (both.strain > 0.0 && sxy > 0.0) {
-    const double ratio = std::pow(both.stress / both.strain, 2);
+  const double of_strain = noise_over_rows(strain);
+  if (of_strain > 0.0 && sxy > 0.0) {
+    const double ratio = std::pow(noise_over_rows(stress) / of_strain, 2);
     const double excess = syy - ratio * sxx;
     // Two forms of one root: neither loses digits.
     const double root = std::hypot(excess, 2.0 * std::sqrt(ratio) * sxy);

@@ -247,7 +247,7 @@ std::optional<ElasticLine> find_elastic_line(const Curve& curve, Loading loading
   }
 
   auto line = settled_line(curve, loading, strain, stress, sign, peak, noise, options);
-  const auto settled_window = [&] {
+  const auto by_feet = [&] {
     if (!line) return line;
     const double low = line->low > 0.0 ? line->low : -std::numeric_limits<double>::infinity();
     auto unbiased = unbiased_line(strain, stress, sign, low, line->high, noise);
@@ -256,7 +256,7 @@ std::optional<ElasticLine> find_elastic_line(const Curve& curve, Loading loading
     unbiased->bend = line->bend;
     return unbiased;
   };
-  if (loading != Loading::Monotonic) return settled_window();
+  if (loading != Loading::Monotonic) return by_feet();
   // A curve that hardens strongly has a window above its knee, too, that agrees with the proof
   // stress of its own slope. What is elastic is steeper than a foot and than all that is plastic.
   for (double start = 0.5 * peak; start > std::max(kLeastProof * peak, 10.0 * noise);
@@ -270,7 +270,7 @@ std::optional<ElasticLine> find_elastic_line(const Curve& curve, Loading loading
   for (int i = 0; line; ++i) {
     line->bend = bend_of(strain, stress, sign, *line, noise);
     const bool is_beyond = is_beyond_knee(strain, stress, *line, noise);
-    if (!is_beyond && !(line->bend > kPlastic)) return settled_window();
+    if (!is_beyond && !(line->bend > kPlastic)) return by_feet();
     narrower.modulus_low *= 0.75;
     narrower.modulus_high *= 0.75;
     const double start = std::min(line->yield_stress, 0.999 * peak);
@@ -278,7 +278,7 @@ std::optional<ElasticLine> find_elastic_line(const Curve& curve, Loading loading
     if (!lower) lower = automatic_line(strain, stress, sign, line->yield_stress, noise, narrower);
     const double error = is_beyond ? 0.1 : 0.03;  // better a poor one than a wrong one
     if (i == 4 || !lower || lower->modulus_stderr > error * lower->modulus) {
-      return is_beyond ? std::nullopt : settled_window();
+      return is_beyond ? std::nullopt : by_feet();
     }
     if (lower->yield_stress == 0.0) lower->yield_stress = line->yield_stress;
     line = lower;

@@ -129,8 +129,9 @@ void process_target(Target& target, const TargetOptions& options) {
     std::string reason = not_in_tension(curve);
     if (!reason.empty()) return give_up(target, TargetStatus::Rejected, std::move(reason));
     drop_foot_reversals(target, options.reversal_tolerance);
+  } else {
+    warn_of_followed_noise(target);
   }
-  if (!monotonic) warn_of_followed_noise(target);
   const double noise = noise_of(curve.strain, curve.stress);
   const auto line = find_elastic_line(curve, target.loading, noise, options);
   if (!line) {

@@ -6,7 +6,6 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <numeric>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -34,11 +33,9 @@ std::size_t strain_ends(const Curve& raw) {
   // The noise of the end, by its last rows.
   constexpr std::size_t kLast = 30;
   const std::size_t last = std::min(n, kLast);
-  std::vector<double> rows(last);
-  std::iota(rows.begin(), rows.end(), 0.0);
   std::vector<double> end(raw.strain.end() - static_cast<std::ptrdiff_t>(last), raw.strain.end());
   if (!std::ranges::all_of(end, [](double strain) { return std::isfinite(strain); })) return n;
-  const double noise = noise_of(rows, end);
+  const double noise = noise_over_rows(end);
   std::ranges::nth_element(end, end.begin() + static_cast<std::ptrdiff_t>(last / 2));
   const double still = end[last / 2];
   const double near = std::max(kStill * span, 6.0 * noise);

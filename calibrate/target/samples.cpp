@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 #include <string>
 #include <vector>
 
@@ -190,13 +189,6 @@ std::vector<Pool> pools_between_turns(const Samples& samples, double tolerance, 
   // From the end, so that the numbers of those before stay.
   for (std::size_t part = last.size(); part-- > 1;) pool_turn(pools, last[part - 1], noise);
   return pools;
-}
-
-/// Standard deviation of the noise of values in the order of their rows.
-double noise_over_rows(std::span<const double> values) {
-  std::vector<double> rows(values.size());
-  std::iota(rows.begin(), rows.end(), 0.0);
-  return noise_of(rows, values);
 }
 
 /// Whether what moves samples to and fro is noise: then the steps between them, less what their

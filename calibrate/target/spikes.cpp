@@ -156,11 +156,11 @@ void drop_spikes(const Samples& samples) {
   std::vector<bool> keep(n, true);
   mark_runs(y, std::max(0.2 * usual, 8.0 * noise_of(x, y)), 2, keep);
   double step = 0.0;
-  const std::vector<double> rows = numbered(n);
   for (std::size_t i = 1; i < n; ++i) {
     step += std::abs(x[i] - x[i - 1]) / static_cast<double>(n - 1);
   }
-  mark_runs(x, std::max({20.0 * step, 0.01 * quantile_of_sizes(x, kMost), 8.0 * noise_of(rows, x)}),
+  mark_runs(x,
+            std::max({20.0 * step, 0.01 * quantile_of_sizes(x, kMost), 8.0 * noise_over_rows(x)}),
             1, keep);
   mark_end(y, keep);
   const std::size_t dropped = filter(samples, [&](std::size_t i) { return keep[i]; });

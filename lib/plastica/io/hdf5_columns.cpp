@@ -38,24 +38,6 @@ std::vector<hsize_t> extents_of(const Hdf5Handle& dataset) {
   return extents;
 }
 
-/// Texts of an attribute; none if there is no such attribute, or it holds something else, or more
-/// than an attribute of ours may.
-std::vector<std::string> texts_of_attribute(const Hdf5Handle& object, const char* name,
-                                            const Place& place) {
-  if (H5Aexists(object.get(), name) <= 0) return {};
-  const Hdf5Handle attribute(H5Aopen(object.get(), name, H5P_DEFAULT));
-  if (attribute.get() < 0) (place / name).fail();
-  const Hdf5Handle type(H5Aget_type(attribute.get()));
-  if (sort_of(type) != Sort::Text || !refusal_of_attribute(attribute).empty()) return {};
-  const Hdf5Handle space(H5Aget_space(attribute.get()));
-  std::vector<std::string> texts;
-  const auto read = [&](hid_t memory, void* out) {
-    return H5Aread(attribute.get(), memory, out) >= 0;
-  };
-  if (!read_strings(type, space, read, texts)) (place / name).fail();
-  return texts;
-}
-
 /// Attribute of the names of columns.
 constexpr const char* kColumns = "columns";
 /// Attributes of their units, whichever is there.
@@ -232,8 +214,9 @@ std::vector<Column> columns_of_records(const Hdf5Handle& dataset, const Place& p
   const std::vector<std::string> units = units_of(dataset, members, place);
   if (is_packed(dataset)) {
     place.refuse(
-        "has records and scale_factor, add_offset, _FillValue or missing_value: of which "
-        "field is not said");
+        "has records and an attribute of packed numbers (scale_factor, _FillValue, valid_range, "
+        "…): "
+        "of which field is not said");
   }
   std::vector<Column> columns;
   for (const unsigned index : fields_of(type)) {
@@ -321,6 +304,22 @@ bool is_value(const Hdf5Handle& object) {
 }
 
 }  // namespace
+
+std::vector<std::string> texts_of_attribute(const Hdf5Handle& object, const char* name,
+                                            const Place& place) {
+  if (H5Aexists(object.get(), name) <= 0) return {};
+  const Hdf5Handle attribute(H5Aopen(object.get(), name, H5P_DEFAULT));
+  if (attribute.get() < 0) (place / name).fail();
+  const Hdf5Handle type(H5Aget_type(attribute.get()));
+  if (sort_of(type) != Sort::Text || !refusal_of_attribute(attribute).empty()) return {};
+  const Hdf5Handle space(H5Aget_space(attribute.get()));
+  std::vector<std::string> texts;
+  const auto read = [&](hid_t memory, void* out) {
+    return H5Aread(attribute.get(), memory, out) >= 0;
+  };
+  if (!read_strings(type, space, read, texts)) (place / name).fail();
+  return texts;
+}
 
 std::vector<std::string> names_in(const Hdf5Handle& group, const Place& place) {
   std::vector<std::string> names;

@@ -46,6 +46,11 @@ std::vector<std::string> names_in(const Hdf5Handle& group, const Place& place);
 /// A hard link of a group, opened; without identifier if it leads elsewhere.
 Hdf5Handle opened(const Hdf5Handle& group, const std::string& name, const Place& place);
 
+/// Texts of an attribute; none if there is no such attribute, or it holds something else, or more
+/// than an attribute of ours may.
+std::vector<std::string> texts_of_attribute(const Hdf5Handle& object, const char* name,
+                                            const Place& place);
+
 bool is_group(const Hdf5Handle& object);
 /// Whether an object of a group is a column of it: a dataset of one dimension, others being 1, of
 /// numbers or texts.

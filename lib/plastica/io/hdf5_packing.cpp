@@ -1,11 +1,11 @@
 #include "plastica/io/hdf5_packing.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
 
 #include "plastica/io/hdf5_check.hpp"
-#include "plastica/io/hdf5_strings.hpp"
 
 namespace plastica::io::h5 {
 namespace {
@@ -71,31 +71,21 @@ class Packing {
     }
     return values;
   }
-  /// A number of the attribute's type may have other digits than one of the dataset's.
+  /// A real number of the attribute's type may have other digits than one of the dataset's.
   double as_stored(double value) const {
     std::array<double, 2> buffer{value, 0.0};
     const hid_t own = type_.get();
-    if (H5Tget_size(own) > sizeof buffer ||
-        H5Tconvert(H5T_NATIVE_DOUBLE, own, 1, buffer.data(), nullptr, H5P_DEFAULT) < 0 ||
+    if (H5Tget_class(own) != H5T_FLOAT || H5Tget_size(own) > sizeof buffer) return value;
+    if (H5Tconvert(H5T_NATIVE_DOUBLE, own, 1, buffer.data(), nullptr, H5P_DEFAULT) < 0 ||
         H5Tconvert(own, H5T_NATIVE_DOUBLE, 1, buffer.data(), nullptr, H5P_DEFAULT) < 0) {
-      return value;
+      place_.fail();
     }
     return buffer[0];
   }
   bool is_true(const char* name) const {
-    const Hdf5Handle attribute(H5Aopen(dataset_.get(), name, H5P_DEFAULT));
-    if (attribute.get() < 0) (place_ / name).fail();
-    const Hdf5Handle type(H5Aget_type(attribute.get()));
-    const Hdf5Handle space(H5Aget_space(attribute.get()));
-    if (H5Tget_class(type.get()) != H5T_STRING || !refusal_of_attribute(attribute).empty()) {
-      refuse(name, "must be \"true\" or \"false\"");
-    }
-    std::vector<std::string> texts;
-    const auto read = [&](hid_t memory, void* out) {
-      return H5Aread(attribute.get(), memory, out) >= 0;
-    };
-    if (!read_strings(type, space, read, texts)) (place_ / name).fail();
-    return texts.size() == 1 && texts.front() == "true";
+    const std::vector<std::string> texts = texts_of_attribute(dataset_, name, place_);
+    if (texts.size() != 1) refuse(name, "must be \"true\" or \"false\"");
+    return texts.front() == "true";
   }
 
   const Hdf5Handle& dataset_;

@@ -178,18 +178,16 @@ template <class L, bool kElastic>
 void ChainModes<L, kElastic>::add_mode(solve::Pencil<L, kElastic>& pencil, double root, bool again,
                                        std::vector<double>& mode) {
   if (!again) known_.clear();
-  // At the root itself a pivot may be 0, and nothing comes of it.
   std::vector<chain::Motion<L>> motion;
-  for (const double beside : {0.0, 1e-10, 1e-8}) {
-    pencil.factor(root * (1.0 - beside));
+  solve::look_at_root(root, [&](double x) {
+    pencil.factor(x);
     motion = solve::softest_motion(body_.build.chain, w_, known_);
-    const auto is_finite = [](const chain::Motion<L>& of_segment) {
+    return std::ranges::all_of(motion, [](const chain::Motion<L>& of_segment) {
       return std::ranges::all_of(of_segment.spin.at, [](const S& spin) {
         return std::isfinite(static_cast<double>(spin));
       });
-    };
-    if (std::ranges::all_of(motion, is_finite)) break;
-  }
+    });
+  });
   known_.push_back(std::move(motion));
   for (const auto& displacement : solve::mode_of(body_.build.chain, known_.back(), w_)) {
     const auto in_space = body_.view.point_in_space(displacement);

@@ -9,6 +9,7 @@
 #include "plastica/run/chain_laws.hpp"
 #include "plastica/run/growing_histories.hpp"
 #include "plastica/solve/buckling_mode.hpp"
+#include "plastica/solve/first_roots.hpp"
 #include "plastica/solve/newton.hpp"
 #include "plastica/solve/pencil.hpp"
 #include "plastica/solve/stability_count.hpp"
@@ -86,14 +87,13 @@ class SpatialTangent final : public OutOfPlane {
   }
 
   void add_mode_after(double time, std::vector<double>& mode) override {
-    // At the root itself a pivot may be 0, and nothing comes of it.
     std::vector<double> found;
-    for (const double beside : {0.0, 1e-10, 1e-8}) {
+    solve::look_at_root(time, [&](double x) {
       found.clear();
-      pencil_->factor(time * (1.0 - beside));
+      pencil_->factor(x);
       append_mode(found);
-      if (std::ranges::all_of(found, [](double u) { return std::isfinite(u); })) break;
-    }
+      return std::ranges::all_of(found, [](double u) { return std::isfinite(u); });
+    });
     mode.insert(mode.end(), found.begin(), found.end());
   }
 

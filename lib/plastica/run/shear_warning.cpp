@@ -133,7 +133,9 @@ std::optional<std::string> thick_wall_warning(const Facts& facts) {
   };
   if (std::ranges::none_of(facts.layout.regions, is_thick)) return std::nullopt;
   return "the shear coefficient of a rectangular tube is Cowper's of thin walls, and these are "
-         "thick: it shears up to 1.7 times too much; section.shear_coefficient says a better one";
+         "thick: it shears too much, some 1.7 times with next to no hole; "
+         "section.shear_coefficient "
+         "says a better one";
 }
 
 }  // namespace plastica::run_detail

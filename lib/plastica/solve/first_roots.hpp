@@ -30,4 +30,13 @@ struct Roots {
 /// @param passed  how many eigenvalues have gone through zero up to x
 Roots first_roots(const std::function<int(double x)>& passed, const RootSearch& search);
 
+/// Looks at a root, or just below: at it itself a pivot may be 0, and nothing comes of it.
+/// @param look  (x): whether what came of it is finite
+template <class Look>
+void look_at_root(double root, const Look& look) {
+  for (const double below : {0.0, 1e-10, 1e-8}) {
+    if (look(root * (1.0 - below))) return;
+  }
+}
+
 }  // namespace plastica::solve

@@ -43,8 +43,9 @@ TEST(ScoreCovariance, OfResidualsOfAnAutoregressiveProcessIsThatOfTheirSums) {
       for (double& r : residual) r -= mean;            // as a fit leaves them
       expected += score_covariance(slopes, residual)[0] / kSeries;
     }
-    // Variances of 400 series are known to 7 %; that of the scores themselves was short by half.
-    EXPECT_NEAR(expected / squares, 1.0, 0.25) << rho;
+    // Variances of 400 series are known to 7 %, and 1/(1 - rho)^2 of an estimate is some 10 %
+    // large; that of the scores themselves was short by half.
+    EXPECT_NEAR(expected / squares, 1.0, 0.15) << rho;
   }
 }
 
