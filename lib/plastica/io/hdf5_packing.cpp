@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "plastica/io/hdf5_check.hpp"
+#include "plastica/io/hdf5_strings.hpp"
 
 namespace plastica::io::h5 {
 namespace {
