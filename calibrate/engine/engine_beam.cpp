@@ -42,7 +42,8 @@ class BeamReader {
     beam_.yield_model = scene.yield_model;
     beam_.yield_cap = scene.yield_cap;
     beam_.carries_masses = !scene.masses.empty();
-    beam_.hinge_lengths = body_.watch.hinge_lengths(0);
+    const auto& hinge = body_.watch.hinge_lengths(0);
+    std::copy_n(hinge.begin(), beam_.hinge_lengths.size(), beam_.hinge_lengths.begin());
     beam_.break_length = break_length();
     beam_.breaks = body_.watch.active() && scene.yield_model != YieldModel::Elastic;
     add_regions();
@@ -216,7 +217,7 @@ class BeamReader {
   double break_angle(double limit, std::size_t node, std::size_t axis) const {
     if (!std::isfinite(limit)) return kNever;
     const auto strain = [&](double angle) {
-      JointAngles alone{};
+      JointFlow alone{};
       alone[axis] = angle;
       return body_.watch.lone_strain(alone, node);
     };

@@ -270,7 +270,7 @@ class SceneFit {
       }
       fitted.degrees_of_freedom = errors.degrees_of_freedom(slope);
       const auto error = [&](const Eigen::MatrixXd& c) {
-        return fitted.at_bound() ? kNan : std::sqrt(joint_moment(c, slope, slope));
+        return fitted.at_bound() ? kNan : std::sqrt(errors.moment(c, slope, slope));
       };
       fitted.noise_error = error(errors.covariance());
       // Where the residuals are independent both estimate the same, and either may be larger.
@@ -284,7 +284,7 @@ class SceneFit {
       fitted.sampling_error = std::sqrt(squares);
       // Both count by one over the square of their standard deviations.
       const double of_prior = p.prior
-                                  ? joint_moment(errors.inverse(), slope, slope) /
+                                  ? errors.moment(errors.inverse(), slope, slope) /
                                         (p.prior->standard_deviation * p.prior->standard_deviation)
                                   : 0.0;
       prior_fractions_.push_back(of_prior);
@@ -292,11 +292,10 @@ class SceneFit {
       result_.parameters.push_back(std::move(fitted));
       slopes.push_back(std::move(slope));
     }
-    add_correlation(slopes, covariance);
+    add_correlation(slopes, errors);
   }
 
-  void add_correlation(const std::vector<Eigen::VectorXd>& slopes,
-                       const Eigen::MatrixXd& covariance) {
+  void add_correlation(const std::vector<Eigen::VectorXd>& slopes, const SceneErrors& errors) {
     const std::size_t n = slopes.size();
     result_.correlation.assign(n * n, kNan);
     for (std::size_t a = 0; a < n; ++a) {
@@ -304,7 +303,8 @@ class SceneFit {
         const double both =
             result_.parameters[a].scatter_error() * result_.parameters[b].scatter_error();
         result_.correlation[a * n + b] =
-            a == b && both > 0.0 ? 1.0 : joint_moment(covariance, slopes[a], slopes[b]) / both;
+            a == b && both > 0.0 ? 1.0
+                                 : errors.moment(errors.covariance(), slopes[a], slopes[b]) / both;
       }
     }
   }

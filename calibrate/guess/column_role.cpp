@@ -147,6 +147,10 @@ std::string unit_in_name(std::string_view name) {
   const std::size_t cut = name.find_last_of("_ ");
   if (cut == std::string_view::npos) return {};
   std::string unit(name.substr(cut + 1));
+  // A factor: "Stress 10 MPa", "Stress x10 MPa". A single digit numbers things: "Stress 2 MPa".
+  const std::string_view before = name.substr(0, cut);
+  const std::string_view last = before.substr(before.find_last_of("_ ") + 1);
+  if (io::is_scaled_unit(std::string(last) + ' ' + unit)) return {};
   if (unit == "percent" || unit == "pct") return "%";
   if (unit == "strain" || unit == "microstrain") return {};  // a name, more likely
   const bool is_number = !unit.empty() && std::isdigit(static_cast<unsigned char>(unit[0])) != 0;

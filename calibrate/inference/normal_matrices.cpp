@@ -1,5 +1,6 @@
 #include "calibrate/inference/normal_matrices.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numeric>
 #include <span>
@@ -14,12 +15,14 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 constexpr double kRankTolerance = 1e-12;
+/// What takes no larger part in the directions that the curve does not show is determined.
+constexpr double kTakesPart = 1e-3;
 
 NormalMatrices normal_matrices(const Misfit::Details& d, const std::vector<std::size_t>& columns,
                                const std::vector<double>& size) {
   const auto m = static_cast<Eigen::Index>(columns.size());
   const MatrixXd none = MatrixXd::Zero(m, m);
-  NormalMatrices normal{none, none, none, none, VectorXd::Zero(m)};
+  NormalMatrices normal{none, none, none, none, VectorXd::Zero(m), {}};
   std::vector<double> squared_weight(d.weight);
   for (double& w : squared_weight) w *= w;
   const std::size_t samples = d.residual.size();
@@ -75,14 +78,14 @@ NormalMatrices keep_identified(const Misfit::Details& d, const std::vector<doubl
   keep(identifiable);
   if (columns.empty()) return normal;
   const UnitDirections directions(normal.a);
+  const Eigen::Index unseen = (directions.values.array() < kRankTolerance).count();
+  const MatrixXd vectors = directions.vectors.leftCols(unseen);
   std::vector<Eigen::Index> kept;
+  const std::vector<Eigen::Index> held = held_against(vectors);
   for (Eigen::Index k = 0; k < normal.a.rows(); ++k) {
-    bool lost = false;
-    for (Eigen::Index e = 0; e < directions.values.size(); ++e) {
-      const bool unidentifiable = directions.values(e) < kRankTolerance;
-      lost = lost || (unidentifiable && std::fabs(directions.vectors(k, e)) > 1e-3);
-    }
-    if (!lost) kept.push_back(k);
+    if (std::ranges::find(held, k) != held.end()) continue;
+    kept.push_back(k);
+    normal.is_determined.push_back(vectors.row(k).norm() <= kTakesPart);
   }
   keep(kept);
   return normal;

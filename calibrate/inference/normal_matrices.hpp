@@ -15,16 +15,19 @@ namespace plastica::calibrate {
 struct NormalMatrices {
   Eigen::MatrixXd a, b, prior, stated;
   Eigen::VectorXd stated_in_a;  ///< their part of A's diagonal
+  /// Whether the curve determines a column by itself, and not only beside one that is held.
+  std::vector<bool> is_determined;
 
   /// The rows and columns of those that are kept.
   NormalMatrices of(const std::vector<Eigen::Index>& kept) const {
-    return {kept_of(a, kept), kept_of(b, kept), kept_of(prior, kept), kept_of(stated, kept),
-            stated_in_a(kept)};
+    return {kept_of(a, kept),      kept_of(b, kept),  kept_of(prior, kept),
+            kept_of(stated, kept), stated_in_a(kept), is_determined};
   }
 };
 
-/// Those of the columns that the curve determines; drops columns that vanish or that only
-/// combinations determine.
+/// Of the columns that the curve shows anything of. For each direction that it does not show one
+/// column is held, and dropped: what the curve determines does not depend on which, and its errors
+/// count that the others of the direction move.
 /// @param size  of the active parameters, SI (n)
 /// @param stress  the largest measured one [Pa]
 /// @param columns  active indices; those that are kept at the end

@@ -69,7 +69,10 @@ class ProfileScan {
     place.x = point->x;
     side_.points.push_back(std::move(*point));
     const bool met = std::abs(place.root - threshold_) <= options_.tolerance * threshold_;
-    if (place.root >= threshold_) {
+    const bool is_outside = place.root >= threshold_;
+    moves_again_ = outside_ && is_outside == was_outside_;
+    was_outside_ = is_outside;
+    if (is_outside) {
       outside_ = std::move(place);
     } else {
       const bool stuck = std::abs(place.value - inside_.value) <
@@ -107,7 +110,8 @@ class ProfileScan {
     if (outside_) {
       const double width = outside_->distance - inside_.distance;
       const double fraction = (threshold_ - inside_.root) / (outside_->root - inside_.root);
-      return inside_.distance + std::clamp(fraction, 0.05, 0.95) * width;
+      // Before a wall the line between both ends would creep: then half.
+      return inside_.distance + (moves_again_ ? 0.5 : std::clamp(fraction, 0.05, 0.95)) * width;
     }
     const double slope = (inside_.root - before_.root) / (inside_.distance - before_.distance);
     const double last = inside_.distance;
@@ -139,6 +143,8 @@ class ProfileScan {
   double threshold_;
   Place inside_, before_;  ///< the furthest point below the threshold, and the one before it
   std::optional<Place> outside_;
+  bool was_outside_ = false;  ///< the last point
+  bool moves_again_ = false;  ///< it was on the side of the one before, and both sides are known
   double nothing_from_ = kInfinite;
   bool ended_ = false;
   ProfileSide side_;

@@ -20,21 +20,9 @@ using Eigen::VectorXd;
 /// bounds to the other, does so by the rounding of their solutions.
 constexpr double kMovesNothing = 1e-2;
 
-/// Drops coordinates that only combinations determine: the largest of each direction that is not
-/// identifiable.
-void drop_unidentifiable(const MatrixXd& normal, std::vector<Index>& kept) {
-  while (!kept.empty()) {
-    const UnitDirections directions(kept_of(normal, kept));
-    if (directions.values[0] > kNotIdentifiable) return;
-    const VectorXd unidentifiable = directions.vectors.col(0).cwiseAbs();
-    // All coordinates that take part in the direction go: none of them is identifiable.
-    std::vector<Index> left;
-    for (Index i = 0; i < unidentifiable.size(); ++i) {
-      if (unidentifiable[i] < 0.1) left.push_back(kept[static_cast<std::size_t>(i)]);
-    }
-    kept = std::move(left);
-  }
-}
+/// How far a function of the coordinates must lie out of the directions that no curve shows, its
+/// gradient over its size, to be one that the curves determine.
+constexpr double kTakesPart = 1e-2;
 
 }  // namespace
 
@@ -109,23 +97,58 @@ void SceneErrors::set_covariance(std::span<const double> residual,
     if (!left_out[i]) kept.push_back(k);
   }
   identifiable_ = IdentifiableSlopes(slopes_, left_out);
-  drop_unidentifiable(normal, kept);
   if (kept.empty()) return;
+  const std::vector<Index> free = hold_unseen(normal, kept);
+  if (free.empty()) return;
   const VectorXd w = weights();
-  const MatrixXd inverse = inverse_of(kept_of(normal, kept));
+  const MatrixXd inverse = inverse_of(kept_of(normal, free));
+  // What is held has no scatter; what it moves along with is told by `unseen_`.
+  const auto of_all = [&](const MatrixXd& own) {
+    MatrixXd all = MatrixXd::Constant(n, n, kNan);
+    set_kept(all, kept,
+             MatrixXd::Zero(static_cast<Index>(kept.size()), static_cast<Index>(kept.size())));
+    set_kept(all, free, own);
+    return all;
+  };
   const auto from_scores = [&](const MatrixXd& scores) {
-    MatrixXd covariance = MatrixXd::Constant(n, n, kNan);
-    set_kept(covariance, kept, between(inverse, kept_of(scores, kept)));
-    return covariance;
+    return of_all(between(inverse, kept_of(scores, free)));
   };
   covariance_ = from_scores(gram(j, w));
-  set_kept(inverse_, kept, inverse);
+  inverse_ = of_all(inverse);
   for (std::size_t t = 0; t < problem_.targets().size(); ++t) {
     const auto first = static_cast<Index>(problem_.first_residual(t));
     const auto count = static_cast<Index>(problem_.weights(t).size());
     by_target_.push_back(from_scores(gram(j.middleRows(first, count), w.segment(first, count))));
   }
   correlated_covariance_ = from_scores(correlated_scores(slopes_, residual));
+}
+
+/// Finds the directions that no curve shows, and holds a coordinate for each of them. What the
+/// curves determine does not depend on which, and its errors count that the others move.
+/// @return  the coordinates that are left
+std::vector<Index> SceneErrors::hold_unseen(const MatrixXd& normal,
+                                            const std::vector<Index>& kept) {
+  const UnitDirections directions(kept_of(normal, kept));
+  const Index count = (directions.values.array() <= kNotIdentifiable).count();
+  unit_ = VectorXd::Zero(normal.rows());
+  unit_(kept) = directions.size;
+  unseen_ = MatrixXd::Zero(normal.rows(), count);
+  unseen_(kept, Eigen::all) = directions.vectors.leftCols(count);
+  std::vector<Index> free = kept;
+  for (const Index held : held_against(directions.vectors.leftCols(count))) {
+    std::erase(free, kept[static_cast<std::size_t>(held)]);
+  }
+  return free;
+}
+
+bool SceneErrors::determines(const VectorXd& gradient) const {
+  if (unseen_.size() == 0) return true;
+  const VectorXd own = unit_.cwiseProduct(gradient);
+  return (unseen_.transpose() * own).norm() <= kTakesPart * own.norm();
+}
+
+double SceneErrors::moment(const MatrixXd& of, const VectorXd& a, const VectorXd& b) const {
+  return determines(a) && determines(b) ? joint_moment(of, a, b) : kNan;
 }
 
 /// Of the scores of all targets, each of which may leave residuals in runs, and of the priors.
@@ -146,7 +169,7 @@ MatrixXd SceneErrors::correlated_scores(std::span<const double> slopes,
 }
 
 double SceneErrors::degrees_of_freedom(const VectorXd& gradient) const {
-  const double variance = joint_moment(covariance_, gradient, gradient);
+  const double variance = moment(covariance_, gradient, gradient);
   // What no curve determines has the freedom of all.
   if (!(variance > 0.0)) return calibrate::degrees_of_freedom(problem_.noise());
   // Who is pooled has one estimate with the others that are.
@@ -229,7 +252,7 @@ BreakLimit SceneErrors::break_limit(const Parameter& p) {
     broken.push_back(t);
     const BreakLimit& limit = limits.back();
     double variance = limit.half() * limit.half() / 3.0;
-    variance += joint_moment(covariance_, limit.slope, limit.slope);
+    variance += moment(covariance_, limit.slope, limit.slope);
     certainty.push_back(1.0 / variance);
   }
   double total = 0.0;

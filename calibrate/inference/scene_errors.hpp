@@ -49,12 +49,20 @@ class SceneErrors {
   /// d residual / d coordinate, over the scales, row by row (n_residuals x n).
   std::span<const double> slopes() const { return slopes_; }
   bool at_bound(std::size_t i) const { return at_bound_[i]; }
-  /// Covariance of the coordinates; NaN in rows and columns that are not determined (n x n).
+  // Directions that no curve shows have a coordinate each that is held, with zeros below. What is
+  // asked of functions of the coordinates goes through `moment`, which knows whether the curves
+  // determine them.
+  /// Covariance of the coordinates; NaN in rows and columns of those that move nothing, or are at a
+  /// bound (n x n).
   const Eigen::MatrixXd& covariance() const { return covariance_; }
   /// The same for residuals that lie in runs: see score_covariance.hpp (n x n).
   const Eigen::MatrixXd& correlated_covariance() const { return correlated_covariance_; }
   /// The inverse of J^T W J, likewise: the covariance if all weights are 1 (n x n).
   const Eigen::MatrixXd& inverse() const { return inverse_; }
+  /// `joint_moment` of one of these; NaN where the curves do not determine both functions, whose
+  /// gradients are given (n).
+  double moment(const Eigen::MatrixXd& of, const Eigen::VectorXd& a,
+                const Eigen::VectorXd& b) const;
   /// Of the noise in a function of the coordinates, by Welch and Satterthwaite: (sum of v)^2 over
   /// the sum of v^2/d, with v what the noise of each estimate puts into the variance and d its
   /// degrees of freedom. Infinite where all noise is known.
@@ -71,6 +79,9 @@ class SceneErrors {
   void set_covariance(std::span<const double> residual, std::optional<double> confidence);
   Eigen::MatrixXd correlated_scores(std::span<const double> slopes,
                                     std::span<const double> residual) const;
+  std::vector<Eigen::Index> hold_unseen(const Eigen::MatrixXd& normal,
+                                        const std::vector<Eigen::Index>& kept);
+  bool determines(const Eigen::VectorXd& gradient) const;
   Eigen::VectorXd weights() const;
   /// The break strains at the solution and on both sides of it in each coordinate, by target.
   void run_neighbours();
@@ -81,6 +92,8 @@ class SceneErrors {
   std::vector<bool> at_bound_;
   Eigen::MatrixXd covariance_, inverse_;
   Eigen::MatrixXd correlated_covariance_;
+  Eigen::MatrixXd unseen_;  ///< directions that no curve shows, over `unit_` (n x directions)
+  Eigen::VectorXd unit_;    ///< of the coordinates (n)
   std::vector<Eigen::MatrixXd> by_target_;  ///< what each target's noise puts into the covariance
   std::vector<double> slopes_;              ///< of the residuals (m x n), row by row
   IdentifiableSlopes identifiable_;

@@ -46,8 +46,8 @@ ProfiledParameter profiled(const FittedScenes& fitted, const FittedScenes::FreeP
   p.halves = free.limit.halves;
   const VectorXd& gradient = free.gradient;
   p.gradient.assign(values_of(gradient).begin(), values_of(gradient).end());
-  p.squared_error = joint_moment(fitted.errors().covariance(), gradient, gradient);
-  p.inverse = joint_moment(fitted.errors().inverse(), gradient, gradient);
+  p.squared_error = fitted.errors().moment(fitted.errors().covariance(), gradient, gradient);
+  p.inverse = fitted.errors().moment(fitted.errors().inverse(), gradient, gradient);
   p.along.assign(p.gradient.size(), 0.0);
   for (Index i = 0; i < gradient.size(); ++i) {
     for (Index j = 0; j < gradient.size(); ++j) {

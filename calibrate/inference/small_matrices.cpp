@@ -41,6 +41,18 @@ UnitDirections::UnitDirections(const MatrixXd& a) : size(a.diagonal().cwiseSqrt(
   vectors = solver.eigenvectors();
 }
 
+std::vector<Index> held_against(MatrixXd directions) {
+  std::vector<Index> held;
+  for (Index k = 0; k < directions.cols(); ++k) {
+    Index most = 0;
+    directions.rowwise().squaredNorm().maxCoeff(&most);
+    held.push_back(most);
+    const VectorXd row = directions.row(most).transpose().normalized();
+    directions -= directions * row * row.transpose();
+  }
+  return held;
+}
+
 MatrixXd kept_of(const MatrixXd& a, const std::vector<Index>& kept) { return a(kept, kept); }
 
 void set_kept(MatrixXd& all, const std::vector<Index>& kept, const MatrixXd& a) {

@@ -41,6 +41,11 @@ struct UnitDirections {
   explicit UnitDirections(const Eigen::MatrixXd& a);
 };
 
+/// As many of the coordinates as there are directions, so that none of these is left once they are
+/// held: each time the one that takes the largest part in what is left.
+/// @param directions  a column each, of unit length and at right angles
+std::vector<Eigen::Index> held_against(Eigen::MatrixXd directions);
+
 /// The rows and columns that are kept.
 Eigen::MatrixXd kept_of(const Eigen::MatrixXd& a, const std::vector<Eigen::Index>& kept);
 /// Sets these rows and columns of `all`. @param a  of as many as are kept

@@ -23,7 +23,8 @@ using Eigen::VectorXd;
 
 /// Parameters that shape the stress (not the break strain), and what the curve says of them.
 struct StressErrors {
-  std::vector<std::size_t> columns;  ///< active indices that are identified
+  std::vector<std::size_t> columns;  ///< active indices of which the curve says anything …
+  std::vector<bool> is_determined;   ///< … and which of them it determines by themselves
   /// Of those, from residuals, from the slope's prior and from stated ones, SI.
   MatrixXd covariance, of_prior, of_stated;
   /// A^-1, J^T W^2 J, P of the slope's prior and of stated ones, over the sizes of both.
@@ -111,6 +112,7 @@ StressErrors stress_errors(const Misfit::Details& d, std::span<const double> act
   }
   const double stress = largest_magnitude(target.corrected.stress);
   const NormalMatrices normal = keep_identified(d, size, stress, of_stress.columns);
+  of_stress.is_determined = normal.is_determined;
 
   const auto m = static_cast<Eigen::Index>(of_stress.columns.size());
   of_stress.covariance = of_stress.of_prior = of_stress.of_stated = MatrixXd::Zero(m, m);
@@ -188,7 +190,7 @@ Uncertainty uncertainty(const Misfit::Details& details, std::span<const double> 
   for (Eigen::Index k = 0; k < m; ++k) {
     const std::size_t column = of_stress.columns[static_cast<std::size_t>(k)];
     map(static_cast<Eigen::Index>(column), k) = 1.0;
-    u.identified[column] = true;
+    u.identified[column] = of_stress.is_determined[static_cast<std::size_t>(k)];
     u.prior_fraction[column] = of_stress.stated_in_a(k) * of_stress.inverse(k, k);
   }
   for (std::size_t i = 0; i < n; ++i) {
@@ -259,6 +261,7 @@ Spread spread_of(const Misfit::Details& details, std::span<const double> active,
   const MatrixXd spread = between(of_stress.inverse, of_stress.weighted);
   for (std::size_t i = 0; i < of_stress.columns.size(); ++i) {
     for (std::size_t j = 0; j < of_stress.columns.size(); ++j) {
+      if (!of_stress.is_determined[i] && !of_stress.is_determined[j]) continue;
       const std::size_t a = of_stress.columns[i], b = of_stress.columns[j];
       const auto row = static_cast<Eigen::Index>(i), column = static_cast<Eigen::Index>(j);
       const double unit = of_stress.size[a] * of_stress.size[b];

@@ -241,11 +241,18 @@ PlotScript overview_plot(std::span<const FitRecord> records, const Sheet& sheet)
                                                                        groups.size(), all)
                                                          : std::string());
   set_common_range(script, records);
-  const Target& first = records[groups.front().front()].target;
+  const auto labels_of = [&](const std::vector<std::size_t>& members) {
+    return std::pair(label_of_all(records, members, strain_label),
+                     label_of_all(records, members, stress_label));
+  };
+  const auto first = labels_of(groups.front());
+  const bool alike =
+      std::ranges::all_of(groups, [&](const auto& members) { return labels_of(members) == first; });
   for (const std::vector<std::size_t>& members : groups) {
     const Panel panel = panel_of(records, members);
-    script.set_x_label(script.at_bottom() ? strain_label(first) : "");
-    script.set_y_label(script.at_left() ? stress_label(first) : "");
+    const auto [strain, stress] = labels_of(members);
+    script.set_x_label(!alike || script.at_bottom() ? strain : "");
+    script.set_y_label(!alike || script.at_left() ? stress : "");
     const std::size_t letters = std::min<std::size_t>(script.title_letters(), 70);
     script.begin_panel({panel_title(records, members, panel.measured.size(), letters)});
     const bool few = panel.measured.size() <= kMaxFalls;

@@ -140,9 +140,22 @@ Curve fitted_until_break(const FitResult& result) {
   return curve;
 }
 
+std::string label_of_all(std::span<const FitRecord> records, std::span<const std::size_t> members,
+                         std::string (*label)(const Target&)) {
+  std::vector<std::string> labels;
+  for (const std::size_t i : members) {
+    std::string own = label(records[i].target);
+    if (std::ranges::find(labels, own) == labels.end()) labels.push_back(std::move(own));
+  }
+  return fmt::format("{}", fmt::join(labels, ", "));
+}
+
 std::pair<double, double> largest_of(std::span<const FitRecord> records) {
   std::pair<double, double> most = {0.0, 0.0};
+  const bool any_counts = std::ranges::any_of(records, counts_in_group);
   for (const FitRecord& record : records) {
+    // A unit that is taken for another one would leave the others a line along the axis.
+    if (any_counts && !counts_in_group(record)) continue;
     for (const Curve* curve : {&measured_of(record), &record.result.fitted}) {
       for (std::size_t i = 0; i < curve->size(); ++i) {
         if (std::isfinite(curve->strain[i])) most.first = std::max(most.first, curve->strain[i]);
@@ -163,7 +176,7 @@ GroupCurves curves_of(std::span<const FitRecord> records, const std::vector<std:
   GroupCurves curves;
   for (const std::size_t i : members) {
     const FitRecord& record = records[i];
-    if (record.target.status == TargetStatus::Rejected || measured_of(record).size() < 2) continue;
+    if (!counts_in_group(record) || measured_of(record).size() < 2) continue;
     curves.drawn.push_back(&record);
     curves.measured.push_back(&measured_of(record));
   }

@@ -50,7 +50,11 @@ bool any_cyclic(std::span<const FitRecord> records);
 /// @throws InputError if none has
 std::vector<std::vector<std::size_t>> drawable_groups(std::span<const FitRecord> records);
 
-/// The specimens of a group that can be drawn, and their curves.
+/// What an axis is called that several specimens share: each of their names for it once.
+std::string label_of_all(std::span<const FitRecord> records, std::span<const std::size_t> members,
+                         std::string (*label)(const Target&));
+
+/// The specimens of a group that can be drawn and count in its means, and their curves.
 struct GroupCurves {
   std::vector<const FitRecord*> drawn;
   std::vector<const Curve*> measured;

@@ -154,12 +154,13 @@ PlotScript overview_terminal(std::span<const FitRecord> records) {
   const std::size_t shown = std::min(groups.size(), kLetters.size());
   PlotScript script;
   begin(script);
-  const Target& first = records[groups.front().front()].target;
+  std::vector<std::size_t> all;
+  for (std::size_t g = 0; g < shown; ++g) all.insert(all.end(), groups[g].begin(), groups[g].end());
   std::string title = counted(records.size(), "specimen");
   if (groups.size() > 1) title += " in " + counted(groups.size(), "group");
   if (shown < groups.size()) title += fmt::format(", the first {} shown", shown);
-  script.command(title_of({title + ": " + stress_label(first)}));
-  script.command("set xlabel " + in_quotes(strain_label(first)));
+  script.command(title_of({title + ": " + label_of_all(records, all, stress_label)}));
+  script.command("set xlabel " + in_quotes(label_of_all(records, all, strain_label)));
   set_ranges(script, records);
   const auto [strain, stress] = largest_of(records);
   std::vector<Layer> layers;

@@ -143,14 +143,11 @@ GroupSummary summarize(std::span<const FitRecord> records, const std::vector<std
   Collector parameters;
   for (const CharacteristicEntry& entry : kEntries) {
     for (const std::size_t i : members) {
-      const Target& target = records[i].target;
-      if (target.status == TargetStatus::Rejected || target.status == TargetStatus::Implausible) {
-        continue;
-      }
-      const std::optional<double> value = shown(entry, target.characteristics);
+      if (!counts_in_group(records[i])) continue;
+      const std::optional<double> value = shown(entry, records[i].target.characteristics);
       if (!value) continue;
       characteristics.add(i, entry.name, entry.dimension, *value,
-                          half_of(entry, target.characteristics));
+                          half_of(entry, records[i].target.characteristics));
     }
   }
   for (const std::size_t i : members) {
@@ -216,6 +213,11 @@ std::string group_label(const Group& group) {
     label.append(key).append(" ").append(value);
   }
   return label;
+}
+
+bool counts_in_group(const FitRecord& record) {
+  const TargetStatus status = record.target.status;
+  return status != TargetStatus::Rejected && status != TargetStatus::Implausible;
 }
 
 std::vector<std::vector<std::size_t>> group_indices(std::span<const FitRecord> records) {

@@ -90,6 +90,10 @@ Counts count_statuses(std::span<const FitRecord> records);
 /// "temperature 20, lot A"; "all specimens" for a group without keys.
 std::string group_label(const std::vector<std::pair<std::string, std::string>>& group);
 
+/// Whether a specimen's curve counts in what is said of its group: a rejected one does not, nor one
+/// whose numbers no specimen has.
+bool counts_in_group(const FitRecord& record);
+
 /// Indices of the records of each group; groups in order of their values, numbers by size. Records
 /// of several tests or measures are in groups of these.
 std::vector<std::vector<std::size_t>> group_indices(std::span<const FitRecord> records);

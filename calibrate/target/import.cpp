@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <iterator>
 #include <map>
+#include <span>
 #include <string_view>
 #include <utility>
 
@@ -31,28 +32,44 @@ namespace {
 
 using io::CsvTable;
 
+/// What tells the specimen of a row from others of its file.
+/// @throws InputError if it says nothing
+std::string split_value(const CsvTable& table, std::span<const std::size_t> columns,
+                        std::size_t row) {
+  std::string value;
+  for (const std::size_t column : columns) {
+    const std::string cell = table.cell(row, column);
+    if (cell.empty()) {
+      throw InputError({table.file(), table.line_of_row(row)}, table.label(column), "",
+                       "is empty: split needs a value in each row");
+    }
+    value += (value.empty() ? "" : ":") + cell;
+  }
+  return value;
+}
+
 /// The specimens of a file, in the order in which they come up first.
 std::vector<Part> parts_of(const TargetSource& source, const CsvTable& table, const Part& whole) {
-  if (source.split.empty()) return {whole};
+  if (source.split.empty()) {
+    Part all = whole;
+    all.rows = {{0, table.rows()}};
+    return {all};
+  }
   std::vector<std::size_t> columns;
   for (const std::string& name : source.split) {
     columns.push_back(table.find(name, source.where, "split"));
   }
   std::vector<Part> parts;
   std::map<std::string, std::size_t> known;
+  std::size_t last = 0;
   for (std::size_t row = 0; row < table.rows(); ++row) {
-    std::string value;
-    for (const std::size_t column : columns) {
-      const std::string cell = table.cell(row, column);
-      if (cell.empty()) {
-        throw InputError({table.file(), table.line_of_row(row)}, table.label(column), "",
-                         "is empty: split needs a value in each row");
-      }
-      value += (value.empty() ? "" : ":") + cell;
+    std::string value = split_value(table, columns, row);
+    if (parts.empty() || parts[last].value != value) {
+      const auto [at, is_new] = known.emplace(std::move(value), parts.size());
+      if (is_new) parts.push_back({whole.stem, at->first, {}, whole.within, whole.last});
+      last = at->second;
     }
-    const auto [at, is_new] = known.emplace(value, parts.size());
-    if (is_new) parts.push_back({whole.stem, value, {}, whole.within, whole.last});
-    parts[at->second].rows.push_back(row);
+    parts[last].add(row);
   }
   return parts;
 }
@@ -79,7 +96,7 @@ void read_curve(const ImportPlan& plan, const CsvTable& table, const io::FoundCo
     gauge_length = value_of(*plan.gauge_length, Dimension::Length, "gauge_length");
   if (plan.area) area = value_of(*plan.area, Dimension::Area, "area");
   if (plan.strain_rate) value_of(*plan.strain_rate, Dimension::StrainRate, "strain_rate");
-  Curve raw{part.of(io::numbers_of(table, strain)), part.of(io::numbers_of(table, stress))};
+  Curve raw{io::numbers_of(table, strain, part.rows), io::numbers_of(table, stress, part.rows)};
   for (double& value : raw.strain) value /= gauge_length * plan.strain->factor;
   for (double& value : raw.stress) value /= area * plan.stress->factor;
   target.raw = std::move(raw);  // both columns or none
@@ -147,7 +164,7 @@ Target rejected(Target target, const InputError& error) {
 Target import_curve(const Block& block, const SpecimenTable* specimens, const CsvTable& table,
                     const io::FoundColumn& strain, const io::FoundColumn& stress, const Part& part,
                     Target target) {
-  report_torn_row(table, target.repairs);
+  if (part.rows.back().end == table.rows()) report_torn_row(table, target.repairs);
   try {
     if (block.specimens && !block.source.split.empty()) {
       specimens->add_groups(specimens->row_of(part), target);
@@ -182,7 +199,8 @@ SpecimenTable properties_of(const TargetSource& source, const TableOfFile& from,
                        ": needs `table`, the file of what is said of each specimen");
 }
 
-Imported import_table(const Block& block, const TableOfFile& from) {
+/// @param threads  that share its specimens
+Imported import_table(const Block& block, const TableOfFile& from, int threads) {
   const TargetSource& source = block.source;
   Imported imported;
   Target first;
@@ -211,7 +229,7 @@ Imported import_table(const Block& block, const TableOfFile& from) {
     }
     if (!from.path.empty()) {
       tables = from.tables ? from.tables : std::make_shared<const io::Hdf5Tables>(from.file);
-      table.emplace(CsvTable::read(*tables, from.path));
+      table.emplace(CsvTable::read(*tables, from.path, source.csv.decimal));
     } else if (source.kept) {
       table = source.kept->take(from.file, source.csv);
     }
@@ -247,16 +265,20 @@ Imported import_table(const Block& block, const TableOfFile& from) {
                                    : properties    ? &*properties
                                                    : nullptr;
   const bool pattern = block.plan.stress->column.find('*') != std::string::npos;
-  for (const Part& part : parts) {
-    if (block.specimens && !is_one) find_row(block, part, imported);
-    for (const io::FoundColumn& column : columns.stress) {
-      Target target = first;
-      if (!part.value.empty()) target.name += ":" + part.value;
-      if (pattern) target.name += ":" + table->names()[column.index];
-      imported.targets.push_back(
-          import_curve(block, specimens, *table, columns.strain, column, part, std::move(target)));
-    }
+  if (block.specimens && !is_one) {
+    for (const Part& part : parts) find_row(block, part, imported);
   }
+  const std::size_t curves = columns.stress.size();
+  imported.targets.resize(parts.size() * curves);
+  parallel_for(imported.targets.size(), {threads, nullptr}, [&](std::size_t i, int) {
+    const Part& part = parts[i / curves];
+    const io::FoundColumn& column = columns.stress[i % curves];
+    Target target = first;
+    if (!part.value.empty()) target.name += ":" + part.value;
+    if (pattern) target.name += ":" + table->names()[column.index];
+    imported.targets[i] =
+        import_curve(block, specimens, *table, columns.strain, column, part, std::move(target));
+  });
   return imported;
 }
 
@@ -293,8 +315,11 @@ std::vector<Target> import_targets(const TargetSource& source, const TargetOptio
       source.table ? std::optional<SpecimenTable>(std::in_place, source) : std::nullopt, spool};
   const std::vector<TableOfFile> tables = tables_of(source);
   std::vector<Imported> all(tables.size());
-  parallel_for(all.size(), {threads, nullptr},
-               [&](std::size_t i, int) { all[i] = import_table(block, tables[i]); });
+  // Tables side by side, or the specimens of one.
+  const bool is_one = tables.size() == 1;
+  parallel_for(all.size(), {is_one ? 1 : threads, nullptr}, [&](std::size_t i, int) {
+    all[i] = import_table(block, tables[i], is_one ? threads : 1);
+  });
   const auto lacks = [](const Imported& one) { return one.lacking != nullptr; };
   const auto first = std::ranges::find_if(all, lacks);
   const auto has_columns = [](const Imported& one) { return !one.lacking && !one.was_unreadable; };

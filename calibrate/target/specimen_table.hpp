@@ -17,16 +17,14 @@ namespace plastica::calibrate {
 struct Part {
   std::string stem;   ///< of the file
   std::string value;  ///< of the columns that split it; empty: all rows
-  std::vector<std::size_t> rows;
+  std::vector<io::RowRange> rows;
   std::string within;  ///< its sheet, or the path of its table of an HDF5 file …
   std::string last;    ///< … or that table's name in its group; empty if another one has it, too
 
-  std::vector<double> of(std::vector<double> values) const {
-    if (value.empty()) return values;
-    std::vector<double> own;
-    own.reserve(rows.size());
-    for (const std::size_t row : rows) own.push_back(values[row]);
-    return own;
+  /// @param row  behind the last one
+  void add(std::size_t row) {
+    if (rows.empty() || rows.back().end != row) rows.push_back({row, row});
+    ++rows.back().end;
   }
 };
 

@@ -28,8 +28,10 @@ struct JointModel {
   /// Bending about x, about y, torsion: whether the section resists it there. It does not in a pin,
   /// in a hinge, nor at an end that nothing holds.
   std::array<bool, 3> resists{};
-  double fraction = 0.0;  ///< where it is, of the beam's length [1]
-  double begin = 0.0;     ///< the part of the axis that it stands for [m]
+  std::array<double, 3> spring{};  ///< beside it, of a rotational spring [N m/rad]
+  bool has_halves = false;         ///< within the beam, where a half joint on each side does all
+  double fraction = 0.0;           ///< where it is, of the beam's length [1]
+  double begin = 0.0;              ///< the part of the axis that it stands for [m]
   double end = 0.0;
   Components length{};     ///< tributary, of the owner's section [m]
   Components lever{};      ///< strain of the extreme fibre over the section's: I/W, J/W_t [m], 1
@@ -51,8 +53,12 @@ struct JointModel {
 
   /// Tributary length l of the first component [m].
   double own_length() const { return length[first]; }
-  /// Strain of the extreme fibre, spread over the joint's length, per angle [1/rad].
-  double strain_per_angle(std::size_t axis) const { return lever[axis] / length[axis]; }
+  /// Strain of the extreme fibre, spread over the joint's length, per angle [1/rad]. Where the
+  /// section resists nothing, what a rotational spring there carries strains it: 0 in a pin.
+  double strain_per_angle(std::size_t axis) const {
+    return resists[axis] || has_halves ? lever[axis] / length[axis]
+                                       : lever[axis] * spring[axis] / stiffness[axis];
+  }
   /// Elastic stress of the extreme fibre [Pa].
   double stress(std::size_t axis, double moment) const { return moment / modulus[axis]; }
   /// The largest over the section of strains or stresses of bending about x and about y.
@@ -187,10 +193,15 @@ JointSet<L> joint_set(const Scene& scene, const Layout& layout, const Build<L>& 
       const std::size_t axis = view.section_axes().rotation(k);
       const JointPlan& plan = build.joints[number];
       joint.resists[axis] = plan.active[k];
+      joint.spring[axis] = static_cast<double>(set.numbers[number].spring[k]);
       // The numbers of a joint beside a spring have more compliance than its length.
       if (plan.node_spring[k] > 0.0) joint.length[axis] = plan.length[axis];
     }
     const bool within = node > 0 && node < n;
+    joint.has_halves =
+        within && std::ranges::any_of(build.chain.ground_joints, [&](const GroundJoint<L>& ground) {
+          return ground.node == node;
+        });
     const NodeShares* shares = within ? &shares_of.at(node) : nullptr;
     for (std::size_t k = 0; within && k < 3; ++k) {
       joint.fraction_of_moment[k] = shares->rotational(k, k);

@@ -76,7 +76,8 @@ void set_shifts(const JointPlan& plan, const std::vector<std::array<S, 3>>& stif
   JointPlan shifts = plan;
   // A section that is given by its numbers may not shear.
   if (!shears(0) || !shears(1)) shifts.axes_a = shifts.axes_b = kSameAxes;
-  const bool alike = plan.region_a == plan.region_b && !shifts.turns(kAlong);
+  const bool alike =
+      plan.region_a == plan.region_b && joint.law == plan.region_a && !shifts.turns(kAlong);
   const auto give = [&](std::size_t axis) {
     const auto parts = part_compliances(shifts, axis, axis, kLengthsOfShifts, of_a, of_b);
     return parts[0] + parts[1];
@@ -118,6 +119,9 @@ std::vector<SectionJoint<L>> joint_numbers(
     SectionJoint<L> joint;
     joint.stretches = plan.stretches;
     joint.law = owns_joint(a, b, numbers, view) ? a : b;
+    if (plan.beyond_end && owns_joint(*plan.beyond_end, joint.law, numbers, view)) {
+      joint.law = *plan.beyond_end;
+    }
     // A half joint has the law of its own region.
     if (plan.half_of_node) joint.law = plan.is_before ? a : b;
     joint.stiffness = numbers[joint.law].stiffness;
@@ -127,7 +131,7 @@ std::vector<SectionJoint<L>> joint_numbers(
       joint.length[k] = constant<S>(plan.length[k]);
     }
     for (std::size_t axis = 0; axis < law::kAxial; ++axis) {
-      if (a == b && !plan.turns(axis)) continue;
+      if (a == b && joint.law == a && !plan.turns(axis)) continue;
       const auto parts =
           part_compliances(plan, axis, axis, kLengthsOfRotations, rotational[a], rotational[b]);
       joint.length[axis] = joint.stiffness[axis] * (parts[0] + parts[1]);

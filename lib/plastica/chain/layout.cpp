@@ -129,8 +129,11 @@ void set_bare_halves(const Scene& scene, Layout& layout) {
     const double fraction = layout.ends[e == 0 ? 0 : layout.size()];
     bool has_moment = false;
     std::array<bool, 3> held{};
+    const Frame& frame = e == 0 ? layout.segment_frame.front() : layout.segment_frame.back();
     for (const Load& load : scene.loads) {
       const bool here = !load.to && fraction_of(load.at, layout.ends) == fraction;
+      const double along = dot(Point{{frame(0, 2), frame(1, 2), frame(2, 2)}}, Point{load.force});
+      layout.bears[e] = layout.bears[e] || (here && std::fabs(along) > 0.0);
       has_moment = has_moment || (here && load.moment != kNothing);
     }
     for (const PointMass& mass : scene.masses) {
@@ -139,14 +142,18 @@ void set_bare_halves(const Scene& scene, Layout& layout) {
     }
     for (const Support& support : scene.supports) {
       if (support.to || fraction_of(support.at, layout.ends) != fraction) continue;
+      layout.bears[e] = layout.bears[e] || support.held()[2];
       has_moment = has_moment || support.rotational_stiffness != kNothing;
       const auto holds = held_rotations(support, layout.joint_frame[e == 0 ? 0 : layout.size()]);
       for (std::size_t k = 0; k < 3; ++k) {
         held[k] = held[k] || (holds ? (*holds)[k] : support.held()[3 + k]);
       }
     }
-    for (std::size_t k = 0; k < 3; ++k)
-      layout.bare_half[e][k] = has_moment && !held[k] ? half[e] : 0.0;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const bool is_bare = has_moment && !held[k];
+      layout.bare_half[e][k] = is_bare ? half[e] : 0.0;
+      layout.bears[e] = layout.bears[e] || is_bare;
+    }
   }
 }
 

@@ -55,6 +55,10 @@ struct Layout {
   /// rotational spring or the inertia of a point mass acts on the end and nothing holds its
   /// rotation. 0 where there is no need, or the end rule sees to it.
   std::array<std::array<double, 3>, 2> bare_half{};
+  /// Whether a moment, or a force along the beam, may act on the start, and on the end, whose half
+  /// segment the next joint stands for: in a taper that has the weaker of its own section and the
+  /// end's.
+  std::array<bool, 2> bears{};
   /// Of the length over which a joint stretches and shears, what lies before and beyond its node
   /// [m] (N + 1). The joints next to the ends have the ends' halves. A support within the beam that
   /// holds rigidly acts on the segment before its node: the half before it is the joint's before,

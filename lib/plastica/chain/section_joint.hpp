@@ -6,6 +6,8 @@
 #include <vector>
 
 #include "plastica/chain/joint_laws.hpp"
+#include "plastica/law/axial_control.hpp"
+#include "plastica/law/section_form.hpp"
 #include "plastica/law/section_response.hpp"
 
 /// What a chain's joints are made of, and what is read of them, whatever their law.
@@ -71,10 +73,11 @@ struct SectionJoint {
   law::SectionForce<S> stiffness;     ///< EI_x, EI_y [N m^2], GJ [N m^2], EA [N]
   S axial_yield{};                    ///< the axial force at which all of the section yields [N]
 
-  /// What the law takes of the joint's angle elastically under a moment [rad].
+  /// What the law takes of the joint's angle elastically under a moment [rad], of its elongation
+  /// under an axial force [m].
   /// @param axis  of the section
-  S elastic_angle(std::size_t axis, const S& moment) const {
-    return moment * length[axis] / stiffness[axis];
+  S elastic_deformation(std::size_t axis, const S& force) const {
+    return force * length[axis] / stiffness[axis];
   }
   /// The law's elastic moment per angle [N m/rad].
   /// @param k  rotation of the level, about `axis` of the section
@@ -113,6 +116,10 @@ class SectionJointsBase : public JointLaws<L, kElastic> {
   /// empty where the law leaves it elastic.
   const std::vector<S>& stiffness_aside() const { return aside_; }
 
+  /// Of joints whose axial force is given, the section's axial strain and force in the last trial
+  /// (joints); empty where the law does not see that force.
+  const std::vector<law::AxialState<S>>& axial_states() const { return axial_after_; }
+
   /// Back to the virgin state.
   virtual void reset() = 0;
 
@@ -128,6 +135,7 @@ class SectionJointsBase : public JointLaws<L, kElastic> {
   void visit_found(V& v, const SectionAxes<L>& axes) {
     for (std::size_t j = 0; j < joints_.size(); ++j) {
       for (std::size_t k = 0; k < L::kRotations; ++k) v.number(force_[j][axes.rotation(k)]);
+      if constexpr (kElastic) v.number(force_[j][law::kAxial]);
       v.number(elastic_[j]);
       v.number(work_[j]);
       v.number(plastic_[j]);
@@ -138,6 +146,7 @@ class SectionJointsBase : public JointLaws<L, kElastic> {
   std::vector<SectionJoint<L>> joints_;
   std::vector<law::SectionForce<S>> force_;
   std::vector<S> elastic_, work_, plastic_, aside_;
+  std::vector<law::AxialState<S>> axial_after_;
   bool is_elastic_ = false;
 };
 

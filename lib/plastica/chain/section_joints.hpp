@@ -147,6 +147,7 @@ class SectionJoints final : public SectionJointsBase<L, kElastic> {
   void reset() override {
     std::fill(before_.begin(), before_.end(), typename Law::State{});
     std::fill(axial_before_.begin(), axial_before_.end(), law::AxialState<S>{});
+    std::fill(axial_after_.begin(), axial_after_.end(), law::AxialState<S>{});
     std::fill(plastic_.begin(), plastic_.end(), constant<S>(0));
     std::fill(uneven_before_.begin(), uneven_before_.end(), UnevenState<S>{});
   }
@@ -158,6 +159,7 @@ class SectionJoints final : public SectionJointsBase<L, kElastic> {
   using SectionJointsBase<L, kElastic>::work_;
   using SectionJointsBase<L, kElastic>::plastic_;
   using SectionJointsBase<L, kElastic>::aside_;
+  using SectionJointsBase<L, kElastic>::axial_after_;
 
   static constexpr bool kManyStates = requires(const Law& law) { law.layout->states(); };
   static constexpr bool kSeesAxial = law::kSeesAxial<Law> && kT > 0;
@@ -393,8 +395,7 @@ class SectionJoints final : public SectionJointsBase<L, kElastic> {
   /// committed and of the last trial (joints); else empty.
   std::vector<law::SectionStrain<S>> excess_;
   std::vector<UnevenState<S>> uneven_before_, uneven_after_;
-  // Where the law sees the axial force:
-  std::vector<law::AxialState<S>> axial_before_, axial_after_;  ///< (joints)
+  std::vector<law::AxialState<S>> axial_before_;  ///< where the law sees the axial force (joints)
 };
 
 }  // namespace plastica::chain

@@ -12,6 +12,7 @@
 #include "plastica/io/csv_text.hpp"
 #include "plastica/io/hdf5_tables.hpp"
 #include "plastica/io/read_input.hpp"
+#include "plastica/io/units.hpp"
 #include "plastica/io/workbook.hpp"
 
 namespace plastica::io {
@@ -45,6 +46,17 @@ Source source_of(const std::string& path) {
   return begins_as_result(path) ? Source::Hdf5 : Source::Text;
 }
 
+/// Whether two units are of one dimension, and not the same.
+bool are_unlike_units(std::string_view a, std::string_view b) {
+  for (const Dimension dimension : {Dimension::Stress, Dimension::Force, Dimension::Length,
+                                    Dimension::Strain, Dimension::Time}) {
+    if (a.empty() || !is_unit_of(a, dimension) || !is_unit_of(b, dimension)) continue;
+    const double ratio = unit_conversion(a, dimension).scale / unit_conversion(b, dimension).scale;
+    return std::abs(ratio - 1.0) > 1e-9;
+  }
+  return false;
+}
+
 CsvTable parsed(const Hdf5Tables::Text& text, const std::string& file) {
   return CsvTable::parse(
       text.text, file,
@@ -73,7 +85,7 @@ CsvTable CsvTable::read(const std::string& path, const CsvOptions& options) {
   if (source == Source::Text) return parse(read_input(path, kMaxTableBytes), path, options);
   if (source == Source::Hdf5) {
     const Hdf5Tables tables(path);
-    return read(tables, only_table(tables, options.path));
+    return read(tables, only_table(tables, options.path), options.decimal);
   }
   const SheetText sheet = read_sheet(path, options.sheet, options.decimal);
   CsvOptions as_written = options;
@@ -84,27 +96,18 @@ CsvTable CsvTable::read(const std::string& path, const CsvOptions& options) {
   return table;
 }
 
-CsvTable CsvTable::read(const Hdf5Tables& tables, const std::string& path) {
-  std::vector<Hdf5TableColumn> columns = tables.columns(path);
-  CsvTable table = std::ranges::any_of(columns, &Hdf5TableColumn::has_texts)
-                       ? of_texts(columns, tables.file())
-                       : of_numbers(std::move(columns), tables.file());
+CsvTable CsvTable::read(const Hdf5Tables& tables, const std::string& path,
+                        std::optional<char> decimal) {
+  CsvTable table = of_columns(tables.columns(path), tables.file());
   table.path_ = path;
+  // Of numbers in texts: "247,900" is one of two, unless it is told which.
+  table.decimal_ = decimal.value_or('.');
+  table.decimal_is_certain_ = decimal.has_value();
   return table;
 }
 
-CsvTable CsvTable::of_texts(const std::vector<Hdf5TableColumn>& columns, const std::string& file) {
-  const Hdf5Tables::Text text = Hdf5Tables::text_of(columns);
-  CsvTable table = parsed(text, file);
-  // The line of names is not the file's.
-  if (text.has_header) {
-    for (int& line : table.line_of_row_) --line;
-  }
-  return table;
-}
-
-/// Names and units are found as those of a text are; the numbers need none.
-CsvTable CsvTable::of_numbers(std::vector<Hdf5TableColumn> columns, const std::string& file) {
+/// Names and units are found as those of a text are, of which the first row is enough.
+CsvTable CsvTable::of_columns(std::vector<Hdf5TableColumn> columns, const std::string& file) {
   std::vector<Hdf5TableColumn> heads;
   heads.reserve(columns.size());
   for (const Hdf5TableColumn& column : columns) {
@@ -116,7 +119,11 @@ CsvTable CsvTable::of_numbers(std::vector<Hdf5TableColumn> columns, const std::s
   table.text_.clear();
   table.line_of_row_.resize(columns.front().size());
   std::iota(table.line_of_row_.begin(), table.line_of_row_.end(), 1);
-  for (Hdf5TableColumn& column : columns) table.numbers_.push_back(std::move(column.numbers));
+  for (Hdf5TableColumn& column : columns) {
+    table.numbers_.push_back(std::move(column.numbers));
+    for (std::string& text : column.texts) text = csv_text::on_one_line(text);
+    table.texts_.push_back(std::move(column.texts));
+  }
   return table;
 }
 
@@ -124,7 +131,9 @@ std::optional<CsvTable> CsvTable::read_properties(const Hdf5Tables& tables,
                                                   const std::string& path) {
   const std::vector<Hdf5TableColumn> properties = tables.properties(path);
   if (properties.empty()) return std::nullopt;
-  return parsed(Hdf5Tables::text_of(properties), tables.file());
+  CsvTable table = parsed(Hdf5Tables::text_of(properties), tables.file());
+  table.decimal_is_certain_ = false;
+  return table;
 }
 
 CsvTable first_table(const std::string& path, const CsvOptions& options) {
@@ -133,7 +142,7 @@ CsvTable first_table(const std::string& path, const CsvOptions& options) {
   std::optional<InputError> first;
   for (const std::string& name : tables.matching(options.path)) {
     try {
-      return CsvTable::read(tables, name);
+      return CsvTable::read(tables, name, options.decimal);
     } catch (const InputError& error) {
       if (!first) first = error;
     }
@@ -192,7 +201,12 @@ CsvTable CsvTable::parse(std::string_view text, std::string name, const CsvOptio
     csv_text::split(lines[*layout.unit_row].text, separator, cells);
     for (std::size_t i = 0; i < std::min(cells.size(), width); ++i) {
       std::string unit = csv_text::unit_cell(cells[i]).unit;
-      if (!unit.empty()) table.units_[i] = std::move(unit);
+      if (unit.empty()) continue;
+      if (are_unlike_units(table.units_[i], unit)) {
+        throw InputError({table.file_, lines[*layout.unit_row].number}, table.names_[i], unit,
+                         "is not its unit by its name, " + table.units_[i]);
+      }
+      table.units_[i] = std::move(unit);
     }
   }
   const auto wanted = [&] {
@@ -280,19 +294,25 @@ void CsvTable::drop_last_column() {
 std::size_t CsvTable::bytes() const {
   std::size_t count = text_.size() + cells_.size() * sizeof(std::string_view);
   for (const std::vector<double>& column : numbers_) count += column.size() * sizeof(double);
+  for (const std::vector<std::string>& column : texts_)
+    count += column.size() * sizeof(std::string);
   return count;
 }
 
+std::string_view CsvTable::text_at(std::size_t row, std::size_t column) const {
+  return texts_.empty() ? cells_[row * columns() + column] : std::string_view(texts_[column][row]);
+}
+
 std::string CsvTable::cell(std::size_t row, std::size_t column) const {
-  if (!numbers_.empty()) return csv_text::number_text(numbers_[column][row]);
-  return std::string(cells_[row * columns() + column]);
+  const bool is_number = !numbers_.empty() && !numbers_[column].empty();
+  return is_number ? csv_text::number_text(numbers_[column][row])
+                   : std::string(text_at(row, column));
 }
 
 double CsvTable::number(std::size_t row, std::size_t column) const {
   csv_text::Number number;
-  if (numbers_.empty()) {
-    number =
-        csv_text::read_number(cells_[row * columns() + column], {decimal_, decimal_is_certain_});
+  if (numbers_.empty() || numbers_[column].empty()) {
+    number = csv_text::read_number(text_at(row, column), {decimal_, decimal_is_certain_});
   } else if (!std::isinf(numbers_[column][row])) {
     return numbers_[column][row];
   }
@@ -307,8 +327,19 @@ std::string CsvTable::label(std::size_t column) const {
 }
 
 std::vector<double> CsvTable::numbers(std::size_t column) const {
-  std::vector<double> values(rows());
-  for (std::size_t row = 0; row < rows(); ++row) values[row] = number(row, column);
+  const RowRange all{0, rows()};
+  return numbers(column, {&all, 1});
+}
+
+std::vector<double> CsvTable::numbers(std::size_t column, std::span<const RowRange> rows) const {
+  std::size_t count = 0;
+  for (const RowRange& range : rows) count += range.end - range.begin;
+  std::vector<double> values;
+  values.reserve(count);
+  for (const RowRange& range : rows) {
+    for (std::size_t row = range.begin; row < range.end; ++row)
+      values.push_back(number(row, column));
+  }
   return values;
 }
 

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -29,14 +30,19 @@ struct CsvOptions {
   friend bool operator==(const CsvOptions&, const CsvOptions&) = default;
 };
 
+/// Rows of a table from one to before another one.
+struct RowRange {
+  std::size_t begin = 0;
+  std::size_t end = 0;
+};
+
 /// A delimited text file as laboratories write it: metadata lines, a header, a unit row, data. A
 /// line of the data that begins with #, % or // is a comment, unless the first column is one of
 /// words. UTF-16 is read as well, and numbers whose thousands stand apart: 1,234.5. Of an Excel
 /// workbook (.xlsx) a sheet is read, its rows as lines, and of an HDF5 file a table (see
 /// `Hdf5Tables`), its rows as lines, from 1.
 ///
-/// The text is kept, or the columns of an HDF5 file's table of numbers; copies are not allowed,
-/// moves are.
+/// The text is kept, or the columns of an HDF5 file's table; copies are not allowed, moves are.
 class CsvTable {
  public:
   /// @throws InputError if the file cannot be read, holds no data row, or rows have unequal widths
@@ -45,7 +51,10 @@ class CsvTable {
   static CsvTable read(const std::string& path, const CsvOptions& options = {});
   static CsvTable parse(std::string_view text, std::string name, const CsvOptions& options = {});
   /// One table of an HDF5 file. @throws InputError as above
-  static CsvTable read(const Hdf5Tables& tables, const std::string& path);
+  /// @param decimal  mark of numbers in its texts; empty: a point, and what may be another number
+  ///                 is none
+  static CsvTable read(const Hdf5Tables& tables, const std::string& path,
+                       std::optional<char> decimal = {});
   /// What such a file says of a table beside its columns, as a table of one row; empty if nothing.
   /// @throws InputError as above
   static std::optional<CsvTable> read_properties(const Hdf5Tables& tables, const std::string& path);
@@ -89,6 +98,8 @@ class CsvTable {
   double number(std::size_t row, std::size_t column) const;
   /// A whole column as numbers. @throws InputError as above
   std::vector<double> numbers(std::size_t column) const;
+  /// The same of some rows, in their order.
+  std::vector<double> numbers(std::size_t column, std::span<const RowRange> rows) const;
 
   /// Column by exact name, by name without case, by name with unit as in the file, or by number
   /// ("1" is the first).
@@ -102,8 +113,8 @@ class CsvTable {
  private:
   CsvTable() = default;
 
-  static CsvTable of_texts(const std::vector<Hdf5TableColumn>& columns, const std::string& file);
-  static CsvTable of_numbers(std::vector<Hdf5TableColumn> columns, const std::string& file);
+  static CsvTable of_columns(std::vector<Hdf5TableColumn> columns, const std::string& file);
+  std::string_view text_at(std::size_t row, std::size_t column) const;
   void drop_last_column();
   std::vector<std::size_t> matches(std::string_view name_or_number) const;
 
@@ -120,8 +131,10 @@ class CsvTable {
   std::vector<std::string> names_;
   std::vector<std::string> units_;
   std::vector<int> line_of_row_;
-  std::vector<std::string_view> cells_;       // (rows x columns), row by row; views into the text
-  std::vector<std::vector<double>> numbers_;  // columns that have no text; then there are no cells
+  std::vector<std::string_view> cells_;  // (rows x columns), row by row; views into the text
+  // Columns of an HDF5 file's table, each of numbers or of texts; then there are no cells.
+  std::vector<std::vector<double>> numbers_;
+  std::vector<std::vector<std::string>> texts_;
 };
 
 /// What `CsvTable::read` reads, and of an HDF5 file that has several tables the first that can be

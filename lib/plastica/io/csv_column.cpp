@@ -31,6 +31,15 @@ NamedColumn named_column(const std::string& words, const SourceLocation& where, 
 
 FoundColumn column_at(const CsvTable& table, std::size_t index, const NamedColumn& column,
                       Dimension dimension) {
+  const std::string factor = factor_in_name(table.names()[index], dimension);
+  if (!factor.empty() && !column.override_unit) {
+    throw InputError(
+        column.where, column.key, column.name,
+        fmt::format("has \"{}\" in its name in {}, and factors are not read: scale the "
+                    "column, or take its numbers as they are with a unit that goes "
+                    "before (override_unit = true, --override-unit)",
+                    factor, table.file()));
+  }
   if (column.unit) {
     const UnitConversion given = unit_conversion(*column.unit, dimension, column.where, column.key);
     const std::string& own = table.units()[index];
@@ -56,7 +65,13 @@ FoundColumn find_column(const CsvTable& table, const NamedColumn& column, Dimens
 }
 
 std::vector<double> numbers_of(const CsvTable& table, const FoundColumn& column) {
-  std::vector<double> values = table.numbers(column.index);
+  const RowRange all{0, table.rows()};
+  return numbers_of(table, column, {&all, 1});
+}
+
+std::vector<double> numbers_of(const CsvTable& table, const FoundColumn& column,
+                               std::span<const RowRange> rows) {
+  std::vector<double> values = table.numbers(column.index, rows);
   for (double& value : values) value = column.to_si(value);
   return values;
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -43,6 +44,9 @@ FoundColumn column_at(const CsvTable& table, std::size_t index, const NamedColum
 /// The numbers of a column in SI, NaN where a cell has none.
 /// @throws InputError as `CsvTable::numbers`
 std::vector<double> numbers_of(const CsvTable& table, const FoundColumn& column);
+/// The same of some rows, in their order.
+std::vector<double> numbers_of(const CsvTable& table, const FoundColumn& column,
+                               std::span<const RowRange> rows);
 
 /// A whole column in SI.
 /// @throws InputError if there is no such column, its unit does not fit, or a cell is no number

@@ -223,11 +223,16 @@ UnitCell unit_cell(std::string_view text) {
   return {is_unit(cell), std::string(cell)};
 }
 
-std::string tabbed_cell(std::string_view text) {
-  std::string flat(text);
+std::string on_one_line(std::string_view text) {
+  std::string flat(without_blanks(text));
   for (char& c : flat) {
     if (c == '\t' || c == '\n' || c == '\r') c = ' ';
   }
+  return flat;
+}
+
+std::string tabbed_cell(std::string_view text) {
+  const std::string flat = on_one_line(text);
   if (flat.find('"') == std::string::npos) return flat;
   std::string quoted = "\"";
   for (const char c : flat) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);

@@ -51,6 +51,9 @@ struct UnitCell {
 };
 UnitCell unit_cell(std::string_view cell);
 
+/// A text without blanks around it, tabs and line ends.
+std::string on_one_line(std::string_view text);
+
 /// A text as a cell between tabs: no tab, no line end, quoted as CSV does it.
 std::string tabbed_cell(std::string_view text);
 

@@ -31,7 +31,7 @@ inline constexpr std::array kSceneRules{
     ValueRule{"beam/width", kAboveZero},
     ValueRule{"beam/height", kAboveZero},
     ValueRule{"beam/modulus", kAboveZero},
-    ValueRule{"beam/strain_per_angle", kAboveZero},
+    ValueRule{"beam/strain_per_angle", kNotNegative},
     ValueRule{"probes/at", kFraction},
     ValueRule{"path/frame_sample", {}, Order::RisesStrictly},
     ValueRule{"outcome/energy_balance_error", kNotNegative},

@@ -205,7 +205,7 @@ class UnitTable {
 
   Unit parsed(std::string_view unit) {
     if (unit.empty() || unit[0] == '.' || unit[0] == '+' || unit[0] == '-') return nullptr;
-    if (has_factor(unit) || has_zero(unit)) return nullptr;
+    if (has_factor(unit) || has_zero(unit) || is_torn(unit)) return nullptr;
     return Unit(ut_parse(system(), respelled(unit).c_str(), UT_UTF8));
   }
 
@@ -309,6 +309,35 @@ bool is_unit(std::string_view text) {
   }
   if (text == "force") return false;  // to udunits2 that is gravity
   return strain_scale(text) || angle_scale(text) || unit_table().parses(text);
+}
+
+bool is_scaled_unit(std::string_view text) {
+  const std::optional<Factor> factor = factor_at(without_blanks(text));
+  return factor && is_unit(factor->behind);
+}
+
+std::string factor_in_name(std::string_view name, Dimension dimension) {
+  const auto is_of_word = [&](std::size_t i) {
+    return is_letter(name[i]) || is_digit(name[i]) || name[i] == '.' || name[i] == ',' ||
+           name[i] == '^' || name[i] == '-';
+  };
+  for (std::size_t i = 0; i < name.size(); ++i) {
+    if (i > 0 && is_of_word(i - 1)) continue;
+    const std::optional<Factor> factor = factor_at(name.substr(i));
+    if (!factor) continue;
+    const std::string_view rest = factor->behind;
+    const std::size_t end = std::min(rest.find_first_of(")]"), rest.size());
+    const std::string_view unit = without_blanks(rest.substr(0, end));
+    // Of "3 x 10 mm", a size, the sign stands behind a number.
+    const std::string_view before = without_blanks(name.substr(0, i));
+    const bool multiplies = factor->multiplies && (before.empty() || !is_digit(before.back()));
+    const bool scales =
+        unit.empty() ? factor->is_power && i > 0 && end < rest.size() : is_unit_of(unit, dimension);
+    if (!multiplies && !scales) continue;
+    const std::size_t length = name.size() - i - rest.size() + (scales ? end : 0);
+    return std::string(without_blanks(name.substr(i, length)));
+  }
+  return {};
 }
 
 double parse_quantity(std::string_view text, Dimension dimension, const SourceLocation& where,

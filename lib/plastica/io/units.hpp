@@ -33,6 +33,14 @@ bool is_unit_of(std::string_view unit, Dimension dimension);
 /// (2)".
 bool is_unit(std::string_view text);
 
+/// Whether a text is a power of ten and a unit: "10 MPa", "x10 N". `unit_conversion` refuses it.
+bool is_scaled_unit(std::string_view text);
+
+/// The factor in a column's name that scales its numbers, where these are of a dimension: "10 N" of
+/// "Force (10 N)", "x10" of "Stress (x10)", "10^-3" of "Strain (10^-3)". Empty if it holds none:
+/// "Stress (20 degC)", "Strain (50 mm)", "Run (10)" say what the numbers are of.
+std::string factor_in_name(std::string_view name, Dimension dimension);
+
 /// Reads "355 MPa", "0.2 %", "1e-3" into SI. A strain of 1 and more needs its unit: "20" may be
 /// meant in percent.
 /// @throws InputError if there is no number, or the unit does not fit

@@ -19,6 +19,23 @@ namespace {
 
 constexpr std::size_t kMaxRows = std::size_t{1} << 20U, kMaxColumns = std::size_t{1} << 14U;
 
+/// Whether a number format shows its numbers as percent: a % does that is neither in quotes nor
+/// behind a sign that makes a character of the next one (ECMA-376, 18.8.31).
+bool multiplies_by_100(std::string_view code) {
+  bool is_quoted = false;
+  for (std::size_t i = 0; i < code.size(); ++i) {
+    const char c = code[i];
+    if (c == '"') {
+      is_quoted = !is_quoted;
+    } else if (!is_quoted && (c == '\\' || c == '_' || c == '*')) {
+      ++i;
+    } else if (!is_quoted && c == '%') {
+      return true;
+    }
+  }
+  return false;
+}
+
 /// An archive's parts by their names.
 class Archive {
  public:
@@ -186,8 +203,7 @@ class Workbook::Parts {
     std::vector<std::string_view> percent{"9", "10"};  // those that need no code
     for_children(child_of(sheet, "numFmts"), "numFmt", [&](const pugi::xml_node& format) {
       const std::string_view code = attribute(format, "formatCode");
-      if (code.find('%') != std::string_view::npos)
-        percent.push_back(attribute(format, "numFmtId"));
+      if (multiplies_by_100(code)) percent.push_back(attribute(format, "numFmtId"));
     });
     for_children(child_of(sheet, "cellXfs"), "xf", [&](const pugi::xml_node& style) {
       percent_styles_.push_back(std::ranges::find(percent, attribute(style, "numFmtId")) !=

@@ -10,6 +10,7 @@
 #include "plastica/report/format.hpp"
 #include "plastica/report/scene_facts.hpp"
 #include "plastica/report/scene_frames.hpp"
+#include "plastica/report/shown_probes.hpp"
 
 namespace plastica::report {
 namespace {
@@ -143,22 +144,6 @@ std::string title_of(std::span<const io::SceneRecord> records) {
   return cut(title, 90);
 }
 
-std::size_t probe_index(const io::SceneRecord& record, const std::string& name) {
-  const auto& probes = record.setup.scene.probes;
-  std::string names;
-  for (std::size_t p = 0; p < probes.size(); ++p) {
-    if (probes[p].name == name) return p;
-    names += (names.empty() ? "" : ", ") + probes[p].name;
-  }
-  if (!name.empty()) throw InputError({}, "--probe", name, "must be a probe of the file: " + names);
-  for (const ProbeQuantity wanted : {ProbeQuantity::Displacement, ProbeQuantity::Rotation}) {
-    for (std::size_t p = 0; p < probes.size(); ++p) {
-      if (probes[p].quantity == wanted) return p;
-    }
-  }
-  return 0;
-}
-
 const std::vector<double>* coupon_stress(const io::SceneRecord& record) {
   const auto& probes = record.setup.scene.probes;
   for (std::size_t p = 0; p < probes.size(); ++p) {
@@ -252,21 +237,19 @@ Figure load_figure(std::span<const io::SceneRecord> records, const std::string& 
   const std::vector<std::string> labels = labels_of(records);
   Figure figure;
   figure.title = title_of(records);
-  FigurePanel panel{"", "", "load factor [1]"};
+  const ShownProbes shown(records, probe);
+  // Lengths are mostly small.
+  const bool length = shown.dimension() == Dimension::Length;
+  FigurePanel panel{
+      "", fmt::format("{} [{}]", shown.axis(), length ? "mm" : si_unit(shown.dimension())),
+      "load factor [1]"};
   for (std::size_t r = 0; r < records.size(); ++r) {
     const io::SceneRecord& record = records[r];
-    const std::size_t index = probe_index(record, probe);
-    const Probe& shown = record.setup.scene.probes[index];
-    FigureCurve curve = curve_of_record(r, records.size(), labels[r]);
-    // Lengths are mostly small.
-    const bool length = dimension_of(shown.quantity, {}) == Dimension::Length;
+    FigureCurve curve = curve_of_record(r, records.size(), shown.curve_name(r, labels[r]));
+    const std::vector<double>& values = shown.values(r);
     for (std::size_t i = 0; i < record.response.samples; ++i) {
-      curve.points.push_back({(length ? 1e3 : 1.0) * record.response.probes[index][i],
-                              record.response.chain.factor[i]});
+      curve.points.push_back({(length ? 1e3 : 1.0) * values[i], record.response.chain.factor[i]});
     }
-    if (records.size() == 1) curve.name = printable(shown.name);
-    panel.x_label = fmt::format("{}: {} [{}]", printable(shown.name), probe_label(record, shown),
-                                length ? "mm" : si_unit(dimension_of(shown.quantity, {})));
     panel.title = outcome_line(record);
     panel.curves.push_back(std::move(curve));
   }

@@ -22,10 +22,6 @@ Figure joint_figure(std::span<const io::SceneRecord> records, std::optional<int>
 /// Load factor over a probe. @throws InputError for a probe that there is not
 Figure load_figure(std::span<const io::SceneRecord> records, const std::string& probe);
 
-/// The number of a probe; without a name that of the first displacement, or else rotation.
-/// @throws InputError for a probe that there is not
-std::size_t probe_index(const io::SceneRecord& record, const std::string& name);
-
 /// What tells records in one picture apart: their names, or their segments.
 std::vector<std::string> labels_of(std::span<const io::SceneRecord> records);
 /// The names of all records, each once.

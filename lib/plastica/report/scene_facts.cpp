@@ -191,13 +191,16 @@ std::string outcome_line(const io::SceneRecord& record) {
                        response.event->permanent_strain);
   }
   if (!response.chain.events.empty()) {
-    const ChainBreak& event = response.chain.events.front();
+    const auto& events = response.chain.events;
+    std::size_t joints = 0;
+    for (const ChainBreak& event : events) joints += event.joints.size();
     const bool recorded_only = response.status != Status::Broken;
-    return fmt::format("{}: {} over {} limit at factor {:.5g}, time {:.5g} s",
+    return fmt::format("{}: {} over {} limit{} at factor {:.5g}, time {:.5g} s",
                        recorded_only ? std::string(name_of(response.status)) + ", a break recorded"
                                      : std::string("broken"),
-                       counted(event.joints.size(), "joint"),
-                       event.joints.size() == 1 ? "its" : "their", event.factor, event.time);
+                       counted(joints, "joint"), joints == 1 ? "its" : "their",
+                       events.size() == 1 ? "" : ", first", events.front().factor,
+                       events.front().time);
   }
   return std::string(name_of(response.status));
 }

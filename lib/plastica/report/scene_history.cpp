@@ -13,6 +13,7 @@
 #include "plastica/report/scene_frames.hpp"
 #include "plastica/report/scene_spectrum.hpp"
 #include "plastica/report/scene_words.hpp"
+#include "plastica/report/shown_probes.hpp"
 
 namespace plastica::report {
 namespace {
@@ -34,12 +35,8 @@ std::string_view color_of(std::string_view entry) {
 }
 
 /// The unit of a probe's values, best read beside `largest`.
-DisplayUnit unit_of_values(const Probe& probe, double largest) {
-  return shown_unit(dimension_of(probe.quantity, {}), largest);
-}
-
-std::string value_label(const Probe& probe, const DisplayUnit& unit) {
-  const std::string name = printable(probe.name);
+std::string value_label(const ShownProbes& probes, const DisplayUnit& unit) {
+  const std::string name = probes.names();
   return unit.name.empty() ? name : fmt::format("{} [{}]", name, unit.name);
 }
 
@@ -122,27 +119,22 @@ double largest_frequency(const theory::Spectrum& spectrum) {
 
 Figure history_figure(std::span<const io::SceneRecord> records, const std::string& probe) {
   const std::vector<std::string> labels = labels_of(records);
+  const ShownProbes shown(records, probe);
   double largest = 0.0;
-  for (const io::SceneRecord& record : records) {
-    largest = std::max(largest, largest_of(record.response.probes[probe_index(record, probe)]));
+  for (std::size_t r = 0; r < records.size(); ++r) {
+    largest = std::max(largest, largest_of(shown.values(r)));
   }
+  const DisplayUnit unit = shown_unit(shown.dimension(), largest);
   Figure figure;
   figure.title = title_of(records);
-  FigurePanel panel{"", "time [s]", ""};
+  FigurePanel panel{shown.title(), "time [s]", value_label(shown, unit)};
   for (std::size_t r = 0; r < records.size(); ++r) {
     const io::SceneRecord& record = records[r];
-    const std::size_t index = probe_index(record, probe);
-    const Probe& shown = record.setup.scene.probes[index];
-    const DisplayUnit unit = unit_of_values(shown, largest);
-    FigureCurve curve = curve_of_record(r, records.size(), labels[r]);
+    FigureCurve curve = curve_of_record(r, records.size(), shown.curve_name(r, labels[r]));
     curve.stroke = Stroke::Line;
     for (std::size_t i = 0; i < record.response.samples; ++i) {
-      curve.points.push_back(
-          {record.response.chain.time[i], record.response.probes[index][i] / unit.scale});
+      curve.points.push_back({record.response.chain.time[i], shown.values(r)[i] / unit.scale});
     }
-    if (records.size() == 1) curve.name = printable(shown.name);
-    panel.title = probe_label(record, shown);
-    panel.y_label = value_label(shown, unit);
     panel.curves.push_back(std::move(curve));
   }
   if (records.size() == 1) add_events(panel, records.front());
@@ -189,16 +181,16 @@ Figure energy_figure(const io::SceneRecord& record, bool stacked) {
 Figure spectrum_figure(std::span<const io::SceneRecord> records, const std::string& probe,
                        bool letters) {
   const std::vector<std::string> labels = labels_of(records);
+  const ShownProbes shown(records, probe);
   std::vector<theory::Spectrum> spectra;
   double most = 0.0;
   double highest = 0.0;
-  for (const io::SceneRecord& record : records) {
-    spectra.push_back(spectrum_of(record, probe_index(record, probe)));
+  for (std::size_t r = 0; r < records.size(); ++r) {
+    spectra.push_back(spectrum_of(records[r], shown.index(r)));
     most = std::max(most, largest_of(spectra.back().amplitude));
     highest = std::max(highest, largest_frequency(spectra.back()));
   }
-  const Probe& shown = records.front().setup.scene.probes[probe_index(records.front(), probe)];
-  const DisplayUnit unit = unit_of_values(shown, most);
+  const DisplayUnit unit = shown_unit(shown.dimension(), most);
   // Five decades below the largest are seen.
   const double top = most > 0.0 ? most / unit.scale : 1.0;
   const double bottom = 1e-5 * top;
@@ -209,15 +201,14 @@ Figure spectrum_figure(std::span<const io::SceneRecord> records, const std::stri
   Figure figure;
   figure.title = title_of(records);
   FigurePanel panel{
-      probe_label(records.front(), shown), "frequency [Hz]",
+      shown.title(), "frequency [Hz]",
       (letters ? "log10 of the amplitude of " : "amplitude of ") + value_label(shown, unit)};
   panel.logarithmic = !letters;
   panel.x_range = {0.0, highest};
   if (!letters) panel.y_range = {bottom, 4.0 * top};
   for (std::size_t r = 0; r < records.size(); ++r) {
-    FigureCurve curve = curve_of_record(r, records.size(), labels[r]);
+    FigureCurve curve = curve_of_record(r, records.size(), shown.curve_name(r, labels[r]));
     curve.stroke = Stroke::Line;
-    if (records.size() == 1) curve.name = printable(shown.name);
     for (std::size_t k = 0; k < spectra[r].frequency.size(); ++k) {
       if (spectra[r].frequency[k] > highest) break;
       curve.points.push_back({spectra[r].frequency[k], height(spectra[r].amplitude[k])});

@@ -11,14 +11,14 @@
 namespace plastica {
 namespace {
 
-constexpr std::size_t kBoth = 3;
-constexpr std::array<BreakCause, 4> kCauses{BreakCause::BendingX, BreakCause::BendingY,
-                                            BreakCause::Torsion, BreakCause::Biaxial};
+constexpr std::size_t kFibre = 3;  // of the strains that have limits
+constexpr std::array<BreakCause, 3> kCauses{BreakCause::BendingX, BreakCause::BendingY,
+                                            BreakCause::Torsion};
 
 /// How large a strain is against its limit.
 double use_of(double strain, double limit) { return std::isinf(limit) ? 0.0 : strain / limit; }
 
-JointAngles times(double factor, JointAngles angles) {
+JointFlow times(double factor, JointFlow angles) {
   for (double& angle : angles) angle *= factor;
   return angles;
 }
@@ -54,12 +54,13 @@ BreakWatch::BreakWatch(const Scene& scene, std::vector<chain::JointModel> joints
       accumulated_(scene.break_measure == BreakMeasure::Accumulated) {
   for (const chain::JointModel& joint : joints_) {
     hinge_.push_back(chain::hinge_lengths(scene, joint));
-    for (std::size_t k = 0; k < 3; ++k) {
+    for (std::size_t k = 0; k < same_hinges_.size(); ++k) {
       same_hinges_[k] = same_hinges_[k] && hinge_.back()[k] == hinge_.front()[k];
     }
   }
   for (Sliding& sliding : sliding_) sliding.covered.resize(joints_.size());
-  for (const chain::JointModel& joint : joints_) {
+  for (chain::JointModel& joint : joints_) {
+    joint.length[kStretch] = joint.own_length();
     for (const double limit : joint.limit) active_ = active_ || std::isfinite(limit);
   }
 }
@@ -76,57 +77,72 @@ BreakWatch::Window BreakWatch::window_of(std::size_t joint, std::size_t axis) co
   return {low, low + length};
 }
 
-JointAngles BreakWatch::spread(const JointAngles& angle, std::size_t joint) const {
-  JointAngles theta{};
-  for (std::size_t k = 0; k < 3; ++k) {
-    theta[k] = angle[k] * (strained_length(joint, k) / joints_[joint].length[k]);
-  }
+BreakWatch::Hinge BreakWatch::spread(const JointFlow& flow, std::size_t joint) const {
+  Hinge theta;
+  const auto over = [&](std::size_t k, std::size_t axis) {
+    return flow[k] * (strained_length(joint, axis) / joints_[joint].length[k]);
+  };
+  for (std::size_t k = 0; k < 3; ++k) theta.angle[k] = over(k, k);
+  for (std::size_t axis = 0; axis < 2; ++axis) theta.stretch[axis] = over(kStretch, axis);
   return theta;
 }
 
-JointAngles BreakWatch::hinge_angles(const std::vector<JointAngles>& angles, std::size_t joint) {
+BreakWatch::Hinge BreakWatch::hinge_of(const std::vector<JointFlow>& angles, std::size_t joint) {
   const std::array<double, 3>& hinge = hinge_[joint];
   if (hinge[0] == 0.0 || localization_ == Localization::Distributed) {
     return spread(angles[joint], joint);
   }
   const chain::JointModel& at = joints_[joint];
-  JointAngles theta{};
-  JointAngles sum{};     // over the last window
+  Hinge theta;
+  JointFlow sum{};       // over the last window
   double summed = -1.0;  // its length
   for (std::size_t k = 0; k < 3; ++k) {
     if (!at.resists[k]) continue;
     if (at.length[k] < hinge[k]) {
       if (hinge[k] != summed) {
-        sum = same_hinges_[k] ? windowed(angles, joint, k) : lone_window(angles, joint, k);
+        sum = over_window(angles, joint, k);
         summed = hinge[k];
       }
-      theta[k] = sum[k];
+      theta.angle[k] = sum[k];
     } else {
-      theta[k] = localization_ == Localization::Concentrated
-                     ? concentrated(angles, joint, k)
-                     : angles[joint][k] * (hinge[k] / at.length[k]);
+      theta.angle[k] = localization_ == Localization::Concentrated
+                           ? concentrated(angles, joint, k, hinge[k])
+                           : angles[joint][k] * (hinge[k] / at.length[k]);
     }
+  }
+  if (!any_stretch_) return theta;
+  for (const std::size_t axis : {std::size_t{0}, std::size_t{1}}) {
+    theta.stretch[axis] = stretch_over(angles, joint, axis);
   }
   return theta;
 }
 
-JointAngles BreakWatch::lone_window(const std::vector<JointAngles>& angles, std::size_t joint,
-                                    std::size_t axis) const {
+double BreakWatch::stretch_over(const std::vector<JointFlow>& angles, std::size_t joint,
+                                std::size_t axis) {
+  const double hinge = hinge_[joint][axis];
+  const double length = joints_[joint].length[kStretch];
+  if (length < hinge) return over_window(angles, joint, axis)[kStretch];
+  return localization_ == Localization::Concentrated ? concentrated(angles, joint, kStretch, hinge)
+                                                     : angles[joint][kStretch] * (hinge / length);
+}
+
+JointFlow BreakWatch::lone_window(const std::vector<JointFlow>& angles, std::size_t joint,
+                                  std::size_t axis) const {
   const Window window = window_of(joint, axis);
   const auto first = std::upper_bound(
       joints_.begin(), joints_.end(), window.low,
       [](double low, const chain::JointModel& watched) { return low < watched.end; });
-  JointAngles sum{};
+  JointFlow sum{};
   for (auto at = first; at != joints_.end() && at->begin < window.high; ++at) {
     const auto j = static_cast<std::size_t>(at - joints_.begin());
     const double fraction = std::clamp(window.covers(*at), 0.0, 1.0);
-    for (std::size_t k = 0; k < 3; ++k) sum[k] += fraction * angles[j][k];
+    for (std::size_t k = 0; k < sum.size(); ++k) sum[k] += fraction * angles[j][k];
   }
   return sum;
 }
 
-JointAngles BreakWatch::windowed(const std::vector<JointAngles>& angles, std::size_t joint,
-                                 std::size_t axis) {
+JointFlow BreakWatch::windowed(const std::vector<JointFlow>& angles, std::size_t joint,
+                               std::size_t axis) {
   const Window window = window_of(joint, axis);
   auto& [covered, first, end] = sliding_[axis];
   while (first + 1 < joints_.size() && joints_[first].end <= window.low) ++first;
@@ -134,18 +150,18 @@ JointAngles BreakWatch::windowed(const std::vector<JointAngles>& angles, std::si
   while (end < joints_.size() && joints_[end].begin < window.high) ++end;
   // All but the first and the last are covered whole.
   const std::size_t last = end - 1;
-  JointAngles sum = covered.over(first + 1, std::max(first + 1, last));
+  JointFlow sum = covered.over(first + 1, std::max(first + 1, last));
   const auto add = [&](std::size_t j) {
-    const JointAngles part = times(window.covers(joints_[j]), angles[j]);
-    for (std::size_t k = 0; k < 3; ++k) sum[k] += part[k];
+    const JointFlow part = times(window.covers(joints_[j]), angles[j]);
+    for (std::size_t k = 0; k < sum.size(); ++k) sum[k] += part[k];
   };
   add(first);
   if (last > first) add(last);
   return sum;
 }
 
-double BreakWatch::concentrated(const std::vector<JointAngles>& angles, std::size_t joint,
-                                std::size_t k) const {
+double BreakWatch::concentrated(const std::vector<JointFlow>& angles, std::size_t joint,
+                                std::size_t k, double hinge) const {
   const double length = joints_[joint].length[k];
   const double own = angles[joint][k];
   double shared = 0.0;
@@ -156,67 +172,95 @@ double BreakWatch::concentrated(const std::vector<JointAngles>& angles, std::siz
   if (joint > 0) look_at(joint - 1);
   if (joint + 1 < joints_.size()) look_at(joint + 1);
   shared = std::copysign(std::min(shared, std::fabs(own)), own);
-  return shared * hinge_[joint][k] / length + (own - shared);
+  return shared * hinge / length + (own - shared);
 }
 
-BreakWatch::Strains BreakWatch::strains_of(const JointAngles& theta, std::size_t joint) const {
+BreakWatch::Strains BreakWatch::strains_of(const Hinge& theta, std::size_t joint) const {
   const chain::JointModel& at = joints_[joint];
   const auto length = [&](std::size_t axis) { return strained_length(joint, axis); };
-  Strains strain{};
+  Strains all;
+  std::array<double, 4>& strain = all.of;
   if (report_) {
     const auto bending = [&](std::size_t axis, double depth) {
       // Never an accumulated angle in the sine.
-      return accumulated_ ? law::permanent_bending_strain(theta[axis], depth, length(axis))
-                          : law::report_bending_strain(theta[axis], depth, length(axis));
+      return accumulated_ ? law::permanent_bending_strain(theta.angle[axis], depth, length(axis))
+                          : law::report_bending_strain(theta.angle[axis], depth, length(axis));
     };
     strain[0] = bending(0, at.height);
     strain[1] = bending(1, at.width);
-    strain[2] = law::report_torsion_strain(theta[2], std::max(at.width, at.height), length(2));
-    return strain;
+    strain[2] =
+        law::report_torsion_strain(theta.angle[2], std::max(at.width, at.height), length(2));
+    return all;
   }
-  strain[0] = law::permanent_bending_strain(theta[0], at.height, length(0));
-  strain[1] = law::permanent_bending_strain(theta[1], at.width, length(1));
-  strain[2] = law::permanent_torsion_strain(theta[2], at.lever[law::kTorsion], length(2));
+  strain[0] = law::permanent_bending_strain(theta.angle[0], at.height, length(0));
+  strain[1] = law::permanent_bending_strain(theta.angle[1], at.width, length(1));
+  strain[2] = law::permanent_torsion_strain(theta.angle[2], at.lever[law::kTorsion], length(2));
+  // By what each axis bends; of a trifle where none does.
+  constexpr double kTrifle = 1e-6;
+  const std::array<double, 2> stretch{law::permanent_stretch_strain(theta.stretch[0], length(0)),
+                                      law::permanent_stretch_strain(theta.stretch[1], length(1))};
+  const double bends = strain[0] + strain[1] + kTrifle;
+  all.stretch =
+      ((strain[0] + 0.5 * kTrifle) * stretch[0] + (strain[1] + 0.5 * kTrifle) * stretch[1]) / bends;
   // Of curvatures, each over the length of its own plane.
-  const double by_x = theta[0] / length(0), by_y = theta[1] / length(1);
-  strain[kBoth] =
+  const double by_x = theta.angle[0] / length(0), by_y = theta.angle[1] / length(1);
+  const double both =
       at.round ? law::permanent_biaxial_strain_circle(by_x, by_y, 0.5 * at.height, 1.0)
                : law::permanent_biaxial_strain_rectangle(by_x, by_y, at.width, at.height, 1.0);
-  return strain;
+  strain[kFibre] = both + all.stretch;
+  return all;
 }
 
-void BreakWatch::begin(const std::vector<JointAngles>& angles) {
+BreakCause BreakWatch::cause_of(const Strains& strain, std::size_t joint, std::size_t worst) const {
+  if (worst == 2) return kCauses[worst];
+  const double bending = worst == kFibre ? strain.of[kFibre] - strain.stretch : strain.of[worst];
+  if (strain.stretch > bending) return BreakCause::Stretch;
+  if (worst != kFibre) return kCauses[worst];
+  // About one axis alone, up to rounding.
+  constexpr double kHardly = 1e-9;
+  for (const std::size_t axis : {std::size_t{0}, std::size_t{1}}) {
+    const bool has_limit = std::isfinite(joints_[joint].limit[axis]);
+    if (has_limit && strain.of[axis] >= (1.0 - kHardly) * bending) return kCauses[axis];
+  }
+  return BreakCause::Biaxial;
+}
+
+void BreakWatch::begin(const std::vector<JointFlow>& angles) {
   for (Sliding& sliding : sliding_) {
     sliding.covered.begin(angles);
     sliding.first = sliding.end = 0;
   }
+  any_stretch_ =
+      std::ranges::any_of(angles, [](const JointFlow& flow) { return flow[kStretch] != 0.0; });
 }
 
 template <class Use>
-void BreakWatch::for_each_joint(const std::vector<JointAngles>& angles, const Use& use) {
+void BreakWatch::for_each_joint(const std::vector<JointFlow>& angles, const Use& use) {
   begin(angles);
-  for (std::size_t j = 0; j < joints_.size(); ++j) use(j, strains_of(hinge_angles(angles, j), j));
+  for (std::size_t j = 0; j < joints_.size(); ++j) use(j, strains_of(hinge_of(angles, j), j));
 }
 
-double BreakWatch::excess(const std::vector<JointAngles>& angles) {
+double BreakWatch::excess(const std::vector<JointFlow>& angles, const std::vector<bool>& left_out) {
   double largest = 0.0;
   for_each_joint(angles, [&](std::size_t j, const Strains& strain) {
-    for (std::size_t k = 0; k < strain.size(); ++k) {
-      largest = std::max(largest, use_of(strain[k], joints_[j].limit[k]));
+    if (!left_out.empty() && left_out[j]) return;
+    for (std::size_t k = 0; k < strain.of.size(); ++k) {
+      largest = std::max(largest, use_of(held(strain, k), joints_[j].limit[k]));
     }
   });
   return largest - 1.0;
 }
 
-double BreakWatch::nearest_limit(const Strains& strain, std::size_t joint) const {
+double BreakWatch::nearest_limit(const Strains& strains, std::size_t joint) const {
   const auto& limit = joints_[joint].limit;
   std::size_t nearest = 0;
-  for (std::size_t k = 1; k < strain.size(); ++k) {
-    const double use = use_of(strain[k], limit[k]);
-    const double before = use_of(strain[nearest], limit[nearest]);
-    if (use > before || (use == before && strain[k] > strain[nearest])) nearest = k;
+  for (std::size_t k = 1; k < strains.of.size(); ++k) {
+    const double own = held(strains, k), of_nearest = held(strains, nearest);
+    const double use = use_of(own, limit[k]);
+    const double before = use_of(of_nearest, limit[nearest]);
+    if (use > before || (use == before && own > of_nearest)) nearest = k;
   }
-  return strain[nearest];
+  return held(strains, nearest);
 }
 
 const std::vector<double>& BreakWatch::strains(NodeStrains& of) {
@@ -234,47 +278,48 @@ double BreakWatch::largest_strain(NodeStrains& of) {
   return *std::max_element(all.begin(), all.end());
 }
 
-std::array<double, 4> BreakWatch::strains_at(const std::vector<JointAngles>& angles,
+std::array<double, 4> BreakWatch::strains_at(const std::vector<JointFlow>& angles,
                                              std::size_t joint) {
   begin(angles);
-  JointAngles theta{};
-  for (std::size_t j = 0; j <= joint; ++j) theta = hinge_angles(angles, j);
-  Strains strain = strains_of(theta, joint);
-  if (report_) strain[kBoth] = std::max(strain[0], strain[1]);
-  for (std::size_t k = 0; k < theta.size(); ++k) strain[k] = std::copysign(strain[k], theta[k]);
+  Hinge theta;
+  for (std::size_t j = 0; j <= joint; ++j) theta = hinge_of(angles, j);
+  std::array<double, 4> strain = strains_of(theta, joint).of;
+  if (report_) strain[kFibre] = std::max(strain[0], strain[1]);
+  for (std::size_t k = 0; k < 3; ++k) strain[k] = std::copysign(strain[k], theta.angle[k]);
   return strain;
 }
 
-double BreakWatch::lone_strain(const JointAngles& angle, std::size_t joint) const {
-  JointAngles theta = spread(angle, joint);
+double BreakWatch::lone_strain(const JointFlow& angle, std::size_t joint) const {
+  Hinge theta = spread(angle, joint);
   if (hinge_[joint][0] != 0.0 && localization_ != Localization::Distributed) {
-    for (std::size_t k = 0; k < 3; ++k) {
+    for (std::size_t k = 0; k < theta.angle.size(); ++k) {
       if (has_window(joint, k)) {
-        theta[k] = window_of(joint, k).covers(joints_[joint]) * angle[k];
+        theta.angle[k] = window_of(joint, k).covers(joints_[joint]) * angle[k];
       } else if (localization_ == Localization::Concentrated) {
-        theta[k] = angle[k];
+        theta.angle[k] = angle[k];
       }
     }
   }
   return nearest_limit(strains_of(theta, joint), joint);
 }
 
-std::vector<BrokenJoint> BreakWatch::broken(const std::vector<JointAngles>& angles) {
+std::vector<BrokenJoint> BreakWatch::broken(const std::vector<JointFlow>& angles) {
   std::vector<BrokenJoint> joints;
   if (excess(angles) <= 0.0) return joints;
   for_each_joint(angles, [&](std::size_t j, const Strains& strain) {
     const auto& limit = joints_[j].limit;
+    const auto use = [&](std::size_t k) { return use_of(held(strain, k), limit[k]); };
     std::size_t worst = 0;
-    for (std::size_t k = 1; k < strain.size(); ++k) {
-      if (use_of(strain[k], limit[k]) > use_of(strain[worst], limit[worst])) worst = k;
+    for (std::size_t k = 1; k < strain.of.size(); ++k) {
+      if (use(k) > use(worst)) worst = k;
     }
-    if (use_of(strain[worst], limit[worst]) <= 1.0 - kBreakTolerance) return;
+    if (use(worst) <= 1.0 - kBreakTolerance) return;
     BrokenJoint broken;
     broken.joint = static_cast<int>(j);
-    broken.cause = kCauses[worst];
-    broken.strain = strain[worst];
+    broken.cause = cause_of(strain, j, worst);
+    broken.strain = held(strain, worst);
     broken.limit = limit[worst];
-    broken.angle = angles[j];
+    std::copy_n(angles[j].begin(), broken.angle.size(), broken.angle.begin());
     joints.push_back(broken);
   });
   return joints;

@@ -12,14 +12,16 @@
 
 namespace plastica {
 
-/// Permanent angles of a joint in its axes: bending about x, about y, torsion [rad].
-using JointAngles = std::array<double, 3>;
+/// Permanent deformation of a joint in its axes: bending about x, about y, torsion [rad], and the
+/// elongation of the length that it bends over [m].
+using JointFlow = std::array<double, 4>;
+inline constexpr std::size_t kStretch = 3;  ///< the elongation in a `JointFlow`
 
 /// Permanent deformation of the joint at each node (N + 1).
 class NodeStrains {
  public:
-  std::vector<JointAngles> permanent;    ///< now
-  std::vector<JointAngles> accumulated;  ///< sums of |d permanent|
+  std::vector<JointFlow> permanent;    ///< now
+  std::vector<JointFlow> accumulated;  ///< sums of |d permanent|
 
   void reset(std::size_t nodes) {
     permanent.assign(nodes, {});
@@ -75,6 +77,11 @@ Localization localization_of(const Scene& scene);
 ///   the neighbours' curvatures times l, at most theta_p. So uniform moment (theta_n = theta_p) and
 ///   a lone hinge (theta_n = 0) both come out as in a fine chain.
 /// L_p = 0: theta_p over the joint's own length, as in Wendelius' report.
+///
+/// A permanent elongation is taken alike, over the hinge length of the axis that bends, and its
+/// strain adds to that of bending: the extreme fibre's (plane sections). Where both axes bend it is
+/// the mean of the strains over either length, by what each bends; where none does, the plain mean.
+/// In Wendelius' formulas it does not count.
 class BreakWatch {
  public:
   BreakWatch() = default;
@@ -86,14 +93,15 @@ class BreakWatch {
   const std::array<double, 3>& hinge_lengths(std::size_t joint) const { return hinge_[joint]; }
   std::size_t size() const { return joints_.size(); }
 
-  // Each takes the angles of all joints, in the break measure, net or accumulated (joints), and
+  // Each takes the flows of all joints, in the break measure, net or accumulated (joints), and
   // costs as much as there are joints, however many a hinge length holds.
 
   /// Largest strain over its limit minus 1, of all joints; negative: nothing breaks.
-  double excess(const std::vector<JointAngles>& angles);
+  /// @param left_out  of each joint whether it does not count (joints); empty: all do
+  double excess(const std::vector<JointFlow>& angles, const std::vector<bool>& left_out = {});
 
   /// The angles that count, in the break measure.
-  const std::vector<JointAngles>& measured(const NodeStrains& of) const {
+  const std::vector<JointFlow>& measured(const NodeStrains& of) const {
     return accumulated_ ? of.accumulated : of.permanent;
   }
   /// Of each joint the strain that is nearest to its limit, in the break measure; the largest of
@@ -103,27 +111,42 @@ class BreakWatch {
   double largest_strain(NodeStrains& of);
 
   /// Strains of one joint: bending about x, about y, torsion, with the signs of the rotations that
-  /// its hinge takes; and of bending about both, in Wendelius' formulas the larger of the two
-  /// [1].
-  std::array<double, 4> strains_at(const std::vector<JointAngles>& angles, std::size_t joint);
+  /// its hinge takes; and of bending about both and stretch, in Wendelius' formulas the larger of
+  /// the two of bending [1].
+  std::array<double, 4> strains_at(const std::vector<JointFlow>& angles, std::size_t joint);
 
   /// The strain nearest to its limit of a joint that turns alone, all others straight.
-  double lone_strain(const JointAngles& angle, std::size_t joint) const;
+  double lone_strain(const JointFlow& angle, std::size_t joint) const;
 
   /// All joints over their limit, with cause, strain and limit; where one is, also those that are
   /// below it by less than `kBreakTolerance`.
-  std::vector<BrokenJoint> broken(const std::vector<JointAngles>& angles);
+  std::vector<BrokenJoint> broken(const std::vector<JointFlow>& angles);
 
  private:
-  /// Strains of bending about x, about y, torsion and of bending about both.
-  using Strains = std::array<double, 4>;
+  /// Strains that have limits: of bending about x, about y, torsion, and of bending about both with
+  /// stretch; and of stretch alone.
+  struct Strains {
+    std::array<double, 4> of{};
+    double stretch = 0.0;
+  };
+  /// What a joint breaks by.
+  BreakCause cause_of(const Strains& strain, std::size_t joint, std::size_t worst) const;
 
   /// Makes all ready to go through the joints in their order.
-  void begin(const std::vector<JointAngles>& angles);
+  void begin(const std::vector<JointFlow>& angles);
   /// Calls `use` with each joint and its strains, in their order.
   template <class Use>
-  void for_each_joint(const std::vector<JointAngles>& angles, const Use& use);
-  Strains strains_of(const JointAngles& theta, std::size_t joint) const;
+  void for_each_joint(const std::vector<JointFlow>& angles, const Use& use);
+  /// What a hinge takes: rotations, and elongation over the hinge lengths of x and of y.
+  struct Hinge {
+    std::array<double, 3> angle{};
+    std::array<double, 2> stretch{};
+  };
+  Strains strains_of(const Hinge& theta, std::size_t joint) const;
+  /// A strain as it is held against limit k: that of bending about one axis with the stretch.
+  static double held(const Strains& strain, std::size_t k) {
+    return strain.of[k] + (k < 2 ? strain.stretch : 0.0);
+  }
   double nearest_limit(const Strains& strain, std::size_t joint) const;
   /// Whether Theta about an axis is a sum over a window: between unlike sections a joint has a
   /// length about each.
@@ -137,7 +160,7 @@ class BreakWatch {
     return hinge == 0.0 ? joints_[joint].own_length() : hinge;
   }
   /// theta_p L_p/l; without L_p what strains the joint's own length as much.
-  JointAngles spread(const JointAngles& angle, std::size_t joint) const;
+  Hinge spread(const JointFlow& flow, std::size_t joint) const;
   /// A part of the beam [m].
   struct Window {
     double low = 0.0, high = 0.0;
@@ -146,14 +169,20 @@ class BreakWatch {
   };
   Window window_of(std::size_t joint, std::size_t axis) const;
   /// Theta of a joint; to be called for one after the other.
-  JointAngles hinge_angles(const std::vector<JointAngles>& angles, std::size_t joint);
+  Hinge hinge_of(const std::vector<JointFlow>& angles, std::size_t joint);
+  /// Its elongation over the hinge length of an axis.
+  double stretch_over(const std::vector<JointFlow>& angles, std::size_t joint, std::size_t axis);
+  JointFlow over_window(const std::vector<JointFlow>& angles, std::size_t joint, std::size_t axis) {
+    return same_hinges_[axis] ? windowed(angles, joint, axis) : lone_window(angles, joint, axis);
+  }
   /// Of all axes, over the window of one.
-  JointAngles windowed(const std::vector<JointAngles>& angles, std::size_t joint, std::size_t axis);
+  JointFlow windowed(const std::vector<JointFlow>& angles, std::size_t joint, std::size_t axis);
   /// The sum over a window by itself, where the next one may begin before it.
-  JointAngles lone_window(const std::vector<JointAngles>& angles, std::size_t joint,
-                          std::size_t axis) const;
-  double concentrated(const std::vector<JointAngles>& angles, std::size_t joint,
-                      std::size_t axis) const;
+  JointFlow lone_window(const std::vector<JointFlow>& angles, std::size_t joint,
+                        std::size_t axis) const;
+  /// @param hinge  L_p [m]
+  double concentrated(const std::vector<JointFlow>& angles, std::size_t joint, std::size_t axis,
+                      double hinge) const;
 
   std::vector<chain::JointModel> joints_;
   /// Joints that the window about an axis touches, and what it covers whole.
@@ -164,6 +193,7 @@ class BreakWatch {
   std::array<Sliding, 3> sliding_;
   std::vector<std::array<double, 3>> hinge_;  ///< L_p by axis (joints)
   std::array<bool, 3> same_hinges_{true, true, true};
+  bool any_stretch_ = false;  ///< of the flows that are gone through
   Localization localization_ = Localization::Concentrated;
   bool report_ = false;
   bool accumulated_ = false;

@@ -34,6 +34,9 @@ bool is_flow(const S& work) {
   return work < constant<S>(0) || work > constant<S>(0);
 }
 
+/// A permanent strain along the beam that is rounding [1].
+constexpr double kNoStretch = 1e-12;
+
 }  // namespace
 
 template <class L, bool kElastic>
@@ -77,6 +80,8 @@ void ChainBody<L, kElastic>::set_material(const MaterialValues<double>& material
 template <class L, bool kElastic>
 bool ChainBody<L, kElastic>::flows() const {
   if (model.scene.yield_model == YieldModel::Elastic) return false;
+  // Joints that do not stretch may flow along the beam alone, which does no work that they know.
+  if (!joints->axial_states().empty()) return true;
   const auto& works = joints->work_increment();
   return std::any_of(works.begin(), works.end(), is_flow<S>);
 }
@@ -88,13 +93,20 @@ void ChainBody<L, kElastic>::set_trial_strains(bool of_all) {
   for (std::size_t i = 0; i < trial.permanent.size(); ++i) {
     const std::size_t joint = record.joint_of_node(i);
     if (joint == chain::JointModel::kNone) continue;
-    if (!of_all && !is_flow(works[joint])) {
+    const bool turns = of_all || is_flow(works[joint]);
+    if (!turns && joints->axial_states().empty()) {
       trial.permanent[i] = strains.permanent[i];
       trial.accumulated[i] = strains.accumulated[i];
       continue;
     }
-    trial.permanent[i] = record.permanent_angle(*joints, work, joint);
-    for (std::size_t k = 0; k < 3; ++k) {
+    trial.permanent[i] = record.permanent_flow(*joints, work, joint);
+    if (!turns) std::copy_n(strains.permanent[i].begin(), kStretch, trial.permanent[i].begin());
+    // Rounding is no flow.
+    double& stretch = trial.permanent[i][kStretch];
+    const double before = strains.permanent[i][kStretch];
+    if (!(std::fabs(stretch - before) > kNoStretch * joint_models[i].own_length()))
+      stretch = before;
+    for (std::size_t k = 0; k < trial.permanent[i].size(); ++k) {
       trial.permanent[i][k] += 0.0;  // no -0, which tables would show
       trial.accumulated[i][k] =
           strains.accumulated[i][k] + std::fabs(trial.permanent[i][k] - strains.permanent[i][k]);
@@ -213,7 +225,7 @@ void ChainBody<L, kElastic>::describe(BrokenJoint& broken) const {
   const auto node = static_cast<std::size_t>(broken.joint);
   const std::size_t joint = record.joint_of_node(node);
   broken.moment = record.moment(*joints, work, node).at;
-  broken.angle = strains.permanent[node];
+  std::copy_n(strains.permanent[node].begin(), broken.angle.size(), broken.angle.begin());
   broken.dissipation = joints->plastic_work()[joint];
 }
 

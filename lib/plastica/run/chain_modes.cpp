@@ -54,7 +54,9 @@ void ChainModes<L, kElastic>::unload(const chain::Coordinates<L>& q) {
   for (std::size_t j = 0; j < chain.joints(); ++j) {
     const auto& numbers = body_.joints->joints()[j];
     const auto& force = body_.joints->section_forces()[j];
-    const auto elastic = [&](std::size_t axis) { return numbers.elastic_angle(axis, force[axis]); };
+    const auto elastic = [&](std::size_t axis) {
+      return numbers.elastic_deformation(axis, force[axis]);
+    };
     for (std::size_t k = 0; k < L::kRotations; ++k) {
       w_.angles[j][k] = w_.angles[j][k] - constant<S>(kUnloading) * elastic(axes.rotation(k));
     }

@@ -46,8 +46,8 @@ class ChainMotionRunner final : public ChainProgram {
   const void* joints_of_step_ = nullptr;
   std::vector<solve::SegmentMotion<L>> initial_motion_;  ///< (N)
   std::vector<bool> cut_;                                ///< joints that are cut (nodes)
-  std::vector<bool> reported_;        ///< joints whose break was reported (nodes)
-  std::vector<JointAngles> watched_;  ///< angles of the joints that are left (nodes)
+  std::vector<bool> reported_;      ///< joints whose break was reported (nodes)
+  std::vector<JointFlow> watched_;  ///< angles of the joints that are left (nodes)
   std::size_t next_cut_ = 0;
 };
 
@@ -132,7 +132,7 @@ void ChainMotionRunner<L, kElastic>::break_joints(Step& step, const BreakListene
   if (!body_.watch.active()) return;
   const auto& angles = body_.watch.measured(body_.strains);
   for (std::size_t i = 0; i < angles.size(); ++i) {
-    watched_[i] = cut_[i] ? JointAngles{} : angles[i];
+    watched_[i] = cut_[i] ? JointFlow{} : angles[i];
   }
   if (body_.watch.excess(watched_) <= 0.0) return;
   ChainBreak event;

@@ -27,7 +27,7 @@ inline double component_of(const Vec<double, 3>& v, Component component) {
 
 template <class L, bool kElastic>
 double ChainRecord<L, kElastic>::hinge_strain(const Probe& probe,
-                                              const std::vector<JointAngles>& angles) const {
+                                              const std::vector<JointFlow>& angles) const {
   const auto strain = watch_->strains_at(angles, turning_node_at(probe));
   return strain[static_cast<std::size_t>(probe.component)];
 }
@@ -65,7 +65,7 @@ double ChainRecord<L, kElastic>::joint_value(const Probe& probe, const NodeStrai
     case ProbeQuantity::AccumulatedStrain: return hinge_strain(probe, strains.accumulated);
     case ProbeQuantity::LocalPlasticStrain: return strain(vector(history.plastic_angle));
     case ProbeQuantity::LocalAccumulatedStrain: {
-      const JointAngles& sum = strains.accumulated[node];
+      const JointFlow& sum = strains.accumulated[node];
       return strain({{sum[0], sum[1], sum[2]}});
     }
     default: break;

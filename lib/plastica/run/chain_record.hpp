@@ -45,9 +45,10 @@ class ChainRecord {
   std::size_t joint_of_node(std::size_t node) const { return (*joints_)[node].joint; }
   static constexpr std::size_t kNone = chain::JointModel::kNone;
 
-  /// Permanent angle of a joint: what is left of its angle without its moment, about x, y, z.
-  std::array<double, 3> permanent_angle(const Joints& joints, const Work& w,
-                                        std::size_t joint) const;
+  /// Permanent deformation of a joint: what is left of its angles about x, y, z and of its
+  /// elongation without its forces. A joint that does not stretch has that of its section, where
+  /// the law sees the axial force.
+  JointFlow permanent_flow(const Joints& joints, const Work& w, std::size_t joint) const;
 
   /// Statics: adds the work of loads and moving supports since the last call; at the first one what
   /// the state at time 0 took.
@@ -126,7 +127,7 @@ class ChainRecord {
                      const Response& response, std::size_t sample) const;
   double joint_value(const Probe& probe, const NodeStrains& strains) const;
   /// In the break measure. @param angles  net or accumulated (nodes)
-  double hinge_strain(const Probe& probe, const std::vector<JointAngles>& angles) const;
+  double hinge_strain(const Probe& probe, const std::vector<JointFlow>& angles) const;
   void set_shape(const Work& w, const Joints& joints, NodeStrains& strains);
   /// Dynamics: the rest of the shape.
   void set_velocities(const Work& w);
@@ -224,17 +225,32 @@ void ChainRecord<L, kElastic>::reset() {
 }
 
 template <class L, bool kElastic>
-std::array<double, 3> ChainRecord<L, kElastic>::permanent_angle(const Joints& joints, const Work& w,
-                                                                std::size_t joint) const {
+JointFlow ChainRecord<L, kElastic>::permanent_flow(const Joints& joints, const Work& w,
+                                                   std::size_t joint) const {
   const chain::SectionJoint<L>& numbers = joints.joints()[joint];
+  const auto& forces = joints.section_forces()[joint];
   const auto axes = view_.section_axes();
   typename L::Spin left;
   for (std::size_t k = 0; k < L::kRotations; ++k) {
     const std::size_t axis = axes.rotation(k);
-    const S elastic = numbers.elastic_angle(axis, joints.section_forces()[joint][axis]);
+    const S elastic = numbers.elastic_deformation(axis, forces[axis]);
     left[k] = numbers.active[k] * (w.angles[joint][k] - elastic);
   }
-  return joint_spin(left).at;
+  const Space angle = joint_spin(left);
+  S stretch = constant<S>(0);
+  if (!joints.axial_states().empty()) {
+    const law::AxialState<S>& axial = joints.axial_states()[joint];
+    stretch = axial.strain - axial.force / numbers.stiffness[law::kAxial];
+  }
+  if constexpr (kElastic) {
+    if (numbers.stretches) {
+      stretch = (w.q.shift[joint][chain::SectionAxes<L>::kAxialShift] -
+                 numbers.elastic_deformation(law::kAxial, forces[law::kAxial])) /
+                numbers.length[law::kAxial];
+    }
+  }
+  const S elongation = stretch * numbers.length[axes.rotation(0)];
+  return {angle[0], angle[1], angle[2], static_cast<double>(elongation)};
 }
 
 /// The first history that something acts on a scene by and that is as asked, in the order in which

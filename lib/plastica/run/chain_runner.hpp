@@ -88,6 +88,7 @@ class ChainRunner final : public ChainProgram, private solve::PathObserver<L, kE
   chain::Coordinates<L> stable_;
   double stable_time_ = 0.0;
   bool has_stable_ = false;
+  std::vector<bool> reported_;   ///< joints whose break is an event already (nodes)
   int unstable_beside_ = 0;      ///< as known last
   double checked_at_ = -1.0;     ///< time of the last check of stability out of the plane
   double checked_moment_ = 0.0;  ///< largest of a joint at the last such check [N m]

@@ -110,6 +110,7 @@ bool ChainRunner<L, kElastic>::begin_path() {
   response_->buckling.reset();
   response_->vibration.reset();
   has_stable_ = false;
+  reported_.assign(body_.build.chain.size() + 1, false);
   has_yielded_ = leaves_plane_ = false;
   unstable_beside_ = 0;
   checked_at_ = -1.0;
@@ -269,11 +270,11 @@ solve::Verdict ChainRunner<L, kElastic>::judge(const Work& /*w*/, bool shortest)
   if (!flowed_) return solve::Verdict::Accept;
   body_.set_trial_strains(first);
   if (!body_.watch.active()) return solve::Verdict::Accept;
-  const double excess = body_.watch.excess(body_.watch.measured(body_.trial));
-  if (excess <= 0.0 || body_.model.scene.on_break == BreakPolicy::RecordOnly) {
-    return solve::Verdict::Accept;
-  }
-  return excess > kBreakTolerance && !shortest ? solve::Verdict::TooFar : solve::Verdict::End;
+  const double excess = body_.watch.excess(body_.watch.measured(body_.trial), reported_);
+  if (excess <= 0.0) return solve::Verdict::Accept;
+  if (excess > kBreakTolerance && !shortest) return solve::Verdict::TooFar;
+  const bool goes_on = body_.model.scene.on_break == BreakPolicy::RecordOnly;
+  return goes_on ? solve::Verdict::Accept : solve::Verdict::End;
 }
 
 template <class L, bool kElastic>
@@ -298,8 +299,10 @@ bool ChainRunner<L, kElastic>::accept(const Work& w) {
     stable_time_ = w.time;
     has_stable_ = true;
   }
-  const bool first = response_->chain.events.empty() && body_.watch.active();
-  if (first && body_.watch.excess(body_.watch.measured(body_.strains)) > 0.0) note_break(w);
+  if (body_.watch.active() &&
+      body_.watch.excess(body_.watch.measured(body_.strains), reported_) > 0.0) {
+    note_break(w);
+  }
   return !hooks_->on_progress || hooks_->on_progress(w.time);
 }
 
@@ -309,6 +312,12 @@ void ChainRunner<L, kElastic>::note_break(const Work& w) {
   event.time = w.time;
   event.factor = body_.record.growing_factor_at(w.time);
   event.joints = body_.broken();
+  std::erase_if(event.joints, [&](const BrokenJoint& joint) {
+    return reported_[static_cast<std::size_t>(joint.joint)];
+  });
+  for (const BrokenJoint& joint : event.joints) {
+    reported_[static_cast<std::size_t>(joint.joint)] = true;
+  }
   mark_cuts(body_.model.scene.on_break, event);
   response_->chain.events.push_back(std::move(event));
 }

@@ -91,7 +91,7 @@ void ChainRunner<L, kElastic>::see(const chain::Coordinates<L>& q, double time,
   const auto axes = body_.view.section_axes();
   const auto elastic = [&](std::size_t joint, std::size_t axis) {
     const auto& numbers = body_.joints->joints()[joint];
-    return numbers.elastic_angle(axis, sections->force[joint][axis]);
+    return numbers.elastic_deformation(axis, sections->force[joint][axis]);
   };
   const auto add = [&](std::size_t joint) {
     typename L::Spin angle;

@@ -241,7 +241,7 @@ class LaneScenario {
       laws_;  ///< while the body has prescribed joints
   PrescribedJoints<L>* joints_ = nullptr;
   Motions motion_;
-  std::vector<JointAngles> accumulated_;  ///< sums of the permanent angles' changes (N)
+  std::vector<JointFlow> accumulated_;  ///< sums of the permanent angles' changes (N)
   std::vector<typename L::Spin>
       angular_acceleration_;  ///< angular accelerations, in world axes (N)
   std::vector<typename L::Point>

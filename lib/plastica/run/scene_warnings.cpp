@@ -18,6 +18,7 @@
 #include "plastica/run/fibre_warning.hpp"
 #include "plastica/run/joint_warnings.hpp"
 #include "plastica/run/sample_warning.hpp"
+#include "plastica/run/section_warnings.hpp"
 #include "plastica/run/shear_warning.hpp"
 #include "plastica/run/warning_facts.hpp"
 
@@ -43,18 +44,6 @@ bool scene_lets_go(const Scene& scene) {
              scene.supports.begin(), scene.supports.end(),
              [](const Support& support) { return support.moves() && lets_go(support.history); }) ||
          (scene.gravity != std::array<double, 3>{} && lets_go(scene.gravity_history));
-}
-
-/// Fully plastic moment (or torque) over that at first yield, of the scene's own section.
-double shape_factor(const Facts& facts) {
-  const SectionProperties& section = facts.section;
-  if (bends_about_x(facts.level)) {
-    return section.plastic_section_modulus_x / section.section_modulus_x;
-  }
-  if (bends_about_y(facts.level)) {
-    return section.plastic_section_modulus_y / section.section_modulus_y;
-  }
-  return section.plastic_torsion_modulus / section.torsion_modulus;
 }
 
 std::optional<std::string> cap(const Facts& facts) {
@@ -208,20 +197,6 @@ std::optional<std::string> grown_ramps(const Facts& facts) {
   return {};
 }
 
-/// A fully plastic cap scales the stress of the outermost fibre by Z/W times the elastic lever, its
-/// slope of hardening, too; once all fibres flow the section has E_t I.
-std::optional<std::string> steep_hardening(const Facts& facts) {
-  const Scene& scene = facts.scene;
-  const bool scales = scene.yield_cap == YieldCap::FullyPlastic && !is_ideal(scene) &&
-                      scene.yield_model != YieldModel::Elastic &&
-                      scene.yield_model != YieldModel::Fibre;
-  const double factor = shape_factor(facts);
-  if (!scales || factor < 1.05) return {};
-  return "joints with rules.yield_cap = \"fully_plastic\" harden " + figure(factor) +
-         " times as steeply as the section does once all of it flows: they bend too little; "
-         "\"fibre\" for rules.yield_model follows the section";
-}
-
 std::optional<std::string> covered_region(const Facts& facts) {
   const auto& regions = facts.scene.regions;
   const std::vector<double>& ends = facts.layout.ends;
@@ -283,10 +258,26 @@ std::vector<std::string> scene_warnings(const Model& model) {
   if (!model.chain) return {};
   const Facts facts(model);
   std::vector<std::string> warnings;
-  for (const auto find : {shear_warning, thick_wall_warning, hinge_warning, cap, thin_wall,
-                          per_axis, warping, softening, inner_places, cut_corners,
-                          inner_clamp_warning, rigid_stretch_warning, missed_corners, grown_ramps,
-                          steep_hardening, covered_region, no_potential, fibre_warning}) {
+  for (const auto find : {shear_warning,
+                          thick_wall_warning,
+                          hinge_warning,
+                          cap,
+                          thin_wall,
+                          per_axis,
+                          warping,
+                          softening,
+                          inner_places,
+                          cut_corners,
+                          inner_clamp_warning,
+                          rigid_stretch_warning,
+                          missed_corners,
+                          grown_ramps,
+                          steep_hardening_warning,
+                          whole_section_rate_warning,
+                          break_measure_warning,
+                          covered_region,
+                          no_potential,
+                          fibre_warning}) {
     if (auto warning = find(facts)) warnings.push_back(std::move(*warning));
   }
   if (facts.options.analysis == Analysis::Dynamics) {

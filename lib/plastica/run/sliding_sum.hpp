@@ -15,7 +15,7 @@ namespace plastica {
 /// end anew.
 class SlidingSum {
  public:
-  using Value = std::array<double, 3>;
+  using Value = std::array<double, 4>;
 
   /// Makes room for arrays of a length.
   void resize(std::size_t length) { front_.resize(length); }

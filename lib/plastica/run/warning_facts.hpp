@@ -55,6 +55,18 @@ inline double depth_of(const Facts& facts, bool about_x) {
   return sum / length;
 }
 
+/// Fully plastic moment (or torque) over that at first yield, of the scene's own section.
+inline double shape_factor(const Facts& facts) {
+  const SectionProperties& section = facts.section;
+  if (bends_about_x(facts.level)) {
+    return section.plastic_section_modulus_x / section.section_modulus_x;
+  }
+  if (bends_about_y(facts.level)) {
+    return section.plastic_section_modulus_y / section.section_modulus_y;
+  }
+  return section.plastic_torsion_modulus / section.torsion_modulus;
+}
+
 /// Whether yielding gathers in one joint: no hardening, and not a section of fibres.
 inline bool is_ideal(const Scene& scene) {
   return scene.yield_model != YieldModel::Fibre &&

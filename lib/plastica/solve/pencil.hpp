@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <cstddef>
 #include <vector>
 
@@ -35,10 +36,19 @@ class Pencil {
   Pencil(const Pencil&) = delete;
   Pencil& operator=(const Pencil&) = delete;
 
-  /// K' of all forces as they grow in a unit of time: of loads, and of the supports that hold
-  /// against them.
+  /// K' of all forces as they grow in a unit of time: of loads, and of what holds against them.
+  /// That follows from what the materials resist at this shape, as if it were the undeformed one:
+  /// forces that are in equilibrium with each other there, whichever end is held. Where the
+  /// materials alone resist too little, as in a chain that hangs, it follows from the whole
+  /// tangent.
   void let_forces_grow() {
+    factor(0.0);
+    solve_rates();
+    rotation_.resize(chain_.size());
+    for (std::size_t i = 0; i < chain_.size(); ++i) rotation_[i] = rate_of(i).spin;
+    take_forces_now();
     set_rates();
+    rate_.reset(chain_.size());
     const auto slope = [&](std::size_t history) {
       return chain_.histories[history].slope_at(w_.time);
     };
@@ -57,22 +67,10 @@ class Pencil {
           block<L::kRotations, L::kRotations>(w_.joints.tangent[joint.joint], 0, 0);
       const typename L::Spin increment =
           constant<S>(slope(joint.history)) * joint.motion - rate_of(joint.segment).spin;
-      const typename L::Spin moment = axes * (tangent * transposed_times(axes, increment));
-      rate_.wrench[joint.segment].moment += moment;
-      // With the half that its law's tangent has, as below.
-      rate_.impedance[joint.segment].rr -= constant<S>(0.5) * L::spin_derivative(moment);
+      add_ground_moment(joint.segment, axes * (tangent * transposed_times(axes, increment)));
     }
     for (std::size_t k = 0; k < chain_.constraints.size(); ++k) {
-      if (!w_.closed[k]) continue;
-      const chain::LoopConstraint<L>& constraint = chain_.constraints[k];
-      const S force = w_.small.b(k);
-      if (constraint.rotational) {
-        rate_.wrench[constraint.segment].moment += force * constraint.axis;
-      } else {
-        const typename L::Point arm =
-            L::rotate(w_.placement.frame[constraint.segment], constraint.arm);
-        add_force(constraint.segment, arm, force * constraint.direction);
-      }
+      if (w_.closed[k]) add_constraint_force(chain_.constraints[k], w_.small.b(k));
     }
     set_moment_rates();
   }
@@ -109,7 +107,7 @@ class Pencil {
     w_.recursion.factor(chain_, w_.q, w_.placement, w_.stage, w_.joints, sum, w_.transmitted);
   }
 
-  /// How fast a segment turns with the forces; after `let_forces_grow` [rad/s].
+  /// How fast a segment turns with the forces, as all resists; after `let_forces_grow` [rad/s].
   S rotation_rate(std::size_t segment) const { return size_of(rotation_[segment]); }
 
  private:
@@ -118,8 +116,6 @@ class Pencil {
   /// symmetric with the other half, by which the recursion turns it with the inner segment.
   void set_moment_rates() {
     chain::Wrench<L> sum{};
-    rotation_.resize(chain_.size());
-    for (std::size_t i = 0; i < chain_.size(); ++i) rotation_[i] = rate_of(i).spin;
     for (std::size_t i = chain_.size(); i-- > 0;) {
       sum = sum + rate_.wrench[i];
       typename L::Spin moment = sum.moment;
@@ -133,10 +129,54 @@ class Pencil {
     }
   }
 
-  /// How the segments move, and the multipliers change (`w.small`), in a unit of time.
+  /// K' of all forces as they are, so that K(-1) is what the materials resist.
+  void take_forces_now() {
+    const auto now = [&](std::size_t history) { return chain_.histories[history].at(w_.time); };
+    chain::detail::add_loads(chain_, w_.placement, now, constant<S>(1), rate_);
+    for (const auto& spring : chain_.springs) {
+      const typename L::Point arm = L::rotate(w_.placement.frame[spring.segment], spring.arm);
+      typename L::Point force = spring.rest + constant<S>(now(spring.history)) * spring.motion -
+                                w_.placement.position[spring.segment] - arm;
+      for (std::size_t i = 0; i < L::kTranslations; ++i) force[i] = spring.stiffness[i] * force[i];
+      add_force(spring.segment, arm, force);
+    }
+    for (const auto& joint : chain_.ground_joints) {
+      typename L::Spin moment;
+      for (std::size_t i = 0; i < L::kRotations; ++i) moment[i] = w_.joints.force[joint.joint][i];
+      add_ground_moment(joint.segment,
+                        L::axes(chain::ground_joint_axes(joint, w_.placement)) * moment);
+    }
+    for (std::size_t k = 0; k < chain_.constraints.size(); ++k) {
+      if (w_.closed[k]) add_constraint_force(chain_.constraints[k], w_.q.multiplier[k]);
+    }
+    set_moment_rates();
+  }
+
+  /// How the segments move, and the multipliers change (`w.small`), in a unit of time as the
+  /// materials resist.
   void set_rates() {
-    const auto unit_time = PathCondition<L>::unit_time();
+    constexpr double kFree = 1e-9;
+    factor(-1.0);
+    const bool holds = w_.recursion.min_pivot() > constant<S>(kFree);
+    if (holds) solve_rates();
+    if (holds && are_finite()) return;
     factor(0.0);
+    solve_rates();
+  }
+
+  bool are_finite() const {
+    bool finite = true;
+    for (std::size_t i = 0; i < chain_.size(); ++i) {
+      finite = finite && std::isfinite(static_cast<double>(size_of(rate_of(i).spin)));
+    }
+    for (std::size_t k = 0; k < chain_.constraints.size(); ++k) {
+      finite = finite && std::isfinite(static_cast<double>(w_.small.b(k)));
+    }
+    return finite;
+  }
+
+  void solve_rates() {
+    const auto unit_time = PathCondition<L>::unit_time();
     w_.columns[0] = {};
     w_.columns[0].resize(chain_.size());
     for (S& gap : w_.gap) gap = constant<S>(0);
@@ -155,6 +195,22 @@ class Pencil {
     rate_.wrench[segment].force += force;
     rate_.wrench[segment].moment += L::moment(arm, force);
     rate_.impedance[segment].rr -= L::moment_by(arm, force);
+  }
+
+  /// With the half that its law's tangent has, as `set_moment_rates`.
+  void add_ground_moment(std::size_t segment, const typename L::Spin& moment) {
+    rate_.wrench[segment].moment += moment;
+    rate_.impedance[segment].rr -= constant<S>(0.5) * L::spin_derivative(moment);
+  }
+
+  void add_constraint_force(const chain::LoopConstraint<L>& constraint, const S& force) {
+    if (constraint.rotational) {
+      rate_.wrench[constraint.segment].moment += force * constraint.axis;
+    } else {
+      add_force(constraint.segment,
+                L::rotate(w_.placement.frame[constraint.segment], constraint.arm),
+                force * constraint.direction);
+    }
   }
 
   const chain::Chain<L>& chain_;

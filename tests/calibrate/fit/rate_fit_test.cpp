@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cmath>
+#include <random>
 #include <string>
 #include <vector>
 
@@ -88,6 +89,30 @@ TEST(RateFit, HasTheGradientOfItsCost) {
     const double slope = (cost[1] - cost[0]) / (2e-5 * at[k]);
     EXPECT_NEAR(gradient[k], slope, 1e-4 * std::fabs(slope)) << k;
   }
+}
+
+/// One test shows f Y and f H, f the rate's factor, and no rate parameter: with it free neither is
+/// determined, and E, which is, has the error of a fit that holds it.
+TEST(RateFit, HasTheErrorsOfOneWhoseUndeterminedParameterIsHeld) {
+  Target target = test_at(250.0, 2.0);
+  std::mt19937_64 random(7);
+  std::normal_distribution<double> noise(0.0, 20e6);
+  for (double& stress : target.corrected.stress) stress += noise(random);
+  const auto fitted = [&](std::vector<const char*> names) {
+    FitOptions options = options_of({RateLaw::CowperSymonds, 250.0, 4.0, {}, {}}, "youngs_modulus");
+    for (const char* name : names) options.parameters.push_back(free_parameter(name));
+    return fit_target(target, options);
+  };
+  const FitResult held = fitted({"yield_stress", "tangent_modulus"});
+  const FitResult free = fitted({"yield_stress", "tangent_modulus", "reference_rate"});
+  for (const char* name : {"yield_stress", "tangent_modulus", "reference_rate"}) {
+    EXPECT_FALSE(free.parameter(name).identified) << name;
+  }
+  ASSERT_TRUE(free.parameter("youngs_modulus").identified);
+  EXPECT_GT(held.parameter("youngs_modulus").noise_error, 0.0);
+  EXPECT_NEAR(free.parameter("youngs_modulus").noise_error,
+              held.parameter("youngs_modulus").noise_error,
+              0.02 * held.parameter("youngs_modulus").noise_error);
 }
 
 TEST(RateFit, RefusesWhatWouldMoveNothing) {

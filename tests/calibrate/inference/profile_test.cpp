@@ -62,6 +62,23 @@ TEST(Profile, IsTheCovariancesIntervalOfALinearModel) {
   }
 }
 
+/// A cost that is flat up to a wall: the end is at the wall, not where the points ran out.
+TEST(Profile, FindsAWallBehindAFlatStretch) {
+  for (const double wall : {1.5, 4.0, 7.3}) {
+    const LeastSquaresProblem flat =
+        problem_of(1, 1, [wall](std::span<const double> x, std::span<double> r) {
+          r[0] = 1e3 * std::max(0.0, std::fabs(x[0]) - wall);
+          return true;
+        });
+    ProfileStart best;
+    best.x = {0.1};
+    best.value = 0.1;
+    const ProfileSide up = profile_coordinate(flat, best, 0, true, kTwoErrors);
+    EXPECT_EQ(up.why, ProfileEnd::Crossed);
+    EXPECT_NEAR(up.end, wall + 2e-3, 1e-2) << up.points.size();
+  }
+}
+
 TEST(Profile, DoesNotDependOnTheCoordinate) {
   // The line again, its intercept searched by its logarithm: asymmetric, but the same interval.
   const LeastSquaresProblem in_logarithm =

@@ -91,6 +91,36 @@ TEST(PlotScript, OfManySpecimensHasAPanelPerGroupAndTheMean) {
   EXPECT_TRUE(has(script, "unset multiplot"));
 }
 
+/// A stress that is a thousand times too large counts in no mean, and would leave the others a
+/// line.
+TEST(PlotScript, OfManySpecimensLeavesOutOneThatIsImplausible) {
+  std::vector<FitRecord> records = {fitted_record("a"), fitted_record("b", 290e6),
+                                    fitted_record("c")};
+  const std::string without = plot_script(std::span(records).first(2), {});
+  for (double& stress : records[2].target.corrected.stress) stress *= 1e3;
+  records[2].target.status = TargetStatus::Implausible;
+  records[2].result = {};
+  const std::string with = plot_script(records, {});
+  EXPECT_TRUE(has(with, "set title 'temperature 20, 2 of 3'")) << with.substr(0, 2000);
+  EXPECT_FALSE(has(with, " 280000"));
+  for (const char* line : {"set xrange", "set yrange"}) {
+    const auto of = [&](const std::string& script) {
+      const std::size_t at = script.find(line);
+      return script.substr(at, script.find('\n', at) - at);
+    };
+    EXPECT_EQ(of(with), of(without));
+  }
+}
+
+TEST(PlotScript, OfTestsOfTwoKindsHasTheNamesOfEach) {
+  std::vector<FitRecord> records = {fitted_record("a"), fitted_record("b")};
+  records[1].target.test = plastica::calibrate::Test::Torsion;
+  const std::string script = plot_script(records, {});
+  EXPECT_TRUE(has(script, "'engineering strain [%]'")) << script.substr(0, 3000);
+  EXPECT_TRUE(has(script, "'engineering shear strain [%]'"));
+  EXPECT_TRUE(has(script, "'engineering shear stress [MPa]'"));
+}
+
 TEST(PlotScript, OfParametersLeavesOutWhatNoCurveDetermines) {
   FitRecord record = fitted_record("a");
   ASSERT_TRUE(has(plot_script(std::vector{record}, {.what = "parameters"}), "break_strain"));

@@ -141,6 +141,27 @@ TEST(ImportTargets, RefusesATableThatHasNoneOfTheSpecimens) {
             info + ": id = 1: has no row in the table");
 }
 
+TEST(ImportTargets, RejectsOneOfTheSpecimensOfAFileAlone) {
+  const CurveFiles files("split");
+  // Rows of the first stand in two runs.
+  TargetSource source =
+      CurveFiles::source({files.write("many.csv",
+                                      "n,a,b [MPa]\n1,0,0\n1,0.001,200\n2,0,0\n2,oops,200\n3,0,0\n"
+                                      "3,0.001,100\n1,0.002,200\n")});
+  source.split = {"n"};
+  source.stress->unit.reset();
+  for (const int threads : {1, 2}) {
+    const auto targets = import_targets(source, {}, threads);
+    ASSERT_EQ(targets.size(), 3U);
+    EXPECT_EQ(targets[0].name, "many:1");
+    EXPECT_EQ(targets[0].raw.strain, (std::vector{0.0, 0.001, 0.002}));
+    EXPECT_EQ(targets[0].raw.stress, (std::vector{0.0, 200e6, 200e6}));
+    EXPECT_EQ(targets[1].status, TargetStatus::Rejected);
+    EXPECT_NE(targets[1].reason.find("oops"), std::string::npos) << targets[1].reason;
+    EXPECT_EQ(targets[2].raw.stress, (std::vector{0.0, 100e6}));
+  }
+}
+
 TEST(ImportTargets, RejectsAFileWithoutTheColumnOrUnitAlone) {
   const CurveFiles files("lacking");
   TargetSource source = CurveFiles::source({files.write_curve("other.csv", 1.0, 1e-6, "x,b [MPa]"),

@@ -101,6 +101,15 @@ TEST(Csv, TakesUnitsOutOfColumnNames) {
   EXPECT_EQ(table.find("Stress (true)"), 4U);
 }
 
+TEST(Csv, KeepsWhatIsNoUnitInANameAndRefusesAUnitThatTheRowOfUnitsContradicts) {
+  const CsvTable table =
+      parse("Strain,Stress (20 °C),Stress (150 °C),Force (N)\n%,MPa,MPa,N\n1,2,3,4\n1,2,3,4\n");
+  EXPECT_EQ(table.names(), (Names{"Strain", "Stress (20 °C)", "Stress (150 °C)", "Force"}));
+  EXPECT_EQ(table.units(), (Names{"%", "MPa", "MPa", "N"}));
+  EXPECT_EQ(parse("a (N/mm^2),b\nMPa,%\n1,2\n1,2\n").units(), (Names{"MPa", "%"}));
+  EXPECT_THROW(parse("Stress (GPa),b\nMPa,%\n1,2\n1,2\n"), InputError);
+}
+
 TEST(Csv, TurnsLatin1UnitsIntoUtf8) {
   const CsvTable table = parse(
       "Spannung [N/mm\xB2];Temperatur [\xB0"

@@ -245,6 +245,68 @@ TEST(Units, AreToldFromOtherWords) {
   }
 }
 
+TEST(Units, WithAFactorAreToldFromUnits) {
+  for (const char* text : {"10 MPa", "10MPa", "x10 N", "x 10 N", "10^1 N", "10**3 psi", "10⁻³ MPa",
+                           "1e+3 N", "10 x N", "0.1 N", "1000 N"}) {
+    EXPECT_TRUE(is_scaled_unit(text)) << text;
+    EXPECT_FALSE(is_unit(text)) << text;
+  }
+  for (const char* text : {"MPa", "2", "X10", "10", "20 MPa", "1E1", "1/s", "N/mm^2", ""}) {
+    EXPECT_FALSE(is_scaled_unit(text)) << text;
+  }
+}
+
+/// What scales a column's numbers, and what says what these are of.
+TEST(Units, KnowAFactorInAName) {
+  const auto of_force = [](const char* name) { return factor_in_name(name, Dimension::Force); };
+  EXPECT_EQ(of_force("Force (10 N)"), "10 N");
+  EXPECT_EQ(of_force("Load in 10 kN"), "10 kN");
+  EXPECT_EQ(of_force("Force (x10)"), "x10");
+  EXPECT_EQ(of_force("Force x 10"), "x 10");
+  EXPECT_EQ(of_force("10*Force"), "10*");
+  EXPECT_EQ(of_force("Force*10"), "*10");
+  EXPECT_EQ(of_force("10 x Force"), "10 x");
+  EXPECT_EQ(of_force("Force 10 N"), "10 N");
+  EXPECT_EQ(factor_in_name("Strain (10^-3)", Dimension::Strain), "10^-3");
+  EXPECT_EQ(factor_in_name("Strain (1e-6)", Dimension::Strain), "1e-6");
+  EXPECT_EQ(factor_in_name("Stress (10^3 psi)", Dimension::Stress), "10^3 psi");
+  for (const char* name : {"Force",
+                           "Force (N)",
+                           "Force (10)",
+                           "Run (2)",
+                           "Force (1 N)",
+                           "Force (20 °C)",
+                           "F_10",
+                           "Force 2 N",
+                           "Sample 10",
+                           "Force (X10)",
+                           "Force (X12)",
+                           "Force (1A)",
+                           "Force (1E1)",
+                           "Force (10 mm)",
+                           "Force (10 x 2 mm)",
+                           "Force (3 x 10 mm)",
+                           "10xyz",
+                           "Force (0.5 N)",
+                           "Force (N/mm^2)",
+                           "Kanal 1000",
+                           "Force (90 deg)",
+                           "Force (10 %/min)"}) {
+    EXPECT_EQ(of_force(name), "") << name;
+  }
+  EXPECT_EQ(factor_in_name("Strain (50 mm)", Dimension::Strain), "");
+  EXPECT_EQ(factor_in_name("Stress (Rp0.2)", Dimension::Stress), "");
+  EXPECT_EQ(factor_in_name("Strain (10 %)", Dimension::Strain), "10 %");
+}
+
+TEST(Units, WithABracketAloneOrASumAreRefused) {
+  for (const char* unit : {"N)", "(N", "N+1", "mm^2)", "m)(", "MPa))"}) {
+    EXPECT_FALSE(is_unit(unit)) << unit;
+    EXPECT_FALSE(is_unit_of(unit, Dimension::Force)) << unit;
+  }
+  EXPECT_TRUE(is_unit_of("N/(mm^2)", Dimension::Stress));
+}
+
 TEST(Units, MayBeAskedFromSeveralThreads) {
   std::vector<std::thread> threads;
   std::vector<double> sums(4, 0.0);

@@ -130,10 +130,10 @@ TEST_F(WorkbookTest, TakesPercentagesAsTheyAreShown) {
   const auto percentage = [](int i) {
     return SheetCell{" s=\"1\"><v>0.00" + std::to_string(i) + "</v>"};
   };
-  const std::string styles =
-      "<styleSheet><numFmts><numFmt numFmtId='164' formatCode='0.00%'/></numFmts>"
-      "<cellXfs><xf numFmtId='0'/><xf numFmtId='164'/></cellXfs></styleSheet>";
-  const auto read = [&](const std::string& name) {
+  const auto read = [&](const std::string& name, const std::string& format = "0.00%") {
+    const std::string styles =
+        "<styleSheet><numFmts><numFmt numFmtId='164' formatCode='" + format +
+        "'/></numFmts><cellXfs><xf numFmtId='0'/><xf numFmtId='164'/></cellXfs></styleSheet>";
     write_archive(path_, {{"xl/workbook.xml",
                            "<workbook><sheets><sheet name='S' r:id='a'/></sheets></workbook>"},
                           {"xl/_rels/workbook.xml.rels",
@@ -146,6 +146,10 @@ TEST_F(WorkbookTest, TakesPercentagesAsTheyAreShown) {
   };
   EXPECT_EQ(read("Elongation [%]"), 0.5) << "as it is shown";
   EXPECT_EQ(read("Elongation"), 0.005) << "a fraction";
+  for (const char* sign : {"0.0\" %\"", "0.0\\%", "0.0_%", "\"%\"0.0"}) {
+    EXPECT_EQ(read("Elongation [%]", sign), 0.005) << sign << ", a sign that scales nothing";
+  }
+  EXPECT_EQ(read("Elongation [%]", "\"about \"0.0%"), 0.5);
 }
 
 TEST_F(WorkbookTest, LooksAtNoHiddenSheetAndReadsALoneOne) {

@@ -54,6 +54,24 @@ TEST(ScenePlot, LaysMomentsOfSeveralFilesOverEachOther) {
   EXPECT_FALSE(has(script, "'T [N m]'")) << "a panel of zeros";
 }
 
+TEST(ScenePlot, SaysWhatEachCurveIsWhereProbesOfOneNameDiffer) {
+  io::SceneRecord other = record_of(cantilever_text());
+  other.setup.scene.name = "other";
+  const std::vector<io::SceneRecord> alike{record_of(cantilever_text()), other};
+  const std::string& name = alike[0].setup.scene.probes[0].name;
+  EXPECT_TRUE(has(script_of(alike, {"load", {}, name, {}}), name + ": displacement"));
+  std::vector<io::SceneRecord> unlike = alike;
+  unlike[1].setup.scene.probes[0].at = {0.5, {}};
+  const std::string script = script_of(unlike, {"load", {}, name, {}});
+  EXPECT_TRUE(has(script, "'displacement [mm]'")) << script;
+  EXPECT_TRUE(has(script, "at 0.5'")) << script;
+  unlike[1].setup.scene.probes[0].quantity = ProbeQuantity::Rotation;
+  EXPECT_TRUE(has(message_of([&] {
+                    script_of(unlike, {"load", {}, name, {}});
+                  }),
+                  "which have no axis in common"));
+}
+
 TEST(ScenePlot, ShowsTheJointOfTheLargestStrainOrTheOneAskedFor) {
   const io::SceneRecord record = record_of(cantilever_text());
   EXPECT_TRUE(has(script_of({record}, {"joint", {}, {}, {}}), "joint 0 at start of the length"));

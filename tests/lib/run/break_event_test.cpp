@@ -100,10 +100,43 @@ TEST(BreakEvent, IsOnlyRecordedWhereTheScenePrefersThat) {
   EXPECT_EQ(response.status, Status::Completed);
   EXPECT_GT(response.samples, cut.samples);
   ASSERT_FALSE(response.chain.events.empty());
-  // The first step at whose end the limit is passed; nothing is cut back to meet it.
-  EXPECT_EQ(response.chain.events.front().joints.front().joint, 0);
-  EXPECT_GE(response.chain.events.front().time, cut.chain.events.front().time);
-  EXPECT_GT(response.permanent_strain, response.chain.events.front().joints.front().strain);
+  const BrokenJoint& joint = response.chain.events.front().joints.front();
+  EXPECT_EQ(joint.joint, 0);
+  EXPECT_NEAR(joint.strain, 0.1, 1e-5) << "steps are cut back to meet it";
+  EXPECT_NEAR(response.chain.events.front().time, cut.chain.events.front().time, 1e-4);
+  EXPECT_GT(response.permanent_strain, joint.strain);
+}
+
+/// Of a beam between clamps whose middle is pushed, both clamps and the middle pass the limit: the
+/// middle turns twice as far.
+TEST(BreakEvent, IsRecordedOfEachJointOnceWhenItComes) {
+  for (const int steps : {20, 200}) {
+    Scene scene = breaking_cantilever(20);
+    scene.on_break = BreakPolicy::RecordOnly;
+    Support slides{.at = Place::end()};
+    slides.hold = HeldFreedoms{false, true, false, true, true, true};
+    scene.supports.push_back(slides);
+    Support push{.at = {0.5, {}}, .kind = SupportKind::Roller};
+    push.hold = HeldFreedoms{false, true, false, false, false, false};
+    push.translation = {0.0, -0.15, 0.0};
+    scene.supports.push_back(push);
+    const Response response = simulate(scene, {.steps = steps});
+    ASSERT_EQ(response.status, Status::Completed);
+    std::vector<int> joints;
+    for (const ChainBreak& event : response.chain.events) {
+      for (const BrokenJoint& joint : event.joints) {
+        joints.push_back(joint.joint);
+        EXPECT_NEAR(joint.strain, 0.1, 2e-5) << steps;
+        // (h/2) theta/h, theta by the chord: asin of twice the travel over the length, twice that
+        // in the middle.
+        const double chord = std::asin(0.3 * event.factor);
+        EXPECT_NEAR(joint.joint == 10 ? 2.0 * chord : chord, 0.2, 0.02) << steps;
+      }
+    }
+    EXPECT_EQ(joints.front(), 10);
+    std::ranges::sort(joints);
+    EXPECT_EQ(joints, (std::vector{0, 10, 20})) << steps;
+  }
 }
 
 TEST(BreakEvent, OfBendingToAndFroComesByTheAccumulatedStrainAlone) {

@@ -17,7 +17,7 @@ TEST(BreakWatch, ChecksEachAxisAgainstItsOwnLimit) {
   // Strains (h/2)/h, (b/2)/b and J/W_t/h times the angle.
   EXPECT_NEAR(watch.excess(lone(20, 10, {0.19, 0.0, 0.0})), -0.05, 1e-12);
   EXPECT_TRUE(watch.broken(lone(20, 10, {0.19, 0.0, 0.0})).empty());
-  const auto expect = [&](const JointAngles& angle, BreakCause cause, double strain, double limit) {
+  const auto expect = [&](const JointFlow& angle, BreakCause cause, double strain, double limit) {
     const auto broken = watch.broken(lone(20, 10, angle));
     ASSERT_FALSE(broken.empty());
     const BrokenJoint* at = nullptr;
@@ -28,7 +28,7 @@ TEST(BreakWatch, ChecksEachAxisAgainstItsOwnLimit) {
     EXPECT_EQ(at->cause, cause);
     EXPECT_NEAR(at->strain, strain, 1e-15);
     EXPECT_EQ(at->limit, limit);
-    EXPECT_EQ(at->angle, angle);
+    EXPECT_EQ(at->angle, (std::array<double, 3>{angle[0], angle[1], angle[2]}));
   };
   expect({0.21, 0.0, 0.0}, BreakCause::BendingX, 0.105, 0.1);
   expect({0.21, 0.05, 0.0}, BreakCause::BendingY, 0.025, 0.01);  // further over its limit
@@ -60,7 +60,7 @@ TEST(BreakWatch, IsTheSameForABeamThatIsTurned) {
     for (const bool hardens : {false, true}) {
       const Scene scene = hardens ? hardening_scene() : ideal_scene();
       auto joints = joints_of(segments, {0.1, 0.1, kNone, 0.1});
-      std::vector<JointAngles> angles, turned_angles;
+      std::vector<JointFlow> angles, turned_angles;
       for (std::size_t j = 0; j < joints.size(); ++j) {
         const double angle = 0.01 * std::sin(1.0 + 0.7 * static_cast<double>(j));
         angles.push_back({angle, 0.3 * angle, 0.0});

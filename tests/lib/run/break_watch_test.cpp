@@ -54,7 +54,7 @@ TEST(BreakWatch, MovesTheWindowOfTheEndIntoTheBeam) {
   // At joint 0 it covers 0 … L_p: joint 3 whole, joint 4 half, joint 5 not.
   BreakWatch watch = watch_of(ideal_scene(), 20);
   const double whole = kHeight / 2.0 * 0.04 / kHeight;
-  const JointAngles turned{0.04, 0.0, 0.0};
+  const JointFlow turned{0.04, 0.0, 0.0};
   EXPECT_NEAR(strain_of(watch, lone(20, 3, turned), 0), whole, 1e-15);
   EXPECT_NEAR(strain_of(watch, lone(20, 4, turned), 0), whole / 2.0, 1e-15);
   EXPECT_NEAR(strain_of(watch, lone(20, 5, turned), 0), 0.0, 1e-15);
@@ -63,7 +63,7 @@ TEST(BreakWatch, MovesTheWindowOfTheEndIntoTheBeam) {
 
 /// Theta of a window as its definition has it, joint by joint, with the part of each that it
 /// covers.
-double summed(const std::vector<chain::JointModel>& joints, const std::vector<JointAngles>& angles,
+double summed(const std::vector<chain::JointModel>& joints, const std::vector<JointFlow>& angles,
               std::size_t joint, double window) {
   const double middle = 0.5 * (joints[joint].begin + joints[joint].end);
   const double low = std::max(0.0, std::min(middle - 0.5 * window, joints.back().end - window));
@@ -92,7 +92,7 @@ TEST(BreakWatch, SumsWindowsOfJointsOfAnyLength) {
       scene.yield_model = YieldModel::Fibre;  // long joints spread theirs over the window
       scene.hinge_length = window;
       BreakWatch watch(scene, joints);
-      std::vector<JointAngles> angles(joints.size());
+      std::vector<JointFlow> angles(joints.size());
       for (std::size_t j = 0; j < angles.size(); ++j) {
         if (j % 5 != 4) angles[j][0] = number(draw);
       }
@@ -111,7 +111,7 @@ TEST(BreakWatch, SumsWindowsOfJointsOfAnyLength) {
 TEST(BreakWatch, SeesNothingWhereNothingHasTurned) {
   // A sum that went on from window to window by taking away what leaves would keep its rounding.
   BreakWatch watch = watch_of(ideal_scene(), 500);
-  std::vector<JointAngles> angles(501);
+  std::vector<JointFlow> angles(501);
   for (std::size_t j = 0; j < 90; ++j) angles[j][0] = 1.0 / (3.0 + static_cast<double>(j));
   const std::vector<double> strain = strains_of(watch, angles);
   for (std::size_t j = 200; j < strain.size(); ++j) EXPECT_EQ(strain[j], 0.0) << j;
@@ -126,7 +126,7 @@ TEST(BreakWatch, KnowsTheStrainOfALoneJointWithoutTheOthers) {
     for (const int segments : {2, 4, 20, 33}) {
       const BreakWatch watch = watch_of(scene, segments);
       for (std::size_t joint = 0; joint < watch.size(); ++joint) {
-        const JointAngles angle{0.03, -0.01, 0.02};
+        const JointFlow angle{0.03, -0.01, 0.02};
         EXPECT_EQ(watch.lone_strain(angle, joint),
                   strain_of(watch, lone(segments, joint, angle), joint));
       }

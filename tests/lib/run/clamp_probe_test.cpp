@@ -45,5 +45,32 @@ TEST(ClampProbe, IsThatOfTheNextJointWhereTheClampHasNone) {
   }
 }
 
+/// The strain of the extreme fibre at an end that a pin lets turn, or a rotational spring holds:
+/// that of the moment there, as the stress. The angle there is none of the section.
+TEST(EndProbe, OfStrainIsThatOfTheMomentWhereTheEndTurns) {
+  for (const int segments : {10, 40}) {
+    for (const bool spring : {false, true}) {
+      const std::string text =
+          "[beam]\nlength = '1 m'\nsegments = " + std::to_string(segments) +
+          "\nsection = { shape = 'rectangle', width = '20 mm', height = '20 mm' }\n"
+          "[material]\nyoungs_modulus = '200 GPa'\n[rules]\nyield_model = 'elastic'\n"
+          "[[support]]\nat = 'start'\nkind = 'pin'\n" +
+          (spring ? "[[support]]\nat = 'start'\nkind = 'elastic'\nrotational_stiffness = "
+                    "['500 N m/rad', '0 N m/rad', '0 N m/rad']\n"
+                  : "") +
+          "[[support]]\nat = 'end'\nkind = 'roller'\nhold = ['y']\n"
+          "[[load]]\nat = 0.5\nforce = ['0 N', '-100 N', '0 N']\n"
+          "[[probe]]\nkind = 'strain'\nat = 'start'\n[[probe]]\nkind = 'stress'\nat = 'start'\n"
+          "name = 'stress'\n";
+      const plastica::Setup setup = io::parse_scene_file(text, "pin.toml").setup;
+      const Response response = simulate(setup.scene, setup.solver);
+      ASSERT_EQ(response.status, Status::Completed);
+      const double stress = response.probes[1].back();
+      EXPECT_EQ(std::fabs(stress) > 1e5, spring);
+      EXPECT_NEAR(response.probes[0].back(), stress / 200e9, 1e-6 * std::fabs(stress) / 200e9);
+    }
+  }
+}
+
 }  // namespace
 }  // namespace plastica

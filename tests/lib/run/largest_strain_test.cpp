@@ -73,7 +73,9 @@ TEST(LargestStrain, IsThatOfTheShapes) {
   const std::vector<BatchCase> all = cases(0);
   for (const BatchRow& row : run_batch(all)) {
     const Scene& scene = all[std::stoul(row.id)].scene;
+    // Fibres stretch by the little axial force of a beam that has turned.
     const bool has_closed_form = scene.break_measure == BreakMeasure::Net &&
+                                 scene.yield_model == YieldModel::PerAxis &&
                                  scene.material.hardening.law == HardeningLaw::Linear;
     ASSERT_EQ(row.response.status, Status::Completed) << row.id << row.reason;
     const ChainHistory& chain = row.response.chain;

@@ -229,6 +229,37 @@ TEST(Taper, SwingsAlikeInEveryScheme) {
   EXPECT_NEAR(run(Scheme::ArticulatedMidpoint), implicit, 1e-3 * std::fabs(implicit));
 }
 
+/// What acts on the weak end is carried by the section there, whatever the segments: T_p and M_p of
+/// the end, and its axial capacity.
+TEST(Taper, CarriesAtItsWeakEndWhatTheSectionThereDoes) {
+  for (const int segments : {4, 16}) {
+    Scene scene = tapered(segments, [](Section& section) {
+      section.width *= 0.5;
+      section.height *= 0.5;
+    });
+    scene.yield_cap = YieldCap::FullyPlastic;
+    const SectionProperties end = section_properties(*scene.regions[0].to_section, 0.3);
+    const double yield = scene.material.yield_stress;
+    const double torque = yield / std::sqrt(3.0) * end.plastic_torsion_modulus;
+    const double moment = yield * end.plastic_section_modulus_x;
+    const double pull = yield * end.area;
+    const auto limit_load = [&](const Load& load, Level level, YieldModel model) {
+      scene.yield_model = model;
+      scene.loads = {load};
+      const Response response =
+          simulate(scene, {.level = level, .translation = JointTranslation::Elastic, .steps = 40});
+      EXPECT_EQ(response.status, Status::LimitLoad);
+      return response.chain.factor[response.samples - 1];
+    };
+    const Load twist{.moment = {0.0, 0.0, 2.0 * torque}};
+    EXPECT_NEAR(limit_load(twist, Level::Twist, YieldModel::PerAxis), 0.5, 1e-3) << segments;
+    const Load bend{.moment = {2.0 * moment, 0.0, 0.0}, .follows = true};
+    EXPECT_NEAR(limit_load(bend, Level::Planar, YieldModel::PerAxis), 0.5, 1e-3) << segments;
+    const Load stretch{.force = {0.0, 0.0, 2.0 * pull}};
+    EXPECT_NEAR(limit_load(stretch, Level::Planar, YieldModel::Interaction), 0.5, 1e-3) << segments;
+  }
+}
+
 TEST(Taper, RefusesAnotherShapeAtItsEnd) {
   const Scene scene = tapered(4, [](Section& section) { section.shape = SectionShape::Circle; });
   EXPECT_EQ(testing::message_of([&] { prepare(scene); }),

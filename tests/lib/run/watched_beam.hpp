@@ -56,7 +56,7 @@ inline BreakWatch watch_of(const Scene& scene, int segments,
 }
 
 /// The strains of all joints that have turned by these angles.
-inline std::vector<double> strains_of(BreakWatch& watch, const std::vector<JointAngles>& angles) {
+inline std::vector<double> strains_of(BreakWatch& watch, const std::vector<JointFlow>& angles) {
   NodeStrains turned, of;
   turned.permanent = turned.accumulated = angles;
   of.reset(watch.size());
@@ -65,14 +65,14 @@ inline std::vector<double> strains_of(BreakWatch& watch, const std::vector<Joint
 }
 
 /// The strain of one joint.
-inline double strain_of(BreakWatch watch, const std::vector<JointAngles>& angles,
+inline double strain_of(BreakWatch watch, const std::vector<JointFlow>& angles,
                         std::size_t joint) {
   return strains_of(watch, angles)[joint];
 }
 
 /// Uniform curvature about x: every joint turns by its tributary length times it.
-inline std::vector<JointAngles> uniform(int segments, double curvature) {
-  std::vector<JointAngles> angles;
+inline std::vector<JointFlow> uniform(int segments, double curvature) {
+  std::vector<JointFlow> angles;
   for (const chain::JointModel& joint : joints_of(segments, {})) {
     angles.push_back({curvature * joint.own_length(), 0.0, 0.0});
   }
@@ -80,8 +80,8 @@ inline std::vector<JointAngles> uniform(int segments, double curvature) {
 }
 
 /// One joint alone turns.
-inline std::vector<JointAngles> lone(int segments, std::size_t joint, const JointAngles& angle) {
-  std::vector<JointAngles> angles(static_cast<std::size_t>(segments) + 1);
+inline std::vector<JointFlow> lone(int segments, std::size_t joint, const JointFlow& angle) {
+  std::vector<JointFlow> angles(static_cast<std::size_t>(segments) + 1);
   angles[joint] = angle;
   return angles;
 }

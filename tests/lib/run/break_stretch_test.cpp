@@ -1,0 +1,134 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "tests/lib/run/watched_beam.hpp"
+#include "tests/support/chain_scene.hpp"
+
+/// Breaks of joints that stretch for good.
+namespace plastica {
+namespace {
+
+using namespace testing::watched;
+
+TEST(BreakWatch, AddsStretchToTheStrainOfBending) {
+  BreakWatch watch = watch_of(ideal_scene(), 20, {0.1, kNone, kNone, 0.1});
+  // Of the hinge length h: 0.5 theta, and e/h.
+  const auto flow = [](double theta, double elongation) {
+    return lone(20, 10, {theta, 0.0, 0.0, elongation});
+  };
+  EXPECT_NEAR(strain_of(watch, flow(0.1, 0.0), 10), 0.05, 1e-15);
+  EXPECT_NEAR(strain_of(watch, flow(0.1, 0.006), 10), 0.08, 1e-6);
+  EXPECT_NEAR(strain_of(watch, flow(0.1, -0.006), 10), 0.08, 1e-6) << "the other side's fibre";
+  // About y over the width, and without bending the mean of both.
+  EXPECT_NEAR(strain_of(watch, lone(20, 10, {0.0, 0.04, 0.0, 0.006}), 10), 0.02 + 0.06, 1e-6);
+  EXPECT_NEAR(strain_of(watch, flow(0.0, 0.006), 10), 0.5 * (0.03 + 0.06), 1e-15);
+  EXPECT_TRUE(watch.broken(flow(0.1, 0.0099)).empty());
+  EXPECT_EQ(watch.broken(flow(0.1, 0.0101)).front().cause, BreakCause::Stretch);
+  EXPECT_EQ(watch.broken(flow(0.15, 0.006)).front().cause, BreakCause::BendingX);
+  EXPECT_EQ(watch.broken(flow(0.0, 0.021)).front().cause, BreakCause::Stretch);
+}
+
+/// A bar that is pulled until its permanent strain is p has the stress Y + H p, H = E E_t/(E -
+/// E_t), and the strain p + (Y + H p)/E.
+TEST(Breaks, OfAPulledBarAreThoseOfItsCoupon) {
+  constexpr double kLimit = 0.03, kTangent = 2e9;
+  for (const YieldModel model : {YieldModel::Interaction, YieldModel::Fibre}) {
+    for (const bool moves : {true, false}) {
+      Scene scene = testing::cantilever_scene(12);
+      scene.yield_model = model;
+      scene.material.break_strain = kLimit;
+      scene.material.hardening.law = HardeningLaw::Linear;
+      scene.material.hardening.tangent_modulus = kTangent;
+      const double e = scene.material.youngs_modulus;
+      const double stress = scene.material.yield_stress + e * kTangent / (e - kTangent) * kLimit;
+      const double force = stress * testing::properties_of(scene).area;
+      if (moves) {
+        Support pull{.at = Place::end(), .kind = SupportKind::Pin};
+        pull.hold = HeldFreedoms{true, true, true, false, false, false};
+        pull.translation = {0.0, 0.0, 0.1};
+        scene.supports.push_back(pull);
+      } else {
+        scene.loads = {{.at = Place::end(), .force = {0.0, 0.0, 2.0 * force}}};
+      }
+      testing::add_probe(scene, ProbeQuantity::Displacement, Place::end(), Component::Z);
+      testing::add_probe(scene, ProbeQuantity::Force, {0.5, {}}, Component::Z);
+      testing::add_probe(scene, ProbeQuantity::LargestPlasticStrain, {}, {});
+      const Response response = simulate(
+          scene, {.level = Level::Planar, .translation = JointTranslation::Elastic, .steps = 40});
+      ASSERT_FALSE(response.chain.events.empty()) << name_of(response.status);
+      const BrokenJoint& broken = response.chain.events.front().joints.front();
+      EXPECT_EQ(broken.cause, BreakCause::Stretch);
+      EXPECT_NEAR(broken.strain, kLimit, 2e-4 * kLimit);
+      EXPECT_NEAR(testing::last_of(response, 0), kLimit + stress / e, 2e-4 * kLimit);
+      EXPECT_NEAR(testing::last_of(response, 1), force, 1e-4 * force);
+      EXPECT_NEAR(testing::last_of(response, 2), kLimit, 2e-4 * kLimit);
+    }
+  }
+}
+
+/// The same of joints that do not stretch, whatever supports do to their lengths, in however many
+/// steps; and with a limit of bending of its own, which is none of stretch.
+TEST(Breaks, OfAPulledBarThatDoesNotStretchAreThoseOfItsSection) {
+  constexpr double kLimit = 0.02, kTangent = 2e9;
+  for (const int steps : {4, 50}) {
+    for (const bool props : {false, true}) {
+      for (const JointTranslation translation :
+           {JointTranslation::Rigid, JointTranslation::Elastic}) {
+        Scene scene = testing::cantilever_scene(25);
+        scene.yield_model = YieldModel::Interaction;
+        scene.material.break_strain = kLimit;
+        scene.break_limit_x = 0.05;
+        scene.material.hardening.law = HardeningLaw::Linear;
+        scene.material.hardening.tangent_modulus = kTangent;
+        if (props) {
+          Support prop{.at = {0.52, {}}, .kind = SupportKind::Roller};
+          prop.hold = HeldFreedoms{false, true, false, false, false, false};
+          scene.supports.push_back(prop);
+        }
+        const double e = scene.material.youngs_modulus;
+        const double stress = scene.material.yield_stress + e * kTangent / (e - kTangent) * kLimit;
+        const double force = stress * testing::properties_of(scene).area;
+        scene.loads = {{.at = Place::end(), .force = {0.0, 0.0, 2.0 * force}}};
+        const Response response =
+            simulate(scene, {.level = Level::Planar, .translation = translation, .steps = steps});
+        ASSERT_FALSE(response.chain.events.empty()) << name_of(response.status);
+        const ChainBreak& event = response.chain.events.front();
+        EXPECT_NEAR(event.factor, 0.5, 1e-4) << steps << props;
+        EXPECT_EQ(event.joints.front().cause, BreakCause::Stretch);
+        EXPECT_GT(event.joints.size(), 20U) << "all of them";
+      }
+    }
+  }
+}
+
+/// A joint that does not stretch breaks by what its section does under its axial force: pulled
+/// beyond yield while it bends, earlier than by bending alone.
+TEST(Breaks, CountTheElongationOfAHingeThatDoesNotShowIt) {
+  const auto rotation_at_break = [](double pull) {
+    Scene scene = testing::cantilever_scene(20);
+    scene.yield_model = YieldModel::Interaction;
+    scene.yield_cap = YieldCap::FullyPlastic;
+    scene.material.break_strain = 0.05;
+    const double all = scene.material.yield_stress * testing::properties_of(scene).area;
+    scene.loads = {
+        {.at = Place::end(), .force = {0.0, 0.0, pull * all}, .history = History::constant()},
+        {.at = Place::end(), .force = {0.0, -500.0, 0.0}}};
+    testing::add_probe(scene, ProbeQuantity::PlasticAngle, Place::start(), Component::X);
+    SolverOptions options{.level = Level::Planar, .steps = 200};
+    options.control = PathControl::Displacement;
+    options.control_motion = {0.0, -0.5, 0.0};
+    const Response response = simulate(scene, options);
+    EXPECT_FALSE(response.chain.events.empty()) << name_of(response.status);
+    return std::fabs(testing::last_of(response, 0));
+  };
+  // Of m + n^2 = 1, m = M/M_p and n = N/N_p: de/dtheta = 2 n M_p/N_p = n h/2, as much as the
+  // extreme fibre has by bending, times n.
+  const double alone = rotation_at_break(0.0);
+  for (const double n : {0.3, 0.6}) {
+    EXPECT_NEAR(alone / rotation_at_break(n), 1.0 + n, 0.03) << n;
+  }
+}
+
+}  // namespace
+}  // namespace plastica
