@@ -322,7 +322,8 @@ std::string factor_in_name(std::string_view name, Dimension dimension) {
            name[i] == '^' || name[i] == '-';
   };
   for (std::size_t i = 0; i < name.size(); ++i) {
-    if (i > 0 && is_of_word(i - 1)) continue;
+    const bool begins_word = is_digit(name[i]) || is_letter(name[i]);
+    if (i > 0 && begins_word && is_of_word(i - 1)) continue;
     const std::optional<Factor> factor = factor_at(name.substr(i));
     if (!factor) continue;
     const std::string_view rest = factor->behind;
