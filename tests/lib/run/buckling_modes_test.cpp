@@ -232,6 +232,36 @@ TEST(BucklingModes, OfStripsAreThoseOfTheirPathsHoweverCoarseTheChain) {
   }
 }
 
+/// A strip that has bent far under its load has the same factors read from its other end: what a
+/// clamp takes is in equilibrium with the rest, whichever end of the chain it holds.
+TEST(BucklingModes, OfABentStripDoNotDependOnWhichEndIsHeld) {
+  const auto factors = [](bool from_start, bool propped, Level level) {
+    Scene scene = testing::chain_scene(16);
+    scene.section.width = 0.002;
+    scene.section.height = 0.008;
+    const auto at = [&](double fraction) {
+      return Place{from_start ? fraction : 1.0 - fraction, {}};
+    };
+    scene.supports.push_back({.at = at(0.0), .kind = SupportKind::Clamp});
+    scene.loads.push_back({.at = at(1.0), .force = {0.0, -2.0, from_start ? -0.5 : 0.5}});
+    if (propped) {
+      Support prop{.at = at(0.5), .kind = SupportKind::Roller};
+      prop.hold = HeldFreedoms{true, false, false, false, false, false};
+      scene.supports.push_back(prop);
+    }
+    return buckling_of(scene, {.level = level, .steps = 8}, 3).factor;
+  };
+  for (const bool propped : {false, true}) {
+    const std::vector<double> one = factors(true, propped, Level::Spatial);
+    const std::vector<double> other = factors(false, propped, Level::Spatial);
+    ASSERT_FALSE(one.empty());
+    ASSERT_EQ(one.size(), other.size());
+    for (std::size_t m = 0; m < one.size(); ++m) {
+      EXPECT_NEAR(one[m], other[m], 1e-5 * one[m]) << propped << m;
+    }
+  }
+}
+
 TEST(BucklingModes, GrowInProportionWhereHistoriesHold) {
   Scene scene = pinned_column(12, 1000.0);
   const double exact = pinned_chain_load(12, 1, testing::bending_stiffness_of(scene)) / 1000.0;
