@@ -59,7 +59,7 @@ BootstrapResult bootstrap_coupon(CouponProblem& problem, const FitOptions& optio
                                  std::uint64_t seed) {
   const std::vector<double> residual = problem.residual_of_entered();
   const auto samples = static_cast<double>(residual.size());
-  const double left = std::max(1.0, samples - static_cast<double>(problem.determined()));
+  const double left = std::max(1.0, samples - static_cast<double>(problem.rank()));
   const double inflation = std::sqrt(samples / left);
   LeastSquaresOptions how;
   // A ten-thousandth of a standard error, or a thousandth of few samples.

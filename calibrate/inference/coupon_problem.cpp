@@ -57,11 +57,7 @@ CouponProblem::CouponProblem(const Target& target, const FitOptions& options,
   }
   noise_ = std::max(uncertainty_.noise, kMinNoise * std::sqrt(misfit_.cost_unit()));
   for (std::size_t i = 0; i < n_active; ++i) {
-    if (set_.all()[set_.active()[i]].is_break) {
-      limit_half_ = uncertainty_.sampling[i];
-    } else if (uncertainty_.identified[i]) {
-      ++determined_;
-    }
+    if (set_.all()[set_.active()[i]].is_break) limit_half_ = uncertainty_.sampling[i];
   }
   const std::span<const double> weights = misfit_.weights();
   const double squared = std::inner_product(weights.begin(), weights.end(), weights.begin(), 0.0);

@@ -42,7 +42,7 @@ class CouponProblem {
   std::vector<double> residual_of_entered() const;
   /// Of unequal noise: the variance of each of them [Pa^2] (uncertainty.hpp); else empty.
   const std::vector<double>& own_variance() const { return uncertainty_.own_variance; }
-  std::size_t determined() const { return determined_; }
+  std::size_t rank() const { return uncertainty_.rank; }
   /// Of a residual in Pa, to have it as the squares do.
   double scale(std::size_t sample) const { return scale_[sample]; }
   /// A prior's residual where its parameter is off the mean by one standard deviation.
@@ -98,7 +98,6 @@ class CouponProblem {
   std::vector<double> scale_;  ///< (n_samples) [1/Pa]
   double break_scale_ = 0.0;
   std::vector<std::size_t> entered_;
-  std::size_t determined_ = 0;
   LeastSquaresProblem squares_;
   double cost_ = 0.0;
   std::vector<Free> free_;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numeric>
 #include <span>
+#include <utility>
 
 #include "calibrate/inference/small_matrices.hpp"
 #include "calibrate/problem/weighted_squares.hpp"
@@ -22,7 +23,7 @@ NormalMatrices normal_matrices(const Misfit::Details& d, const std::vector<std::
                                const std::vector<double>& size) {
   const auto m = static_cast<Eigen::Index>(columns.size());
   const MatrixXd none = MatrixXd::Zero(m, m);
-  NormalMatrices normal{none, none, none, none, VectorXd::Zero(m), {}};
+  NormalMatrices normal{none, none, none, none, VectorXd::Zero(m), {}, {}, {}, {}};
   std::vector<double> squared_weight(d.weight);
   for (double& w : squared_weight) w *= w;
   const std::size_t samples = d.residual.size();
@@ -80,15 +81,32 @@ NormalMatrices keep_identified(const Misfit::Details& d, const std::vector<doubl
   const UnitDirections directions(normal.a);
   const Eigen::Index unseen = (directions.values.array() < kRankTolerance).count();
   const MatrixXd vectors = directions.vectors.leftCols(unseen);
+  const std::vector<std::size_t> shown = columns;
   std::vector<Eigen::Index> kept;
+  std::vector<bool> is_determined;
   const std::vector<Eigen::Index> held = held_against(vectors);
   for (Eigen::Index k = 0; k < normal.a.rows(); ++k) {
     if (std::ranges::find(held, k) != held.end()) continue;
     kept.push_back(k);
-    normal.is_determined.push_back(vectors.row(k).norm() <= kTakesPart);
+    is_determined.push_back(vectors.row(k).norm() <= kTakesPart);
   }
   keep(kept);
+  normal.is_determined = std::move(is_determined);
+  normal.unseen = vectors;
+  normal.shown = shown;
+  normal.unit = directions.size;
   return normal;
+}
+
+bool NormalMatrices::determine(const std::vector<double>& gradient,
+                               const std::vector<double>& size) const {
+  if (unseen.size() == 0) return true;
+  VectorXd own(unseen.rows());
+  for (Eigen::Index k = 0; k < own.size(); ++k) {
+    const std::size_t column = shown[static_cast<std::size_t>(k)];
+    own(k) = unit(k) * size[column] * gradient[column];
+  }
+  return (unseen.transpose() * own).norm() <= kTakesPart * own.norm();
 }
 
 }  // namespace plastica::calibrate

@@ -17,11 +17,28 @@ struct NormalMatrices {
   Eigen::VectorXd stated_in_a;  ///< their part of A's diagonal
   /// Whether the curve determines a column by itself, and not only beside one that is held.
   std::vector<bool> is_determined;
+  /// The directions that the curve does not show (columns x directions), of the columns that it
+  /// shows anything of, before one was held for each; these columns, and their units over `size`.
+  Eigen::MatrixXd unseen;
+  std::vector<std::size_t> shown;
+  Eigen::VectorXd unit;
+
+  /// Whether the curve determines a function of the active parameters.
+  /// @param gradient  by each of them, SI (n)
+  /// @param size  of each (n)
+  bool determine(const std::vector<double>& gradient, const std::vector<double>& size) const;
 
   /// The rows and columns of those that are kept.
   NormalMatrices of(const std::vector<Eigen::Index>& kept) const {
-    return {kept_of(a, kept),      kept_of(b, kept),  kept_of(prior, kept),
-            kept_of(stated, kept), stated_in_a(kept), is_determined};
+    return {kept_of(a, kept),
+            kept_of(b, kept),
+            kept_of(prior, kept),
+            kept_of(stated, kept),
+            stated_in_a(kept),
+            {},
+            {},
+            {},
+            {}};
   }
 };
 

@@ -76,6 +76,20 @@ VectorXd SceneErrors::weights() const {
   return w;
 }
 
+void SceneErrors::take_out_unbounded_yield(std::span<const double> residual, double confidence) {
+  const std::vector<double> without =
+      drop_unbounded_yield(problem_, x_, residual, at_bound_, confidence, slopes_);
+  if (without.empty()) return;
+  std::vector<double> there(residual.size());
+  if (!problem_.evaluate(without, 1, there).front().found) return;
+  std::vector<double> slopes = residual_slopes(problem_.squares(), without, there, kErrorStep);
+  const std::size_t n = x_.size();
+  for (std::size_t i = 0; i < slopes.size(); ++i) {
+    if (without[i % n] != x_[i % n]) slopes[i] = 0.0;
+  }
+  slopes_ = std::move(slopes);
+}
+
 void SceneErrors::set_covariance(std::span<const double> residual,
                                  std::optional<double> confidence) {
   const auto n = static_cast<Index>(x_.size());
@@ -83,7 +97,7 @@ void SceneErrors::set_covariance(std::span<const double> residual,
   if (n == 0) return;
   slopes_ = residual_slopes(problem_.squares(), x_, residual, kErrorStep);
   if (confidence) {
-    drop_unbounded_yield(problem_, x_, residual, at_bound_, *confidence, slopes_);
+    take_out_unbounded_yield(residual, *confidence);
   }
   // Rows over the noise, times the root of their weight.
   const MatrixXd j = SlopeRows(slopes_.data(), static_cast<Index>(problem_.squares().residuals), n);
@@ -236,7 +250,11 @@ BreakLimit SceneErrors::limit_of(std::size_t t) const {
       *end = limit.value;
       distance = kErrorStep;
     }
-    limit.slope[static_cast<Index>(k)] = (above - below) / distance;
+    const double slope = (above - below) / distance;
+    // What is less is rounding of the paths, along which no direction is one.
+    constexpr double kNothing = 1e-6;
+    limit.slope[static_cast<Index>(k)] =
+        std::abs(slope) > kNothing * std::abs(limit.value) ? slope : 0.0;
   }
   return limit;
 }

@@ -76,6 +76,8 @@ class SceneErrors {
   BreakLimit break_limit(const Parameter& p);
 
  private:
+  /// Sets the slopes by the others to those where it does not act.
+  void take_out_unbounded_yield(std::span<const double> residual, double confidence);
   void set_covariance(std::span<const double> residual, std::optional<double> confidence);
   Eigen::MatrixXd correlated_scores(std::span<const double> slopes,
                                     std::span<const double> residual) const;

@@ -49,14 +49,16 @@ bool is_unbounded(SceneProblem& problem, std::span<const double> x, double squar
 
 }  // namespace
 
-void drop_unbounded_yield(SceneProblem& problem, std::span<const double> x,
-                          std::span<const double> residual, const std::vector<bool>& at_bound,
-                          double confidence, std::span<double> slopes) {
+std::vector<double> drop_unbounded_yield(SceneProblem& problem, std::span<const double> x,
+                                         std::span<const double> residual,
+                                         const std::vector<bool>& at_bound, double confidence,
+                                         std::span<double> slopes) {
   const std::size_t n = x.size();
   const double t =
       theory::student_t_quantile(0.5 + 0.5 * confidence, degrees_of_freedom(problem.noise()));
   double squares = 0.0;
   for (const double each : residual) squares += each * each;
+  std::vector<double> without;
   for (std::size_t k = 0; k < n; ++k) {
     if (at_bound[k] || !is_yield_stress(problem.parameters().parameter(k))) continue;
     std::vector<std::size_t> moving;
@@ -71,7 +73,10 @@ void drop_unbounded_yield(SceneProblem& problem, std::span<const double> x,
     }
     if (!is_unbounded(problem, x, squares, others, moving, k, t * t)) continue;
     for (std::size_t row = 0; row < residual.size(); ++row) slopes[row * n + k] = 0.0;
+    if (without.empty()) without.assign(x.begin(), x.end());
+    without[k] = problem.squares().upper[k];
   }
+  return without;
 }
 
 }  // namespace plastica::calibrate

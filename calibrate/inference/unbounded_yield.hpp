@@ -21,8 +21,12 @@ namespace plastica::calibrate {
 /// @param at_bound  coordinates that are held there (n)
 /// @param confidence  within (0, 1)
 /// @param slopes  d residual / d coordinate (m x n), row by row
-void drop_unbounded_yield(SceneProblem& problem, std::span<const double> x,
-                          std::span<const double> residual, const std::vector<bool>& at_bound,
-                          double confidence, std::span<double> slopes);
+/// @return  the solution with these yield stresses at their upper bounds: at it the slopes by the
+///          others have nothing of a yield that is hardly there, by which they would be told apart;
+///          empty if all are bounded
+std::vector<double> drop_unbounded_yield(SceneProblem& problem, std::span<const double> x,
+                                         std::span<const double> residual,
+                                         const std::vector<bool>& at_bound, double confidence,
+                                         std::span<double> slopes);
 
 }  // namespace plastica::calibrate

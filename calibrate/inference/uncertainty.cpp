@@ -25,6 +25,7 @@ using Eigen::VectorXd;
 struct StressErrors {
   std::vector<std::size_t> columns;  ///< active indices of which the curve says anything …
   std::vector<bool> is_determined;   ///< … and which of them it determines by themselves
+  bool has_break = true;             ///< whether it determines the permanent strain at the break
   /// Of those, from residuals, from the slope's prior and from stated ones, SI.
   MatrixXd covariance, of_prior, of_stated;
   /// A^-1, J^T W^2 J, P of the slope's prior and of stated ones, over the sizes of both.
@@ -113,6 +114,7 @@ StressErrors stress_errors(const Misfit::Details& d, std::span<const double> act
   const double stress = largest_magnitude(target.corrected.stress);
   const NormalMatrices normal = keep_identified(d, size, stress, of_stress.columns);
   of_stress.is_determined = normal.is_determined;
+  of_stress.has_break = normal.determine(d.permanent_gradient, size);
 
   const auto m = static_cast<Eigen::Index>(of_stress.columns.size());
   of_stress.covariance = of_stress.of_prior = of_stress.of_stated = MatrixXd::Zero(m, m);
@@ -185,6 +187,7 @@ Uncertainty uncertainty(const Misfit::Details& details, std::span<const double> 
   MatrixXd map = MatrixXd::Zero(static_cast<Eigen::Index>(n), m);
   VectorXd sampling = VectorXd::Zero(static_cast<Eigen::Index>(n));
   Uncertainty u;
+  u.rank = of_stress.columns.size();
   u.identified.assign(n, false);
   u.prior_fraction.assign(n, 0.0);
   for (Eigen::Index k = 0; k < m; ++k) {
@@ -195,7 +198,7 @@ Uncertainty uncertainty(const Misfit::Details& details, std::span<const double> 
   }
   for (std::size_t i = 0; i < n; ++i) {
     if (!parameters.all()[parameters.active()[i]].is_break) continue;
-    u.identified[i] = true;
+    u.identified[i] = of_stress.has_break;
     const auto row = static_cast<Eigen::Index>(i);
     for (Eigen::Index k = 0; k < m; ++k) {
       map(row, k) =
@@ -261,7 +264,7 @@ Spread spread_of(const Misfit::Details& details, std::span<const double> active,
   const MatrixXd spread = between(of_stress.inverse, of_stress.weighted);
   for (std::size_t i = 0; i < of_stress.columns.size(); ++i) {
     for (std::size_t j = 0; j < of_stress.columns.size(); ++j) {
-      if (!of_stress.is_determined[i] && !of_stress.is_determined[j]) continue;
+      if (!of_stress.is_determined[i] || !of_stress.is_determined[j]) continue;
       const std::size_t a = of_stress.columns[i], b = of_stress.columns[j];
       const auto row = static_cast<Eigen::Index>(i), column = static_cast<Eigen::Index>(j);
       const double unit = of_stress.size[a] * of_stress.size[b];

@@ -42,7 +42,9 @@ namespace plastica::calibrate {
 /// below 1e-12); and a yield stress that is not identifiable from the curve
 /// (identifiable_yield.hpp).
 struct Uncertainty {
-  std::vector<bool> identified;        ///< (n)
+  std::vector<bool> identified;  ///< (n)
+  /// How many parameters of the stress the curve shows, by themselves or in combinations.
+  std::size_t rank = 0;
   std::vector<double> standard_error;  ///< SI (n); NaN if not identified
   /// The part of the standard error that is the residuals', the prior's and the shift's, SI (n);
   /// NaN if not identified.

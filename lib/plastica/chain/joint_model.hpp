@@ -220,7 +220,8 @@ JointSet<L> joint_set(const Scene& scene, const Layout& layout, const Build<L>& 
     if (node == 1) joint.begin -= layout.bare_half[0][joint.first];
     if (node + 1 == n) joint.end += layout.bare_half[1][joint.first];
     const JointPlan& plan = build.joints[number];
-    if (plan.region_a != plan.region_b) (owner == plan.region_a ? joint.end : joint.begin) = at;
+    const bool is_before = owner == plan.region_a || plan.beyond_ends[0] == owner;
+    if (plan.region_a != plan.region_b) (is_before ? joint.end : joint.begin) = at;
   }
   return set;
 }

@@ -119,8 +119,8 @@ std::vector<SectionJoint<L>> joint_numbers(
     SectionJoint<L> joint;
     joint.stretches = plan.stretches;
     joint.law = owns_joint(a, b, numbers, view) ? a : b;
-    if (plan.beyond_end && owns_joint(*plan.beyond_end, joint.law, numbers, view)) {
-      joint.law = *plan.beyond_end;
+    for (const auto& beyond : plan.beyond_ends) {
+      if (beyond && owns_joint(*beyond, joint.law, numbers, view)) joint.law = *beyond;
     }
     // A half joint has the law of its own region.
     if (plan.half_of_node) joint.law = plan.is_before ? a : b;

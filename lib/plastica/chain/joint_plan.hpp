@@ -31,9 +31,9 @@ struct JointPlan {
   std::size_t node = 0;            ///< where it is
   std::size_t region_a = 0;        ///< the regions that it joins
   std::size_t region_b = 0;
-  /// The region at the end of the beam, whose half segment it stands for (`Layout::bears`): where
-  /// it is weaker, the joint has its law, and gives way as before.
-  std::optional<std::size_t> beyond_end{};
+  /// The regions at the start and at the end of the beam, whose half segments it stands for
+  /// (`Layout::bears`): where one is weaker, the joint has its law, and gives way as before.
+  std::array<std::optional<std::size_t>, 2> beyond_ends{};
 
   /// Whether this axis of the joint is none of a segment beside it.
   bool turns(std::size_t axis) const {
@@ -93,8 +93,8 @@ inline JointPlan joint_plan(const Layout& layout, std::size_t i) {
   joint.node = i;
   joint.region_b = layout.segment_regions[i].inner;
   joint.region_a = i == 0 ? joint.region_b : layout.segment_regions[i - 1].outer;
-  if (first && layout.bears[0]) joint.beyond_end = layout.segment_regions[0].inner;
-  if (last && i > 0 && layout.bears[1]) joint.beyond_end = layout.segment_regions[i].outer;
+  if (first && layout.bears[0]) joint.beyond_ends[0] = layout.segment_regions[0].inner;
+  if (last && i > 0 && layout.bears[1]) joint.beyond_ends[1] = layout.segment_regions[i].outer;
   joint.active.fill(i > 0);
   joint.stretches = i > 0;
   joint.length.fill(layout.joint_length[i]);

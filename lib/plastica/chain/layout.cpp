@@ -142,7 +142,9 @@ void set_bare_halves(const Scene& scene, Layout& layout) {
     }
     for (const Support& support : scene.supports) {
       if (support.to || fraction_of(support.at, layout.ends) != fraction) continue;
-      layout.bears[e] = layout.bears[e] || support.held()[2];
+      // At a clamp the half joint there has the section already.
+      const HeldFreedoms all = support.held();
+      layout.bears[e] = layout.bears[e] || (all[2] && !all[3] && !all[4]);
       has_moment = has_moment || support.rotational_stiffness != kNothing;
       const auto holds = held_rotations(support, layout.joint_frame[e == 0 ? 0 : layout.size()]);
       for (std::size_t k = 0; k < 3; ++k) {

@@ -50,7 +50,9 @@ Source source_of(const std::string& path) {
 bool are_unlike_units(std::string_view a, std::string_view b) {
   for (const Dimension dimension : {Dimension::Stress, Dimension::Force, Dimension::Length,
                                     Dimension::Strain, Dimension::Time}) {
-    if (a.empty() || !is_unit_of(a, dimension) || !is_unit_of(b, dimension)) continue;
+    // "Strain [1]" may be the first one.
+    if (a.empty() || a == "1" || a == "-") break;
+    if (!is_unit_of(a, dimension) || !is_unit_of(b, dimension)) continue;
     const double ratio = unit_conversion(a, dimension).scale / unit_conversion(b, dimension).scale;
     return std::abs(ratio - 1.0) > 1e-9;
   }
@@ -202,10 +204,7 @@ CsvTable CsvTable::parse(std::string_view text, std::string name, const CsvOptio
     for (std::size_t i = 0; i < std::min(cells.size(), width); ++i) {
       std::string unit = csv_text::unit_cell(cells[i]).unit;
       if (unit.empty()) continue;
-      if (are_unlike_units(table.units_[i], unit)) {
-        throw InputError({table.file_, lines[*layout.unit_row].number}, table.names_[i], unit,
-                         "is not its unit by its name, " + table.units_[i]);
-      }
+      if (are_unlike_units(table.units_[i], unit)) table.units_by_name_[i] = table.units_[i];
       table.units_[i] = std::move(unit);
     }
   }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <map>
 #include <optional>
 #include <span>
 #include <string>
@@ -80,6 +81,12 @@ class CsvTable {
   /// Unit of each column from a unit row or from "name (unit)", "name [unit]", "name / unit";
   /// empty if the file gives none.
   const std::vector<std::string>& units() const { return units_; }
+  /// The unit that a column's name gives, where the row of units, which counts, gives another one
+  /// of its dimension; else empty.
+  std::string unit_by_name(std::size_t column) const {
+    const auto found = units_by_name_.find(column);
+    return found == units_by_name_.end() ? std::string() : found->second;
+  }
 
   /// A column's name for error lines: "column 2" where the file has none.
   std::string label(std::size_t column) const;
@@ -130,6 +137,7 @@ class CsvTable {
   std::vector<std::string> preamble_;
   std::vector<std::string> names_;
   std::vector<std::string> units_;
+  std::map<std::size_t, std::string> units_by_name_;
   std::vector<int> line_of_row_;
   std::vector<std::string_view> cells_;  // (rows x columns), row by row; views into the text
   // Columns of an HDF5 file's table, each of numbers or of texts; then there are no cells.

@@ -31,7 +31,17 @@ NamedColumn named_column(const std::string& words, const SourceLocation& where, 
 
 FoundColumn column_at(const CsvTable& table, std::size_t index, const NamedColumn& column,
                       Dimension dimension) {
-  const std::string factor = factor_in_name(table.names()[index], dimension);
+  const std::string by_name = table.unit_by_name(index);
+  if (!by_name.empty() && !column.override_unit) {
+    throw InputError(
+        column.where, column.key, column.name,
+        fmt::format("is in {} by its name and in {} by the row of units of {}: correct "
+                    "one of them, or give a unit that goes before (override_unit = "
+                    "true, --override-unit)",
+                    by_name, table.units()[index], table.file()));
+  }
+  const std::string factor =
+      factor_in_name(table.names()[index], dimension, !table.units()[index].empty());
   if (!factor.empty() && !column.override_unit) {
     throw InputError(
         column.where, column.key, column.name,

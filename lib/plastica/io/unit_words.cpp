@@ -126,7 +126,7 @@ std::optional<Factor> factor_at(std::string_view text) {
   const bool ends = rest.empty() || !is_digit(rest[0]);
   const bool is_apart = sign != "x" || text.size() == 1 || !is_letter(text[1]);
   if (!sign.empty() && ends && is_apart) {
-    factor.multiplies = true;
+    factor.multiplies = factor.of_what_follows = true;
     text = rest;
   }
   factor.behind = text;

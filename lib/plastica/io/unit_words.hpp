@@ -24,9 +24,10 @@ bool is_torn(std::string_view text);
 
 /// A power of ten, but for 1, that a text begins with: "10", "x10", "10 x", "10^3", "1e-3", "0.1".
 struct Factor {
-  bool multiplies = false;    ///< says so by a sign of multiplication
-  bool is_power = false;      ///< is written with an exponent
-  std::string_view behind{};  ///< what stands behind it, without blanks
+  bool multiplies = false;       ///< says so by a sign of multiplication
+  bool of_what_follows = false;  ///< the sign stands behind it: "10*Force"
+  bool is_power = false;         ///< is written with an exponent
+  std::string_view behind{};     ///< what stands behind it, without blanks
 };
 /// Empty if it begins with none. Other numbers are none: "20 degC" and "50 mm" say of what a curve
 /// is, "X10" is an axis.

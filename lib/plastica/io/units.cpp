@@ -316,7 +316,7 @@ bool is_scaled_unit(std::string_view text) {
   return factor && is_unit(factor->behind);
 }
 
-std::string factor_in_name(std::string_view name, Dimension dimension) {
+std::string factor_in_name(std::string_view name, Dimension dimension, bool has_unit) {
   const auto is_of_word = [&](std::size_t i) {
     return is_letter(name[i]) || is_digit(name[i]) || name[i] == '.' || name[i] == ',' ||
            name[i] == '^' || name[i] == '-';
@@ -329,11 +329,16 @@ std::string factor_in_name(std::string_view name, Dimension dimension) {
     const std::string_view rest = factor->behind;
     const std::size_t end = std::min(rest.find_first_of(")]"), rest.size());
     const std::string_view unit = without_blanks(rest.substr(0, end));
-    // Of "3 x 10 mm", a size, the sign stands behind a number.
+    // Of "3 x 10 mm", a size, the sign stands behind a number; "L0 = 100 mm" is a length.
     const std::string_view before = without_blanks(name.substr(0, i));
-    const bool multiplies = factor->multiplies && (before.empty() || !is_digit(before.back()));
-    const bool scales =
-        unit.empty() ? factor->is_power && i > 0 && end < rest.size() : is_unit_of(unit, dimension);
+    const char last = before.empty() ? ' ' : before.back();
+    const bool is_of_another =
+        !factor->of_what_follows && is_unit(unit) && !is_unit_of(unit, dimension);
+    if (last == '=' || is_of_another) continue;
+    const bool multiplies = factor->multiplies && !is_digit(last);
+    const bool scales = unit.empty()
+                            ? factor->is_power && i > 0 && end < rest.size()
+                            : is_unit_of(unit, dimension) && (!has_unit || factor->is_power);
     if (!multiplies && !scales) continue;
     const std::size_t length = name.size() - i - rest.size() + (scales ? end : 0);
     return std::string(without_blanks(name.substr(i, length)));

@@ -39,7 +39,9 @@ bool is_scaled_unit(std::string_view text);
 /// The factor in a column's name that scales its numbers, where these are of a dimension: "10 N" of
 /// "Force (10 N)", "x10" of "Stress (x10)", "10^-3" of "Strain (10^-3)". Empty if it holds none:
 /// "Stress (20 degC)", "Strain (50 mm)", "Run (10)" say what the numbers are of.
-std::string factor_in_name(std::string_view name, Dimension dimension);
+/// @param has_unit  whether the column has one beside its name: then "Load cell 10 kN" is what was
+///                  measured with
+std::string factor_in_name(std::string_view name, Dimension dimension, bool has_unit = false);
 
 /// Reads "355 MPa", "0.2 %", "1e-3" into SI. A strain of 1 and more needs its unit: "20" may be
 /// meant in percent.

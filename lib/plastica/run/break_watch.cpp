@@ -110,7 +110,8 @@ BreakWatch::Hinge BreakWatch::hinge_of(const std::vector<JointFlow>& angles, std
                            : angles[joint][k] * (hinge[k] / at.length[k]);
     }
   }
-  if (!any_stretch_) return theta;
+  // A free end has no joint, and its window holds its neighbours'.
+  if (!any_stretch_ || at.joint == chain::JointModel::kNone) return theta;
   for (const std::size_t axis : {std::size_t{0}, std::size_t{1}}) {
     theta.stretch[axis] = stretch_over(angles, joint, axis);
   }

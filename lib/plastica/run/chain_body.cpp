@@ -34,8 +34,11 @@ bool is_flow(const S& work) {
   return work < constant<S>(0) || work > constant<S>(0);
 }
 
-/// A permanent strain along the beam that is rounding [1].
-constexpr double kNoStretch = 1e-12;
+/// Whether a change of a joint's permanent elongation is one, and not rounding.
+bool is_stretch(double change, const chain::JointModel& joint) {
+  constexpr double kRounding = 1e-12;
+  return std::fabs(change) > kRounding * joint.own_length();
+}
 
 }  // namespace
 
@@ -80,10 +83,16 @@ void ChainBody<L, kElastic>::set_material(const MaterialValues<double>& material
 template <class L, bool kElastic>
 bool ChainBody<L, kElastic>::flows() const {
   if (model.scene.yield_model == YieldModel::Elastic) return false;
-  // Joints that do not stretch may flow along the beam alone, which does no work that they know.
-  if (!joints->axial_states().empty()) return true;
   const auto& works = joints->work_increment();
-  return std::any_of(works.begin(), works.end(), is_flow<S>);
+  if (std::any_of(works.begin(), works.end(), is_flow<S>)) return true;
+  if (joints->axial_states().empty()) return false;
+  // Joints that do not stretch may flow along the beam alone, which does no work that they know.
+  for (std::size_t i = 0; i < strains.permanent.size(); ++i) {
+    if (record.joint_of_node(i) == chain::JointModel::kNone) continue;
+    const double stretch = record.permanent_flow(*joints, work, i)[kStretch];
+    if (is_stretch(stretch - strains.permanent[i][kStretch], joint_models[i])) return true;
+  }
+  return false;
 }
 
 template <class L, bool kElastic>
@@ -99,13 +108,12 @@ void ChainBody<L, kElastic>::set_trial_strains(bool of_all) {
       trial.accumulated[i] = strains.accumulated[i];
       continue;
     }
-    trial.permanent[i] = record.permanent_flow(*joints, work, joint);
+    trial.permanent[i] = record.permanent_flow(*joints, work, i);
     if (!turns) std::copy_n(strains.permanent[i].begin(), kStretch, trial.permanent[i].begin());
     // Rounding is no flow.
     double& stretch = trial.permanent[i][kStretch];
     const double before = strains.permanent[i][kStretch];
-    if (!(std::fabs(stretch - before) > kNoStretch * joint_models[i].own_length()))
-      stretch = before;
+    if (!is_stretch(stretch - before, joint_models[i])) stretch = before;
     for (std::size_t k = 0; k < trial.permanent[i].size(); ++k) {
       trial.permanent[i][k] += 0.0;  // no -0, which tables would show
       trial.accumulated[i][k] =

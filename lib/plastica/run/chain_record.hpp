@@ -45,10 +45,10 @@ class ChainRecord {
   std::size_t joint_of_node(std::size_t node) const { return (*joints_)[node].joint; }
   static constexpr std::size_t kNone = chain::JointModel::kNone;
 
-  /// Permanent deformation of a joint: what is left of its angles about x, y, z and of its
-  /// elongation without its forces. A joint that does not stretch has that of its section, where
-  /// the law sees the axial force.
-  JointFlow permanent_flow(const Joints& joints, const Work& w, std::size_t joint) const;
+  /// Permanent deformation of the joint at a node that has one: what is left of its angles about x,
+  /// y, z and of its elongation without its forces. A joint that does not stretch has that of its
+  /// section, where the law sees the axial force.
+  JointFlow permanent_flow(const Joints& joints, const Work& w, std::size_t node) const;
 
   /// Statics: adds the work of loads and moving supports since the last call; at the first one what
   /// the state at time 0 took.
@@ -226,7 +226,8 @@ void ChainRecord<L, kElastic>::reset() {
 
 template <class L, bool kElastic>
 JointFlow ChainRecord<L, kElastic>::permanent_flow(const Joints& joints, const Work& w,
-                                                   std::size_t joint) const {
+                                                   std::size_t node) const {
+  const std::size_t joint = joint_of_node(node);
   const chain::SectionJoint<L>& numbers = joints.joints()[joint];
   const auto& forces = joints.section_forces()[joint];
   const auto axes = view_.section_axes();
@@ -249,8 +250,8 @@ JointFlow ChainRecord<L, kElastic>::permanent_flow(const Joints& joints, const W
                 numbers.length[law::kAxial];
     }
   }
-  const S elongation = stretch * numbers.length[axes.rotation(0)];
-  return {angle[0], angle[1], angle[2], static_cast<double>(elongation)};
+  return {angle[0], angle[1], angle[2],
+          static_cast<double>(stretch) * (*joints_)[node].own_length()};
 }
 
 /// The first history that something acts on a scene by and that is as asked, in the order in which

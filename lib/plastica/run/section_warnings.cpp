@@ -32,18 +32,19 @@ std::optional<std::string> steep_hardening_warning(const Facts& facts) {
 std::optional<std::string> whole_section_rate_warning(const Facts& facts) {
   const Scene& scene = facts.scene;
   const RateDependence& rate = scene.material.rate;
-  if (!is_whole(scene) || rate.law == RateLaw::None || rate.strain_rate) return {};
+  if (!is_whole(scene) || !has_own_rates(scene.material)) return {};
   // In torsion a circle has int_0^1 3 y^2 (...) dy.
   const double powers = facts.level.level == Level::Twist ? 3.0 : 2.0;
   const bool by_power = rate.law == RateLaw::CowperSymonds;
-  const std::string much = by_power ? "what the rate adds to a moment comes out up to " +
+  const std::string much = by_power ? "what the rate adds to a moment comes out " +
                                           figure(100.0 / (powers * *rate.exponent)) + " % too large"
-                                    : "a moment comes out up to " +
+                                    : "a moment comes out by " +
                                           figure(100.0 * *rate.coefficient / powers) +
                                           " % of its value at the reference rate too large";
+  const std::string of = powers == 2.0 ? " in a rectangle (in a round bar a quarter more)" : "";
   return "joints with rules.yield_cap = \"fully_plastic\" take the strain rate of the outermost "
          "fibre for all of the section: " +
-         much + "; \"fibre\" for rules.yield_model has each fibre's own";
+         much + of + "; \"fibre\" for rules.yield_model has each fibre's own";
 }
 
 std::optional<std::string> break_measure_warning(const Facts& facts) {

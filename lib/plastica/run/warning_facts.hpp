@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+
 #include "plastica/model/choose_level.hpp"
 #include "plastica/run/chain_model.hpp"
 #include "plastica/run/model.hpp"
@@ -56,14 +58,14 @@ inline double depth_of(const Facts& facts, bool about_x) {
 }
 
 /// Fully plastic moment (or torque) over that at first yield, of the scene's own section.
+/// In space the larger one of both axes.
 inline double shape_factor(const Facts& facts) {
   const SectionProperties& section = facts.section;
-  if (bends_about_x(facts.level)) {
-    return section.plastic_section_modulus_x / section.section_modulus_x;
-  }
-  if (bends_about_y(facts.level)) {
-    return section.plastic_section_modulus_y / section.section_modulus_y;
-  }
+  const double about_x = section.plastic_section_modulus_x / section.section_modulus_x;
+  const double about_y = section.plastic_section_modulus_y / section.section_modulus_y;
+  if (facts.level.level == Level::Spatial) return std::max(about_x, about_y);
+  if (bends_about_x(facts.level)) return about_x;
+  if (bends_about_y(facts.level)) return about_y;
   return section.plastic_torsion_modulus / section.torsion_modulus;
 }
 

@@ -41,6 +41,18 @@ TEST(CsvColumn, TakesAUnitThatOverridesAndSaysWhich) {
   EXPECT_EQ(found("Load", "kN", Dimension::Force, true).overridden, "");
 }
 
+TEST(CsvColumn, RefusesAFactorAndAUnitThatTheNameContradictsUnlessOneGoesBefore) {
+  const CsvTable table = CsvTable::parse("Force (10 N),Stress (GPa),b\n,MPa,%\n0,0,0\n1,200,3\n",
+                                         "a.csv", {.separator = ','});
+  const auto find = [&](const char* name, const char* unit, Dimension dimension, bool overrides) {
+    return find_column(table, {name, std::string(unit), {"f.toml", 3}, "k", overrides}, dimension);
+  };
+  EXPECT_THROW(find("1", "N", Dimension::Force, false), InputError);
+  EXPECT_EQ(find("1", "N", Dimension::Force, true).to_si(2.0), 2.0);
+  EXPECT_THROW(find("2", "MPa", Dimension::Stress, false), InputError);
+  EXPECT_EQ(find("2", "MPa", Dimension::Stress, true).to_si(2.0), 2e6);
+}
+
 TEST(CsvColumn, TakesNoUnitForNoContradiction) {
   EXPECT_EQ(found("Load", "kN", Dimension::Force).to_si(2.0), 2e3);
   EXPECT_EQ(found("Stress", "1", Dimension::None).to_si(2.0), 2.0) << "a shape";

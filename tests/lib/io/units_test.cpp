@@ -294,6 +294,11 @@ TEST(Units, KnowAFactorInAName) {
                            "Force (10 %/min)"}) {
     EXPECT_EQ(of_force(name), "") << name;
   }
+  EXPECT_EQ(factor_in_name("Load cell 10 kN", Dimension::Force), "10 kN");
+  EXPECT_EQ(factor_in_name("Load cell 10 kN", Dimension::Force, true), "");
+  EXPECT_EQ(factor_in_name("Force (x10)", Dimension::Force, true), "x10");
+  EXPECT_EQ(factor_in_name("Elongation (L0 = 100 mm)", Dimension::Length), "");
+  EXPECT_EQ(factor_in_name("Stress (20 mm x 10 mm)", Dimension::Stress), "");
   EXPECT_EQ(factor_in_name("Strain (50 mm)", Dimension::Strain), "");
   EXPECT_EQ(factor_in_name("Stress (Rp0.2)", Dimension::Stress), "");
   EXPECT_EQ(factor_in_name("Strain (10 %)", Dimension::Strain), "10 %");

@@ -102,6 +102,44 @@ TEST(Breaks, OfAPulledBarThatDoesNotStretchAreThoseOfItsSection) {
   }
 }
 
+/// Where strains are summed over windows of the hinge length, too: a free end has no joint to
+/// break, and one beside a rotational spring is no longer than its neighbours.
+TEST(Breaks, OfAPulledBarAreThoseOfItsJointsAlone) {
+  constexpr double kLimit = 0.02, kStress = 100e6, kRate = 40.0;
+  for (const bool sprung : {false, true}) {
+    for (const JointTranslation translation :
+         {JointTranslation::Rigid, JointTranslation::Elastic}) {
+      constexpr int kSegments = 100;  // of half a depth
+      Scene scene = testing::cantilever_scene(kSegments);
+      scene.yield_model = YieldModel::Interaction;
+      scene.material.break_strain = kLimit;
+      scene.material.hardening.law = HardeningLaw::VoceChaboche;
+      scene.material.hardening.saturation_stress = kStress;
+      scene.material.hardening.saturation_rate = kRate;
+      scene.on_break = BreakPolicy::RecordOnly;
+      if (sprung) {
+        scene.supports.push_back({.at = {0.5, {}},
+                                  .kind = SupportKind::Elastic,
+                                  .rotational_stiffness = {1e6, 0.0, 0.0}});
+      }
+      const double stress =
+          scene.material.yield_stress + kStress * (1.0 - std::exp(-kRate * kLimit));
+      const double force = stress * testing::properties_of(scene).area;
+      scene.loads = {{.at = Place::end(), .force = {0.0, 0.0, 1.02 * force}}};
+      const Response response =
+          simulate(scene, {.level = Level::Planar, .translation = translation, .steps = 20});
+      ASSERT_FALSE(response.chain.events.empty()) << name_of(response.status);
+      EXPECT_NEAR(response.chain.events.front().factor, 1.0 / 1.02, 2e-3) << sprung;
+      for (const ChainBreak& event : response.chain.events) {
+        for (const BrokenJoint& joint : event.joints) {
+          EXPECT_LT(joint.joint, kSegments);
+          EXPECT_EQ(joint.cause, BreakCause::Stretch);
+        }
+      }
+    }
+  }
+}
+
 /// A joint that does not stretch breaks by what its section does under its axial force: pulled
 /// beyond yield while it bends, earlier than by bending alone.
 TEST(Breaks, CountTheElongationOfAHingeThatDoesNotShowIt) {

@@ -80,8 +80,8 @@ TEST(SceneWarnings, SayThatAWholeSectionTakesTheRateOfItsOutermostFibre) {
     return scene_warnings(prepare(scene, {.analysis = Analysis::Dynamics, .duration = 0.01}));
   };
   EXPECT_TRUE(warns(moving(symonds, YieldModel::PerAxis), words));
-  EXPECT_TRUE(warns(moving(symonds, YieldModel::PerAxis), "up to 10 % too large"));
-  EXPECT_TRUE(warns(moving(cook, YieldModel::PerAxis), "up to 1 % of its value at the reference"));
+  EXPECT_TRUE(warns(moving(symonds, YieldModel::PerAxis), "10 % too large in a rectangle"));
+  EXPECT_TRUE(warns(moving(cook, YieldModel::PerAxis), "by 1 % of its value at the reference"));
   EXPECT_FALSE(warns(moving(symonds, YieldModel::Fibre), words));
   EXPECT_FALSE(warns(with(given, YieldModel::PerAxis), words)) << "all fibres have one rate";
 }

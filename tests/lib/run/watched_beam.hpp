@@ -36,6 +36,7 @@ inline std::vector<chain::JointModel> joints_of(int segments, const std::array<d
   const double l = 1.0 / segments;
   for (int i = 0; i <= segments; ++i) {
     chain::JointModel joint;
+    joint.joint = static_cast<std::size_t>(i);
     joint.fraction = i * l;
     joint.begin = i == 0 ? 0.0 : (i - 0.5) * l;
     joint.end = i == segments ? 1.0 : (i + 0.5) * l;
@@ -65,8 +66,7 @@ inline std::vector<double> strains_of(BreakWatch& watch, const std::vector<Joint
 }
 
 /// The strain of one joint.
-inline double strain_of(BreakWatch watch, const std::vector<JointFlow>& angles,
-                        std::size_t joint) {
+inline double strain_of(BreakWatch watch, const std::vector<JointFlow>& angles, std::size_t joint) {
   return strains_of(watch, angles)[joint];
 }
 
