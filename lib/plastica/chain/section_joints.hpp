@@ -146,8 +146,7 @@ class SectionJoints final : public SectionJointsBase<L, kElastic> {
 
   void reset() override {
     std::fill(before_.begin(), before_.end(), typename Law::State{});
-    std::fill(axial_before_.begin(), axial_before_.end(), law::AxialState<S>{});
-    std::fill(axial_after_.begin(), axial_after_.end(), law::AxialState<S>{});
+    for (auto* axial : {&axial_before_, &axial_after_}) axial->assign(axial->size(), {});
     std::fill(plastic_.begin(), plastic_.end(), constant<S>(0));
     std::fill(uneven_before_.begin(), uneven_before_.end(), UnevenState<S>{});
   }
@@ -395,7 +394,7 @@ class SectionJoints final : public SectionJointsBase<L, kElastic> {
   /// committed and of the last trial (joints); else empty.
   std::vector<law::SectionStrain<S>> excess_;
   std::vector<UnevenState<S>> uneven_before_, uneven_after_;
-  std::vector<law::AxialState<S>> axial_before_;  ///< where the law sees the axial force (joints)
+  std::vector<law::AxialState<S>> axial_before_;  ///< as `axial_after_` (joints)
 };
 
 }  // namespace plastica::chain
