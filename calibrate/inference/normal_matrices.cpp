@@ -17,7 +17,7 @@ using Eigen::VectorXd;
 
 constexpr double kRankTolerance = 1e-12;
 /// What takes no larger part in the directions that the curve does not show is determined.
-constexpr double kTakesPart = 1e-3;
+constexpr double kTakesPartInCurve = 1e-3;
 
 NormalMatrices normal_matrices(const Misfit::Details& d, const std::vector<std::size_t>& columns,
                                const std::vector<double>& size) {
@@ -88,7 +88,7 @@ NormalMatrices keep_identified(const Misfit::Details& d, const std::vector<doubl
   for (Eigen::Index k = 0; k < normal.a.rows(); ++k) {
     if (std::ranges::find(held, k) != held.end()) continue;
     kept.push_back(k);
-    is_determined.push_back(vectors.row(k).norm() <= kTakesPart);
+    is_determined.push_back(vectors.row(k).norm() <= kTakesPartInCurve);
   }
   keep(kept);
   normal.is_determined = std::move(is_determined);
@@ -106,7 +106,7 @@ bool NormalMatrices::determine(const std::vector<double>& gradient,
     const std::size_t column = shown[static_cast<std::size_t>(k)];
     own(k) = unit(k) * size[column] * gradient[column];
   }
-  return (unseen.transpose() * own).norm() <= kTakesPart * own.norm();
+  return (unseen.transpose() * own).norm() <= kTakesPartInCurve * own.norm();
 }
 
 }  // namespace plastica::calibrate

@@ -57,7 +57,7 @@ std::optional<std::string> break_measure_warning(const Facts& facts) {
   double limit = chain::JointModel::kNever;
   for (const chain::JointModel& joint :
        scene_joints(*facts.model.chain, material_values(scene.material))) {
-    for (const std::size_t k : {0, 1, 3}) limit = std::min(limit, joint.limit[k]);
+    for (const std::size_t k : {0U, 1U, 3U}) limit = std::min(limit, joint.limit[k]);
   }
   const double less =
       (shape_factor(facts) - 1.0) * scene.material.yield_stress / scene.material.youngs_modulus;
