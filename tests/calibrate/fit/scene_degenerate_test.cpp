@@ -14,7 +14,7 @@ TEST(SceneFit, DeterminesNoParameterOfTwoDirectionsThatNoCurveShows) {
   plastica::Setup setup = testing::bilinear_coupon();
   RateDependence& rate = setup.scene.material.rate;
   rate = {RateLaw::CowperSymonds, 40.0, 5.0, {}, 1.0};
-  for (const std::uint64_t seed : {1, 2, 3, 4}) {
+  for (const std::uint64_t seed : {1U, 2U, 3U, 4U}) {
     const SceneTarget target = testing::noisy_bilinear({}, 2e-3, seed, 40);
     const SceneFitOptions options{
         .parameters = {bounded("yield_stress", 0.05, 0.3), bounded("tangent_modulus", 0.01, 0.5),
