@@ -232,7 +232,7 @@ std::string on_one_line(std::string_view text) {
 }
 
 std::string tabbed_cell(std::string_view text) {
-  const std::string flat = on_one_line(text);
+  std::string flat = on_one_line(text);
   if (flat.find('"') == std::string::npos) return flat;
   std::string quoted = "\"";
   for (const char c : flat) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);

@@ -98,7 +98,7 @@ TEST(RateFit, HasTheErrorsOfOneWhoseUndeterminedParameterIsHeld) {
   std::mt19937_64 random(7);
   std::normal_distribution<double> noise(0.0, 20e6);
   for (double& stress : target.corrected.stress) stress += noise(random);
-  const auto fitted = [&](std::vector<const char*> names) {
+  const auto fitted = [&](const std::vector<const char*>& names) {
     FitOptions options = options_of({RateLaw::CowperSymonds, 250.0, 4.0, {}, {}}, "youngs_modulus");
     for (const char* name : names) options.parameters.push_back(free_parameter(name));
     return fit_target(target, options);
