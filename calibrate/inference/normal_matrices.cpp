@@ -88,7 +88,7 @@ NormalMatrices keep_identified(const Misfit::Details& d, const std::vector<doubl
   for (Eigen::Index k = 0; k < normal.a.rows(); ++k) {
     if (std::ranges::find(held, k) != held.end()) continue;
     kept.push_back(k);
-    is_determined.push_back(vectors.row(k).norm() <= kTakesPartInCurve);
+    is_determined.push_back(unseen == 0 || vectors.row(k).norm() <= kTakesPartInCurve);
   }
   keep(kept);
   normal.is_determined = std::move(is_determined);

@@ -144,6 +144,7 @@ std::vector<Index> SceneErrors::hold_unseen(const MatrixXd& normal,
                                             const std::vector<Index>& kept) {
   const UnitDirections directions(kept_of(normal, kept));
   const Index count = (directions.values.array() <= kNotIdentifiable).count();
+  if (count == 0) return kept;
   unit_ = VectorXd::Zero(normal.rows());
   unit_(kept) = directions.size;
   unseen_ = MatrixXd::Zero(normal.rows(), count);
