@@ -42,8 +42,7 @@ class BeamReader {
     beam_.yield_model = scene.yield_model;
     beam_.yield_cap = scene.yield_cap;
     beam_.carries_masses = !scene.masses.empty();
-    const auto& hinge = body_.watch.hinge_lengths(0);
-    std::copy_n(hinge.begin(), beam_.hinge_lengths.size(), beam_.hinge_lengths.begin());
+    beam_.hinge_lengths = body_.watch.hinge_lengths(0);
     beam_.break_length = break_length();
     beam_.breaks = body_.watch.active() && scene.yield_model != YieldModel::Elastic;
     add_regions();

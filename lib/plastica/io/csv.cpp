@@ -46,12 +46,12 @@ Source source_of(const std::string& path) {
   return begins_as_result(path) ? Source::Hdf5 : Source::Text;
 }
 
-/// Whether two units are of one dimension, and not the same.
+/// Whether two units are of one dimension, and not the same. No unit is unlike none, and "1" may
+/// number things: "Strain [1]".
 bool are_unlike_units(std::string_view a, std::string_view b) {
+  if (a.empty() || a == "1" || a == "-") return false;
   for (const Dimension dimension : {Dimension::Stress, Dimension::Force, Dimension::Length,
                                     Dimension::Strain, Dimension::Time}) {
-    // "Strain [1]" may be the first one.
-    if (a.empty() || a == "1" || a == "-") break;
     if (!is_unit_of(a, dimension) || !is_unit_of(b, dimension)) continue;
     const double ratio = unit_conversion(a, dimension).scale / unit_conversion(b, dimension).scale;
     return std::abs(ratio - 1.0) > 1e-9;

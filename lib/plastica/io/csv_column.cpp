@@ -21,6 +21,20 @@ bool agrees(const std::string& own, const UnitConversion& given, Dimension dimen
   }
 }
 
+/// What in a column's name stands against its unit; empty if nothing does.
+std::string contradiction_of(const CsvTable& table, std::size_t index, Dimension dimension) {
+  const std::string& unit = table.units()[index];
+  if (const std::string by_name = table.unit_by_name(index); !by_name.empty()) {
+    return fmt::format(
+        "is in {} by its name and in {} by the row of units of {}: correct one of them", by_name,
+        unit, table.file());
+  }
+  const std::string factor = factor_in_name(table.names()[index], dimension, !unit.empty());
+  if (factor.empty()) return {};
+  return fmt::format("has \"{}\" in its name in {}, and factors are not read: scale the column",
+                     factor, table.file());
+}
+
 }  // namespace
 
 NamedColumn named_column(const std::string& words, const SourceLocation& where, std::string key) {
@@ -31,24 +45,12 @@ NamedColumn named_column(const std::string& words, const SourceLocation& where, 
 
 FoundColumn column_at(const CsvTable& table, std::size_t index, const NamedColumn& column,
                       Dimension dimension) {
-  const std::string by_name = table.unit_by_name(index);
-  if (!by_name.empty() && !column.override_unit) {
-    throw InputError(
-        column.where, column.key, column.name,
-        fmt::format("is in {} by its name and in {} by the row of units of {}: correct "
-                    "one of them, or give a unit that goes before (override_unit = "
-                    "true, --override-unit)",
-                    by_name, table.units()[index], table.file()));
-  }
-  const std::string factor =
-      factor_in_name(table.names()[index], dimension, !table.units()[index].empty());
-  if (!factor.empty() && !column.override_unit) {
-    throw InputError(
-        column.where, column.key, column.name,
-        fmt::format("has \"{}\" in its name in {}, and factors are not read: scale the "
-                    "column, or take its numbers as they are with a unit that goes "
-                    "before (override_unit = true, --override-unit)",
-                    factor, table.file()));
+  const std::string contradiction = contradiction_of(table, index, dimension);
+  if (!contradiction.empty() && !column.override_unit) {
+    throw InputError(column.where, column.key, column.name,
+                     contradiction +
+                         ", or give a unit and let it go before (override_unit = "
+                         "true, --override-unit)");
   }
   if (column.unit) {
     const UnitConversion given = unit_conversion(*column.unit, dimension, column.where, column.key);

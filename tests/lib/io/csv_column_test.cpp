@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <string>
+
 #include "tests/lib/io/message_from.hpp"
 
 namespace plastica::io {
@@ -47,9 +49,17 @@ TEST(CsvColumn, RefusesAFactorAndAUnitThatTheNameContradictsUnlessOneGoesBefore)
   const auto find = [&](const char* name, const char* unit, Dimension dimension, bool overrides) {
     return find_column(table, {name, std::string(unit), {"f.toml", 3}, "k", overrides}, dimension);
   };
-  EXPECT_THROW(find("1", "N", Dimension::Force, false), InputError);
+  const std::string after =
+      ", or give a unit and let it go before (override_unit = true, --override-unit)";
+  EXPECT_EQ(message_from<InputError>([&] { find("1", "N", Dimension::Force, false); }),
+            "f.toml:3: k = 1: has \"10 N\" in its name in a.csv, and factors are not read: scale "
+            "the column" +
+                after);
   EXPECT_EQ(find("1", "N", Dimension::Force, true).to_si(2.0), 2.0);
-  EXPECT_THROW(find("2", "MPa", Dimension::Stress, false), InputError);
+  EXPECT_EQ(message_from<InputError>([&] { find("2", "MPa", Dimension::Stress, false); }),
+            "f.toml:3: k = 2: is in GPa by its name and in MPa by the row of units of a.csv: "
+            "correct one of them" +
+                after);
   EXPECT_EQ(find("2", "MPa", Dimension::Stress, true).to_si(2.0), 2e6);
 }
 
