@@ -11,6 +11,7 @@
 #include "calibrate/config/read_target.hpp"
 #include "calibrate/config/target_files.hpp"
 #include "calibrate/config/unique_names.hpp"
+#include "calibrate/target/group_values.hpp"
 #include "calibrate/target/plausibility.hpp"
 #include "plastica/io/csv.hpp"
 #include "plastica/io/scene_file.hpp"
@@ -171,9 +172,11 @@ std::vector<Target> import_all(const FitFile& file, int threads,
                                const std::shared_ptr<CurveSpool>& spool) {
   std::vector<Target> targets;
   UniqueNames names;
+  GroupValues groups;
   std::map<std::string, std::size_t> first_of;  // by the name before it is made unique
   for (const TargetBlock& block : file.targets) {
     std::vector<Target> imported = import_targets(block.source, block.options, threads, spool);
+    groups.unite(imported);
     check_groups(imported, block.options);
     targets.reserve(targets.size() + imported.size());
     for (Target& target : imported) {

@@ -57,8 +57,9 @@ FitResult fit_target(const Target& target, const FitOptions& options,
                      std::span<const StartPoint> further) {
   if (target.status == TargetStatus::Ready) check_fit_options(options);
   const FitPriors priors(target, options);
-  FitResult result = search_target(target, options, priors.told(), further);
-  weigh_priors(target, options, priors, result);
+  std::optional<Misfit> searched;
+  FitResult result = search_target(target, options, priors.told(), further, &searched);
+  if (searched) weigh_priors(target, options, priors, *searched, result);
   add_intervals(target, options, result);
   return result;
 }

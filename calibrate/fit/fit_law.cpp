@@ -79,17 +79,19 @@ FitOptions options_of(Law law, const FitOptions& options, Loading loading) {
 namespace {
 
 /// As `fit_law`, without priors.
-/// @param warning  is set where a simpler law that it contains ends with a smaller misfit
+/// @param warning   is set where a simpler law that it contains ends with a smaller misfit
+/// @param searched  as of `search_target`
 FitResult search_law(const Target& target, const FitOptions& options, Law law, Told told,
-                     std::string& warning) {
+                     std::string& warning, std::optional<Misfit>* searched) {
   FitOptions own = options_of(law, options, target.loading);
   Law simpler = law;
-  if (!has_simpler(law, simpler)) return search_target(target, own, told);
-  const FitResult below = search_law(target, options, simpler, Told::ForSearch, warning);
+  if (!has_simpler(law, simpler)) return search_target(target, own, told, {}, searched);
+  const FitResult below = search_law(target, options, simpler, Told::ForSearch, warning, nullptr);
   warning.clear();
   const bool fitted = below.status == FitStatus::Fitted;
-  FitResult result = search_target(
-      target, own, told, fitted ? starts_of(target, own, below) : std::vector<StartPoint>());
+  FitResult result =
+      search_target(target, own, told,
+                    fitted ? starts_of(target, own, below) : std::vector<StartPoint>(), searched);
   if (result.status != FitStatus::Fitted) return result;
   result.simpler_evaluations = below.evaluations() + below.simpler_evaluations;
   if (!fitted) return result;
@@ -97,7 +99,7 @@ FitResult search_law(const Target& target, const FitOptions& options, Law law, T
   for (const bool no_effect : {false, true}) {
     if (!worse()) return result;
     start_from(below, result, no_effect, own);
-    FitResult again = search_target(target, own, told);
+    FitResult again = search_target(target, own, told, {}, searched);
     again.simpler_evaluations = result.simpler_evaluations;
     if (again.status == FitStatus::Fitted && again.cost < result.cost) {
       put_before(std::move(result), again);
@@ -121,8 +123,9 @@ FitResult fit_law(const Target& target, const FitOptions& options, Law law) {
   std::string warning;
   const FitOptions own = options_of(law, options, target.loading);
   const FitPriors priors(target, own);
-  FitResult result = search_law(target, options, law, priors.told(), warning);
-  weigh_priors(target, own, priors, result);
+  std::optional<Misfit> searched;
+  FitResult result = search_law(target, options, law, priors.told(), warning, &searched);
+  if (searched) weigh_priors(target, own, priors, *searched, result);
   if (!warning.empty()) result.warnings.push_back(std::move(warning));
   return result;
 }

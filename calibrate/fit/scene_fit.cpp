@@ -127,11 +127,13 @@ class SceneFit {
                               .error_alone = std::sqrt(std::max(left, 0.0)) / (1.0 - f)}));
     }
     const std::string next = laws_to_try(result_.law, loading_of(targets_), options_.laws);
-    for (const TargetFit& of_target : result_.targets) {
-      add_warning(of_target, result_.law, next, result_.warnings);
+    for (std::size_t t = 0; t < targets_.size(); ++t) {
+      if (!is_met_alone(problem_, errors.kinds(), t)) {
+        add_warning(result_.targets[t], result_.law, next, result_.warnings);
+      }
     }
     warn_of_scenes(problem_, targets_, search_.best().x, result_.warnings);
-    warn_of_specimens(targets_, result_.targets, result_.warnings);
+    warn_of_specimens(targets_, result_.targets, errors.kinds(), result_.warnings);
     warn_of_limits(problem_, options_, result_.parameters, curves, result_.warnings);
     const FittedScenes fitted(problem_, options_, search_.best(), errors);
     result_.intervals = find_intervals(fitted, work_, result_.warnings);
@@ -276,8 +278,9 @@ class SceneFit {
       // Where the residuals are independent both estimate the same, and either may be larger.
       const double more = error(errors.correlated_covariance());
       fitted.misfit_error = std::isnan(more) ? kNan : 0.0;
-      if ((in_runs_ || is_doubted_) && more > fitted.noise_error) {
-        fitted.misfit_error = std::sqrt(more * more - fitted.noise_error * fitted.noise_error);
+      const bool differ = std::isfinite(errors.scatter_degrees());
+      if ((in_runs_ || is_doubted_ || differ) && more > fitted.noise_error) {
+        set_misfit_error(more, errors.scatter_degrees(), fitted);
       }
       double squares = 0.0;
       for (const double half : halves) squares += half * half / 3.0;

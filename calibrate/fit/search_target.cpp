@@ -76,6 +76,7 @@ void append(Solution&& further, FitResult& result) {
 void explain_from(const Target& target, const FitOptions& options, Misfit& misfit,
                   FitResult& result) {
   const ParameterSet set(target, options);
+  misfit.set_parameters(set);
   misfit.end_search();
   std::vector<double> active;
   for (const std::size_t i : set.active()) active.push_back(set.all()[i].start);
@@ -99,7 +100,7 @@ void add_stated_priors(const FitOptions& options, double variance, FitResult& re
 }  // namespace
 
 FitResult search_target(const Target& target, const FitOptions& options, Told told,
-                        std::span<const StartPoint> further) {
+                        std::span<const StartPoint> further, std::optional<Misfit>* searched) {
   FitResult result;
   result.seed = seed_of(target.name, options.seed);
   result.law = law_of(options.setup.scene.material.hardening, options.parameters);
@@ -114,7 +115,8 @@ FitResult search_target(const Target& target, const FitOptions& options, Told to
   if (!result.reason.empty()) return result;
   const FitOptions bare = without_priors(options);
   const ParameterSet set(target, bare);
-  Misfit misfit(target, bare, set);
+  std::optional<Misfit> own;
+  Misfit& misfit = (searched != nullptr ? *searched : own).emplace(target, bare, set);
   result.samples = misfit.samples();
   if (set.active().empty()) {
     result.reason = "the curve determines none of the free parameters";
@@ -143,7 +145,7 @@ FitPriors::FitPriors(const Target& target, const FitOptions& options) {
 }
 
 void weigh_priors(const Target& target, const FitOptions& options, const FitPriors& found,
-                  FitResult& result) {
+                  Misfit& misfit, FitResult& result) {
   constexpr int kRepetitions = 8;
   constexpr double kSettled = 1e-3;
   if (result.status != FitStatus::Fitted) return;
@@ -162,9 +164,6 @@ void weigh_priors(const Target& target, const FitOptions& options, const FitPrio
   }
   double squares = result.misfit_rms * result.misfit_rms;
   FitOptions from = from_values_of(result, options);
-  // Of each search but for the priors and where it starts.
-  const ParameterSet from_values(target, from);
-  Misfit weighed(target, from, from_values);
   for (int i = 0; i < kRepetitions; ++i) {
     const double before = priors.variance;
     // What a prior pulls the fit away by is no doubt of a noise that is stated.
@@ -174,24 +173,25 @@ void weigh_priors(const Target& target, const FitOptions& options, const FitPrio
       break;
     }
     const ParameterSet set(target, from);
-    weighed.set_priors(priors);
-    Solution solution = descend_misfit(weighed, set, from);
+    misfit.set_parameters(set);
+    misfit.set_priors(priors);
+    Solution solution = descend_misfit(misfit, set, from);
     if (!solution.usable) {
-      weighed.set_priors({});
-      explain_from(target, from_values_of(result, without_priors(options)), weighed, result);
+      misfit.set_priors({});
+      explain_from(target, from_values_of(result, without_priors(options)), misfit, result);
       result.warnings.emplace_back(
           "the fit is not weighed with its priors (a stated one, or the elastic slope): no search "
           "with them has ended");
       return;
     }
-    squares = weighed.stress_cost(solution.active);
+    squares = misfit.stress_cost(solution.active);
     take_values(set, solution.active, from);
     append(std::move(solution), result);
   }
   if (slope) slope->variance = priors.variance;
   result.modulus_prior = slope;
-  weighed.set_priors(priors);
-  explain_from(target, from, weighed, result);
+  misfit.set_priors(priors);
+  explain_from(target, from, misfit, result);
   add_stated_priors(options, priors.variance, result);
   constexpr double kHardlyKnown = 0.04;
   if (slope && slope->standard_deviation > kHardlyKnown * slope->mean) {

@@ -5,6 +5,7 @@
 #include <span>
 
 #include "calibrate/fit/options.hpp"
+#include "calibrate/problem/misfit.hpp"
 #include "calibrate/problem/weighed_priors.hpp"
 #include "calibrate/result/result.hpp"
 #include "calibrate/search/ladder.hpp"
@@ -17,8 +18,10 @@ enum class Told : std::uint8_t { All, ForSearch };
 
 /// Fits one target, without priors and without what the options ask for beside a fit
 /// (IntervalOptions). Parameters and errors as `fit_target`, whose options are checked.
+/// @param searched  gets the misfit, if there was one to search; null: nobody goes on with it
 FitResult search_target(const Target& target, const FitOptions& options, Told told,
-                        std::span<const StartPoint> further = {});
+                        std::span<const StartPoint> further = {},
+                        std::optional<Misfit>* searched = nullptr);
 
 /// The priors of a fit: those that parameters state, and that of the elastic slope of its curve;
 /// none where there is nothing to fit.
@@ -34,8 +37,9 @@ struct FitPriors {
 /// Weighs a fit with its priors: searches on from its values with them, until their variance no
 /// longer changes, and says all of it. Leaves a result that is not Fitted, or has no prior, as it
 /// is.
-/// @param options  those that it was searched with
+/// @param options   those that it was searched with
+/// @param misfit    that was searched, to go on with
 void weigh_priors(const Target& target, const FitOptions& options, const FitPriors& priors,
-                  FitResult& result);
+                  Misfit& misfit, FitResult& result);
 
 }  // namespace plastica::calibrate

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 
 #include "calibrate/inference/not_a_number.hpp"
@@ -134,7 +135,8 @@ void SceneErrors::set_covariance(std::span<const double> residual,
     const auto count = static_cast<Index>(problem_.weights(t).size());
     by_target_.push_back(from_scores(gram(j.middleRows(first, count), w.segment(first, count))));
   }
-  correlated_covariance_ = from_scores(correlated_scores(slopes_, residual));
+  kinds_ = targets_of_one_kind(problem_, slopes_, residual, free);
+  correlated_covariance_ = from_scores(correlated_scores(residual, free));
 }
 
 /// Finds the directions that no curve shows, and holds a coordinate for each of them. What the
@@ -166,14 +168,25 @@ double SceneErrors::moment(const MatrixXd& of, const VectorXd& a, const VectorXd
   return determines(a) && determines(b) ? joint_moment(of, a, b) : kNan;
 }
 
-/// Of the scores of all targets, each of which may leave residuals in runs, and of the priors.
-MatrixXd SceneErrors::correlated_scores(std::span<const double> slopes,
-                                        std::span<const double> residual) const {
+/// Of the scores of all targets, each of which may leave residuals in runs, or differ from others
+/// of its kind, and of the priors.
+MatrixXd SceneErrors::correlated_scores(std::span<const double> residual,
+                                        const std::vector<Index>& free) const {
   const auto n = static_cast<Index>(x_.size());
+  const std::span<const double> slopes = slopes_;
   const std::size_t samples = problem_.samples();
   MatrixXd sum = gram(MatrixXd(SlopeRows(slopes.data() + samples * x_.size(),
                                          static_cast<Index>(residual.size() - samples), n)));
+  std::vector<bool> counted(problem_.targets().size(), false);
+  for (const TargetsOfOneKind& kind : kinds_) {
+    if (!kind.tell_scatter()) continue;
+    MatrixXd own = MatrixXd::Zero(n, n);
+    set_kept(own, free, kind.scores);
+    sum += own;
+    for (const std::size_t t : kind.targets) counted[t] = true;
+  }
   for (std::size_t t = 0; t < problem_.targets().size(); ++t) {
+    if (counted[t]) continue;
     const std::size_t first = problem_.first_residual(t);
     const std::size_t count = problem_.targets()[t].target.ordinate.size();
     const std::vector<double> scores = score_covariance(
@@ -181,6 +194,15 @@ MatrixXd SceneErrors::correlated_scores(std::span<const double> slopes,
     sum += SlopeRows(scores.data(), n, n);
   }
   return sum;
+}
+
+double SceneErrors::scatter_degrees() const {
+  double fewest = std::numeric_limits<double>::infinity();
+  for (const TargetsOfOneKind& kind : kinds_) {
+    if (kind.tell_scatter())
+      fewest = std::min(fewest, static_cast<double>(kind.targets.size() - 1));
+  }
+  return fewest;
 }
 
 double SceneErrors::degrees_of_freedom(const VectorXd& gradient) const {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "calibrate/inference/identifiable_slopes.hpp"
+#include "calibrate/inference/unlike_targets.hpp"
 #include "calibrate/problem/scene_problem.hpp"
 
 namespace plastica::calibrate {
@@ -55,8 +56,13 @@ class SceneErrors {
   /// Covariance of the coordinates; NaN in rows and columns of those that move nothing, or are at a
   /// bound (n x n).
   const Eigen::MatrixXd& covariance() const { return covariance_; }
-  /// The same for residuals that lie in runs: see score_covariance.hpp (n x n).
+  /// The same for residuals that lie in runs (score_covariance.hpp), and for targets that differ
+  /// (`TargetsOfOneKind::tell_scatter`) (n x n).
   const Eigen::MatrixXd& correlated_covariance() const { return correlated_covariance_; }
+  /// Those that several targets are of.
+  const std::vector<TargetsOfOneKind>& kinds() const { return kinds_; }
+  /// Of what targets that differ put into the correlated covariance; infinite where none does.
+  double scatter_degrees() const;
   /// The inverse of J^T W J, likewise: the covariance if all weights are 1 (n x n).
   const Eigen::MatrixXd& inverse() const { return inverse_; }
   /// `joint_moment` of one of these; NaN where the curves do not determine both functions, whose
@@ -79,8 +85,8 @@ class SceneErrors {
   /// Sets the slopes by the others to those where it does not act.
   void take_out_unbounded_yield(std::span<const double> residual, double confidence);
   void set_covariance(std::span<const double> residual, std::optional<double> confidence);
-  Eigen::MatrixXd correlated_scores(std::span<const double> slopes,
-                                    std::span<const double> residual) const;
+  Eigen::MatrixXd correlated_scores(std::span<const double> residual,
+                                    const std::vector<Eigen::Index>& free) const;
   std::vector<Eigen::Index> hold_unseen(const Eigen::MatrixXd& normal,
                                         const std::vector<Eigen::Index>& kept);
   bool determines(const Eigen::VectorXd& gradient) const;
@@ -96,6 +102,7 @@ class SceneErrors {
   Eigen::MatrixXd correlated_covariance_;
   Eigen::MatrixXd unseen_;  ///< directions that no curve shows, over `unit_` (n x directions)
   Eigen::VectorXd unit_;    ///< of the coordinates (n)
+  std::vector<TargetsOfOneKind> kinds_;
   std::vector<Eigen::MatrixXd> by_target_;  ///< what each target's noise puts into the covariance
   std::vector<double> slopes_;              ///< of the residuals (m x n), row by row
   IdentifiableSlopes identifiable_;

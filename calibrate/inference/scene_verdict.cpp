@@ -10,6 +10,8 @@
 #include "calibrate/fit/check_scene_fit.hpp"
 #include "calibrate/inference/lack_of_fit.hpp"
 #include "calibrate/inference/scene_errors.hpp"
+#include "calibrate/problem/target_noise.hpp"
+#include "plastica/base/listed.hpp"
 
 namespace plastica::calibrate {
 
@@ -96,9 +98,50 @@ void add_warning(const TargetFit& of_target, Law law, std::string_view try_next,
   if (!lack.empty()) warnings.push_back(of_target.name + ": " + lack);
 }
 
+bool is_met_alone(const SceneProblem& problem, std::span<const TargetsOfOneKind> kinds,
+                  std::size_t t) {
+  for (const TargetsOfOneKind& kind : kinds) {
+    const auto at = std::ranges::find(kind.targets, t);
+    if (at == kind.targets.end() || !kind.differ()) continue;
+    const auto k = static_cast<std::size_t>(at - kind.targets.begin());
+    const std::vector<double> residual = left_alone(problem, kind, k);
+    double squares = 0.0;
+    for (const double r : residual) squares += r * r;
+    const double rms = std::sqrt(squares / static_cast<double>(residual.size()));
+    const double largest = largest_size(problem.targets()[t].target.ordinate);
+    return !lacks_fit(largest > 0.0 ? rms / largest : 0.0, runs_test_p(residual));
+  }
+  return false;
+}
+
+namespace {
+
+bool warn_of_difference(std::span<const WeightedTarget> targets, const TargetsOfOneKind& kind,
+                        std::vector<std::string>& warnings) {
+  constexpr std::size_t kShownTargets = 3;
+  if (!kind.differ()) return false;
+  std::vector<std::string> names;
+  for (const std::size_t t : kind.targets) names.push_back(targets[t].target.name);
+  warnings.push_back(fmt::format(
+      "{} differ by more than their noise does (chi-squared {:.3g} of {:.0f} degrees of freedom): "
+      "{}; if they are specimens that differ, shared = false fits each by itself",
+      listed(names, kShownTargets), kind.chi_squared, kind.degrees,
+      kind.tell_scatter() ? "the errors count how they scatter, as a part of their misfit"
+                          : "the errors know nothing of it"));
+  return true;
+}
+
+}  // namespace
+
 void warn_of_specimens(std::span<const WeightedTarget> targets, std::span<const TargetFit> fits,
+                       std::span<const TargetsOfOneKind> kinds,
                        std::vector<std::string>& warnings) {
   constexpr double kFar = 3.0;
+  bool said = false;
+  for (const TargetsOfOneKind& kind : kinds) {
+    said = warn_of_difference(targets, kind, warnings) || said;
+  }
+  if (said) return;
   for (std::size_t a = 0; a < targets.size(); ++a) {
     for (std::size_t b = 0; b < targets.size(); ++b) {
       const bool alike = are_of_one_kind(targets[a].target, targets[b].target);

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "calibrate/fit/scene_fit.hpp"
+#include "calibrate/inference/unlike_targets.hpp"
 #include "calibrate/inference/verdict.hpp"
 #include "calibrate/problem/scene_problem.hpp"
 
@@ -23,11 +24,16 @@ void add_warning(const FittedParameter& parameter, const SegmentsError& segments
 void add_warning(const TargetFit& of_target, Law law, std::string_view try_next,
                  std::vector<std::string>& warnings);
 
-/// Of a fit that several targets share: that some of a kind are met far less closely than another,
-/// as where specimens differ.
+/// Whether a target differs from others of its kind, and values of its own meet its curve: what the
+/// shared ones leave says nothing of the law then.
+bool is_met_alone(const SceneProblem& problem, std::span<const TargetsOfOneKind> kinds,
+                  std::size_t t);
+
+/// Of a fit that several targets share: that those of a kind differ by more than their noise, or,
+/// where there are too few samples to tell, that some are met far less closely than another.
 /// @param fits  what the fit made of them (n_targets)
 void warn_of_specimens(std::span<const WeightedTarget> targets, std::span<const TargetFit> fits,
-                       std::vector<std::string>& warnings);
+                       std::span<const TargetsOfOneKind> kinds, std::vector<std::string>& warnings);
 
 /// Of targets that bore more than a break limit, fitted or held, while they were intact, and of
 /// those that broke before one that is held or at its bound.

@@ -101,6 +101,11 @@ Misfit::Misfit(const Target& target, const FitOptions& options, const ParameterS
   closed_normal_.resize(paths.size());
 }
 
+void Misfit::set_parameters(const ParameterSet& parameters) {
+  parameters_ = parameters;
+  run_values_.reset();
+}
+
 void Misfit::set_priors(const WeighedPriors& priors) {
   priors_.clear();
   run_values_.reset();

@@ -47,6 +47,9 @@ class Misfit {
   /// @throws InputError if the scene or a parameter does not suit the test
   Misfit(const Target& target, const FitOptions& options, const ParameterSet& parameters);
 
+  /// Takes other starts and bounds of the same parameters.
+  void set_parameters(const ParameterSet& parameters);
+
   /// Adds variance ((value - mean)/standard_deviation)^2 of each prior to the search's cost, where
   /// its parameter is searched; in place of earlier ones.
   void set_priors(const WeighedPriors& priors);
@@ -169,7 +172,7 @@ class Misfit {
   double break_cost(double limit, std::span<double> by_all, bool limit_moves) const;
 
   const Target& target_;
-  const ParameterSet& parameters_;
+  ParameterSet parameters_;
   StopFlag stop_;
   std::size_t samples_ = 0;
   std::vector<double> weight_;  ///< over their sum (n_samples)

@@ -146,7 +146,7 @@ std::string population_intervals_text(const ScenePopulation& population,
                              is_shared ? ", of breaks between the same two samples also their "
                                          "place between these"
                                        : "",
-                             has_scatter ? "; deviation: percentiles" : "", kPopulationResamples),
+                             has_scatter ? "; deviation: chi-squared" : "", kPopulationResamples),
                  kWidth);
 }
 

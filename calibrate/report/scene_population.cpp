@@ -12,6 +12,7 @@
 #include "calibrate/inference/material_interval.hpp"
 #include "calibrate/inference/mean_interval.hpp"
 #include "calibrate/result/usable.hpp"
+#include "plastica/theory/statistics.hpp"
 
 namespace plastica::calibrate {
 namespace {
@@ -174,7 +175,20 @@ Resample resample_of(const Fits& fits, std::span<const std::size_t> drawn, std::
   return resample;
 }
 
-/// Of the means by mean_interval.hpp, of all else percentiles over resamples of the fits.
+/// Of the specimens' deviation: chi-squared of the values' variance, less the noise.
+void set_deviation_interval(const Moments& moments, double confidence, PopulationParameter& p) {
+  if (moments.n < 2) return;
+  const double degrees = static_cast<double>(moments.n - 1);
+  const auto bound = [&](double probability) {
+    const double variance =
+        degrees * moments.observed / theory::chi_squared_quantile(probability, degrees);
+    return std::sqrt(std::max(0.0, variance - moments.noise));
+  };
+  p.deviation_low = bound(0.5 + 0.5 * confidence);
+  p.deviation_high = bound(0.5 - 0.5 * confidence);
+}
+
+/// Of the means by mean_interval.hpp, of pairs percentiles over resamples of the fits.
 void add_intervals(const Fits& fits, double confidence, ScenePopulation& population) {
   std::vector<PopulationParameter>& parameters = population.parameters;
   const std::size_t n = parameters.size();
@@ -199,9 +213,16 @@ void add_intervals(const Fits& fits, double confidence, ScenePopulation& populat
     parameters[a].mean_low = mean.low;
     parameters[a].mean_high = mean.high;
   }
+  std::vector<std::size_t> drawn(fits.size());
+  std::iota(drawn.begin(), drawn.end(), std::size_t{0});
+  for (std::size_t a = 0; a < n; ++a) {
+    PopulationParameter& p = parameters[a];
+    set_deviation_interval(moments_of(fits, drawn, a, a), confidence, p);
+    population.covariance_low[a * n + a] = p.deviation_low * p.deviation_low;
+    population.covariance_high[a * n + a] = p.deviation_high * p.deviation_high;
+  }
   if (fits.size() < kMinSpecimens) return;
   std::vector<Resample> resamples;
-  std::vector<std::size_t> drawn(fits.size());
   for (int b = 0; b < kPopulationResamples; ++b) {
     Draws draws(1, static_cast<std::uint64_t>(b));
     for (std::size_t& fit : drawn) fit = draws.below(fits.size());
@@ -216,11 +237,8 @@ void add_intervals(const Fits& fits, double confidence, ScenePopulation& populat
   };
   for (std::size_t a = 0; a < n; ++a) {
     if (parameters[a].n < kMinSpecimens) continue;
-    const BootstrapInterval scatter = interval([&](const Resample& r) { return r.deviation[a]; });
-    parameters[a].deviation_low = scatter.low;
-    parameters[a].deviation_high = scatter.high;
     for (std::size_t b = 0; b < n; ++b) {
-      if (parameters[b].n < kMinSpecimens) continue;
+      if (b == a || parameters[b].n < kMinSpecimens) continue;
       const auto both = interval([&](const Resample& r) { return r.covariance[a * n + b]; });
       population.covariance_low[a * n + b] = both.low;
       population.covariance_high[a * n + b] = both.high;

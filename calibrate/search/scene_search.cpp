@@ -303,14 +303,29 @@ double SceneSearch::rescale(std::vector<TargetNoise> noise) {
   return change;
 }
 
+/// Of targets of one kind that differ what values of their own leave: what their difference does is
+/// no noise, and those nearest to the middle would have all the weight.
+std::vector<TargetNoise> SceneSearch::noise_of(const SceneErrors& errors) const {
+  std::vector<double> squares = costs();
+  std::vector<double> degrees = degrees_left_;
+  for (const TargetsOfOneKind& kind : errors.kinds()) {
+    if (!kind.differ()) continue;
+    for (std::size_t k = 0; k < kind.targets.size(); ++k) {
+      const std::vector<double> left = left_alone(problem_, kind, k);
+      squares[kind.targets[k]] = std::inner_product(left.begin(), left.end(), left.begin(), 0.0);
+      degrees[kind.targets[k]] = kind.degrees_left[k];
+    }
+  }
+  return noise_of_targets(problem_, squares, degrees, problem_.noise());
+}
+
 /// Weights targets by the noise that they turn out to have. The last search is with the weights
 /// that stand in the result, so that its values are their minimum.
 void SceneSearch::settle_noise() {
   for (int round = 0;; ++round) {
     const SceneErrors errors(problem_, best_.x, best_.residual);
     degrees_left_ = degrees_left(problem_, errors.identifiable());
-    const double change =
-        rescale(noise_of_targets(problem_, costs(), degrees_left_, problem_.noise()));
+    const double change = rescale(noise_of(errors));
     const bool alone =
         problem_.targets().size() == 1 && problem_.squares().residuals == problem_.samples();
     if (knows_noise_ || alone) return;

@@ -14,6 +14,8 @@
 
 namespace plastica::calibrate {
 
+class SceneErrors;
+
 /// What a search is kept by: "polish 2".
 std::string kept_name(std::string_view stage, std::size_t index);
 
@@ -72,6 +74,7 @@ class SceneSearch {
   void search();
   void settle_noise();
   std::vector<double> costs() const;
+  std::vector<TargetNoise> noise_of(const SceneErrors& errors) const;
   double rescale(std::vector<TargetNoise> noise);
   void tell(std::string_view stage, std::size_t done, std::size_t total) const;
 

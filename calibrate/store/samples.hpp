@@ -14,6 +14,7 @@
 
 #include "calibrate/store/columns.hpp"
 #include "calibrate/target/curve_spool.hpp"
+#include "plastica/base/parallel_for.hpp"
 
 /// Curves of a result file: columns of samples, those of one row behind those of the other, and
 /// `offsets` where each row begins; not installed. Which columns says a function that calls
@@ -21,28 +22,6 @@
 ///   columns.maybe(NAME, UNITS, MEMBER)   the same, a pointer to it: null where a row has none;
 ///   columns.table(NAME, MEMBER, WIDTH)   so many numbers for each sample.
 namespace plastica::calibrate::store {
-
-/// A row with all that is stored of it, wherever it lies.
-template <typename Row>
-class Complete {
- public:
-  explicit Complete(const Row& row) : row_(row) {}
-  const Row& operator*() const { return row_; }
-
- private:
-  const Row& row_;
-};
-template <>
-class Complete<Curve> {
- public:
-  explicit Complete(const Curve& row)
-      : read_(row.is_aside() ? with_samples(row) : Curve()), row_(row) {}
-  const Curve& operator*() const { return row_.is_aside() ? read_ : row_; }
-
- private:
-  const Curve read_;
-  const Curve& row_;
-};
 
 template <typename Row>
 class SampleWriter {
@@ -57,11 +36,16 @@ class SampleWriter {
       for (const Row* row : rows_) offsets_.push_back(offsets_.back() + samples_of(*row, member));
     }
     io::Hdf5Column column = group_.column(name, offsets_.back(), {units, kDeflate});
-    for (std::size_t i = 0; i < rows_.size(); ++i) {
-      const Complete<Row> row(*rows_[i]);
-      const std::vector<double>& own = member(*row);
-      if (own.size() != offsets_[i + 1] - offsets_[i]) refuse(name);
-      column.append(own);
+    constexpr std::size_t kTogether = 1024;  // so that all threads read what lies aside
+    std::vector<Row> read;
+    for (std::size_t first = 0; first < rows_.size(); first += kTogether) {
+      const std::size_t count = std::min(kTogether, rows_.size() - first);
+      read_aside(first, count, read);
+      for (std::size_t i = first; i < first + count; ++i) {
+        const std::vector<double>& own = member(is_aside(*rows_[i]) ? read[i - first] : *rows_[i]);
+        if (own.size() != offsets_[i + 1] - offsets_[i]) refuse(name);
+        column.append(own);
+      }
     }
     column.finish();
   }
@@ -99,6 +83,21 @@ class SampleWriter {
   void write_offsets() { group_.write("offsets", offsets_, {{}, kDeflate}); }
 
  private:
+  static bool is_aside(const Row& row) {
+    if constexpr (std::is_same_v<Row, Curve>) return row.is_aside();
+    return false;
+  }
+  /// Rows with the samples of those that do not lie in memory.
+  void read_aside(std::size_t first, std::size_t count, std::vector<Row>& read) const {
+    if constexpr (std::is_same_v<Row, Curve>) {
+      read.resize(count);
+      parallel_for(count, {group_.threads(), nullptr}, [&](std::size_t i, int) {
+        const Row& row = *rows_[first + i];
+        if (is_aside(row)) read[i] = with_samples(row);
+      });
+    }
+  }
+
   template <typename Member>
   static std::size_t samples_of(const Row& row, const Member& member) {
     if constexpr (std::is_same_v<Row, Curve>) {

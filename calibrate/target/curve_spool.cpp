@@ -1,9 +1,11 @@
 #include "calibrate/target/curve_spool.hpp"
 
 #include <fcntl.h>
+#include <sys/uio.h>
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <cerrno>
 #include <cstdlib>
 #include <cstring>
@@ -91,18 +93,20 @@ void CurveSpool::get(const PlaceOfCurve& place, std::span<double> strain,
     std::copy_n(memory_.get() + place.offset + n, n, stress.begin());
     return;
   }
+  std::array<iovec, 2> parts{iovec{strain.data(), strain.size_bytes()},
+                             iovec{stress.data(), stress.size_bytes()}};
   auto at = static_cast<off_t>(place.offset * sizeof(double));
-  for (const std::span<double> part : {strain, stress}) {
-    auto* bytes = reinterpret_cast<char*>(part.data());
-    std::size_t left = part.size_bytes();
-    while (left > 0) {
-      const ssize_t got = ::pread(descriptor_, bytes, left, at);
-      if (got < 0 && errno == EINTR) continue;
-      if (got <= 0) fail("cannot give back the curves of the run", got < 0 ? errno : EIO);
-      bytes += got;
-      at += got;
-      left -= static_cast<std::size_t>(got);
-    }
+  for (std::size_t k = 0; k < parts.size();) {
+    const auto left = static_cast<int>(parts.size() - k);
+    const ssize_t got = ::preadv(descriptor_, parts.data() + k, left, at);
+    if (got < 0 && errno == EINTR) continue;
+    if (got <= 0) fail("cannot give back the curves of the run", got < 0 ? errno : EIO);
+    at += got;
+    auto taken = static_cast<std::size_t>(got);
+    for (; k < parts.size() && taken >= parts[k].iov_len; ++k) taken -= parts[k].iov_len;
+    if (k == parts.size()) break;
+    parts[k].iov_base = static_cast<char*>(parts[k].iov_base) + taken;
+    parts[k].iov_len -= taken;
   }
 }
 

@@ -18,6 +18,7 @@
 #include "calibrate/result/words.hpp"
 #include "calibrate/search/optimizer.hpp"
 #include "calibrate/store/journaled_batch.hpp"
+#include "calibrate/target/group_values.hpp"
 #include "calibrate/target/make.hpp"
 #include "calibrate/target/plausibility.hpp"
 #include "plastica/base/parallel_for.hpp"
@@ -83,6 +84,7 @@ CurveFits of_curves(std::string text, const std::vector<GivenCurve>& curves, boo
           calibrate::make_target(std::get<0>(curves[i]), std::move(given[i]), options);
       fits.targets[i].group = std::get<3>(curves[i]);
     });
+    calibrate::GroupValues().unite(fits.targets);
     calibrate::check_groups(fits.targets, options);
     return true;
   });

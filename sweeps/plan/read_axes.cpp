@@ -37,6 +37,22 @@ double between(const Span& span, bool logarithmic, double fraction, const Field&
   return field.kind == FieldKind::Integer ? std::round(value) : value;
 }
 
+/// A value that a sample draws. Of a field of integers each has the part of the axis that lies half
+/// a step to either side of it, ends included: a range that stops at its ends would give these half
+/// of that. On a linear axis all are equally likely.
+/// @param fraction  coordinate of the sample in [0, 1)
+double drawn(const Span& span, bool logarithmic, double fraction, const Field& field) {
+  if (field.kind != FieldKind::Integer) return between(span, logarithmic, fraction, field);
+  const double low = std::min(span.from, span.to);
+  const double high = std::max(span.from, span.to);
+  const double u = span.from < span.to ? fraction : 1.0 - fraction;
+  // Integers on a logarithmic axis are 1 at least, so that its lower end stays above 0.
+  const double value = logarithmic
+                           ? std::round((low - 0.5) * std::pow((high + 0.5) / (low - 0.5), u))
+                           : std::floor(low + (high - low + 1.0) * u);
+  return std::clamp(value, low, high);
+}
+
 double read_number(const TomlValue& value, const Field& field, const Setup& base) {
   const FieldValue read = read_field_value(value, field, base);
   if (const double* number = std::get_if<double>(&read)) return *number;
@@ -147,8 +163,8 @@ void draw_samples(const TomlTable& root, const std::vector<SampledAxis>& sampled
   for (std::size_t d = 0; d < sampled.size(); ++d) {
     Axis& axis = axes[sampled[d].axis];
     for (std::size_t i = 0; i < count; ++i) {
-      axis.values.emplace_back(between(sampled[d].span, sampled[d].logarithmic,
-                                       points[i * sampled.size() + d], *axis.field));
+      axis.values.emplace_back(drawn(sampled[d].span, sampled[d].logarithmic,
+                                     points[i * sampled.size() + d], *axis.field));
     }
   }
 }

@@ -172,8 +172,7 @@ std::size_t region_at(const Scene& scene, double fraction, const std::vector<dou
 }
 
 void set_regions(const Scene& scene, std::optional<law::GaugePlane> yields, Layout& layout) {
-  const bool one_surface = yields && (scene.yield_model == YieldModel::Interaction ||
-                                      scene.yield_model == YieldModel::Conservative);
+  const bool one_surface = yields && has_one_surface(scene.yield_model);
   const auto add = [&](std::size_t number, const Section& section, const Material& material) {
     BeamRegion region{.scene_region = number, .section = section, .material = material};
     region.properties = section_properties(section, material.poisson_ratio);

@@ -221,6 +221,9 @@ class Hdf5Group {
   double real_attribute(std::string_view path, const std::string& name) const;
   std::int64_t integer_attribute(std::string_view path, const std::string& name) const;
 
+  /// How many deflate what is written, and may make it ready.
+  int threads() const { return threads_; }
+
  private:
   friend class Hdf5File;
   Hdf5Group(Hdf5Handle handle, std::string file, std::string path, int threads = 1)
@@ -252,7 +255,7 @@ class Hdf5Group {
   Hdf5Handle handle_;
   std::string file_;
   std::string path_;
-  int threads_;  // that deflate what is written
+  int threads_;
 };
 
 /// An HDF5 file behind a digest of its bytes (see content_digest.hpp). The same content, written in

@@ -325,4 +325,33 @@ double moment_left(const Section& section, YieldCap cap, Formulas formulas, doub
   return before[1] * (1.0 - n) / (1.0 - before[0]);
 }
 
+NeutralAxis neutral_axis(const Section& section, const SectionProperties& properties,
+                         const GaugeForm& gauge, double lever) {
+  NeutralAxis axis;
+  switch (gauge.kind) {
+    case GaugeKind::Rectangle:
+    case GaugeKind::Corner:
+    case GaugeKind::Round: axis.at_edge = lever; break;
+    case GaugeKind::PlasticBlock:  // m = (1 - n)(1 + e n)
+      axis.at_edge = (1.0 - gauge.axial) * lever;
+      axis.rises = 2.0 * gauge.axial * lever;
+      break;
+    case GaugeKind::PlasticCurve: break;
+  }
+  // m = 1 - c n^2 beside n = 0, and dy/dn = 2 c M_p/N_p.
+  constexpr double kSmall = 0.05;
+  const double lost =
+      1.0 - moment_left(section, YieldCap::FullyPlastic, Formulas::Mechanics, kSmall);
+  axis.moves =
+      2.0 * lost / (kSmall * kSmall) * properties.plastic_section_modulus_x / properties.area;
+  return axis;
+}
+
+double axial_share(const GaugeForm& gauge, SectionForce<double> over_caps) {
+  over_caps[kTorsion] = 0.0;
+  double radius = 0.0;
+  with_gauge<double>(gauge, [&](const auto& surface) { radius = gauge_value(surface, over_caps); });
+  return radius > 0.0 ? std::abs(over_caps[kAxial]) / radius : 0.0;
+}
+
 }  // namespace plastica::law

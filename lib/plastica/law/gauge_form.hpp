@@ -57,6 +57,34 @@ GaugeForm gauge_form(const Section& section, YieldModel model, YieldCap cap, For
 /// first yield, fully plastic the section's own (of a rectangular tube that about x). Not below 0.
 double moment_left(const Section& section, YieldCap cap, Formulas formulas, double n);
 
+/// What of the elongation of a section that bends is its neutral axis' doing.
+///
+/// Of a fully plastic section under n that bends by the curvature k, the neutral axis is off the
+/// middle by y, so that it grows longer by k y, y = -dM/dN along the section's own curve M(N): for
+/// a rectangle n h/2, of any section proportional to n where n is small. A surface with an edge at
+/// n = 0 lengthens the section by as much beside the least force as beside a large one: that at
+/// first yield by k W/A, a sixth of the depth of a rectangle. What is more than k y is the edge's.
+struct NeutralAxis {
+  double moves = 0.0;    ///< dy/dn at n = 0 [m]
+  double at_edge = 0.0;  ///< -dM/dN of the surface at n = 0 [m]; 0: it has no edge there
+  double rises = 0.0;    ///< what it grows by with n [m]
+
+  /// k y over the elongation of the surface, at most 1.
+  /// @param n  axial force over the one that yields along the force's own direction
+  double fraction(double n) const {
+    const double flows = at_edge + rises * n;
+    return at_edge > 0.0 && moves * n < flows ? moves * n / flows : 1.0;
+  }
+};
+
+/// @param lever  yield moment over the axial force at yield, as the surface has them [m]
+NeutralAxis neutral_axis(const Section& section, const SectionProperties& properties,
+                         const GaugeForm& gauge, double lever);
+
+/// Axial force over that at yield, of one that is as far along the direction of the given forces
+/// that they yield without their torque [1]; 0 without bending moment and axial force.
+double axial_share(const GaugeForm& gauge, SectionForce<double> over_caps);
+
 /// Calls `use(gauge)` with the yield surface as a type of its own.
 template <class S, class Use>
 inline void with_gauge(const GaugeForm& form, Use&& use) {

@@ -14,6 +14,11 @@ enum class YieldModel {
   Fibre,         ///< the section cut into fibres, each with the uniaxial law
 };
 
+/// Whether a joint has one yield surface for all components.
+constexpr bool has_one_surface(YieldModel model) {
+  return model == YieldModel::Interaction || model == YieldModel::Conservative;
+}
+
 /// The largest moment of an ideal joint: at first yield of the extreme fibre (Wendelius' report),
 /// or with the whole section yielding.
 enum class YieldCap { FirstYield, FullyPlastic };

@@ -13,7 +13,8 @@
 namespace plastica {
 
 /// Permanent deformation of a joint in its axes: bending about x, about y, torsion [rad], and the
-/// elongation of the length that it bends over [m].
+/// elongation of the length that it bends over [m], of which what is an edge's of the yield surface
+/// does not count (law::NeutralAxis).
 using JointFlow = std::array<double, 4>;
 inline constexpr std::size_t kStretch = 3;  ///< the elongation in a `JointFlow`
 
@@ -22,17 +23,20 @@ class NodeStrains {
  public:
   std::vector<JointFlow> permanent;    ///< now
   std::vector<JointFlow> accumulated;  ///< sums of |d permanent|
+  std::vector<double> elongation;      ///< all of it [m]
 
   void reset(std::size_t nodes) {
     permanent.assign(nodes, {});
     accumulated.assign(nodes, {});
+    elongation.assign(nodes, 0.0);
     strain_.assign(nodes, 0.0);
     is_known_ = true;
   }
-  /// Takes the angles of another time.
+  /// Takes what another time has.
   void take(NodeStrains& of) {
     std::swap(permanent, of.permanent);
     std::swap(accumulated, of.accumulated);
+    std::swap(elongation, of.elongation);
     is_known_ = false;
   }
 
@@ -81,7 +85,9 @@ Localization localization_of(const Scene& scene);
 /// A permanent elongation is taken alike, over the hinge length of the axis that bends, and its
 /// strain adds to that of bending: the extreme fibre's (plane sections). Where both axes bend it is
 /// the mean of the strains over either length, by what each bends; where none does, the plain mean.
-/// In Wendelius' formulas it does not count.
+/// Of a section that bends it counts as far as its neutral axis explains it (law::NeutralAxis): a
+/// surface with an edge at no axial force lengthens by more. In Wendelius' formulas it does not
+/// count.
 class BreakWatch {
  public:
   BreakWatch() = default;

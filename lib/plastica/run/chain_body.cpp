@@ -77,7 +77,22 @@ void ChainBody<L, kElastic>::set_material(const MaterialValues<double>& material
   // Which region owns a joint between two follows from the material.
   if (watch.size() == 0 || model.layout.regions.size() > 1)
     watch = BreakWatch(model.scene, joint_models);
+  set_neutral_axes();
   chain::set_constraint_stiffness(joints->joints(), model.scene.beam.length, build.chain);
+}
+
+template <class L, bool kElastic>
+void ChainBody<L, kElastic>::set_neutral_axes() {
+  neutral_axes_.clear();
+  if (!watch.active() || !has_one_surface(model.scene.yield_model)) return;
+  neutral_axes_.resize(model.layout.regions.size());
+  for (const chain::JointModel& joint : joint_models) {
+    law::NeutralAxis& axis = neutral_axes_[joint.owner];
+    if (axis.moves > 0.0) continue;  // another joint has it
+    const chain::BeamRegion& region = model.layout.regions[joint.owner];
+    axis = law::neutral_axis(region.section, region.properties, region.gauge,
+                             joint.cap[law::kBendingX] / joint.cap[law::kAxial]);
+  }
 }
 
 template <class L, bool kElastic>
@@ -90,9 +105,27 @@ bool ChainBody<L, kElastic>::flows() const {
   for (std::size_t i = 0; i < strains.permanent.size(); ++i) {
     if (record.joint_of_node(i) == chain::JointModel::kNone) continue;
     const double stretch = record.permanent_flow(*joints, work, i)[kStretch];
-    if (is_stretch(stretch - strains.permanent[i][kStretch], joint_models[i])) return true;
+    if (is_stretch(stretch - strains.elongation[i], joint_models[i])) return true;
   }
   return false;
+}
+
+template <class L, bool kElastic>
+double ChainBody<L, kElastic>::counted_stretch(std::size_t node, double stretch) const {
+  const chain::JointModel& at = joint_models[node];
+  if (stretch == 0.0 || neutral_axes_.empty()) return stretch;
+  law::SectionForce<double> over_caps;
+  for (std::size_t k = 0; k < law::kSectionAxes; ++k) {
+    over_caps[k] = static_cast<double>(joints->section_forces()[at.joint][k]) / at.cap[k];
+  }
+  // As in `permanent_flow`: of a joint that stretches its own.
+  const bool stretches = kElastic && joints->joints()[at.joint].stretches;
+  if (!stretches && !joints->axial_states().empty()) {
+    const auto force = static_cast<double>(joints->axial_states()[at.joint].force);
+    over_caps[law::kAxial] = force / at.cap[law::kAxial];
+  }
+  const law::GaugeForm& gauge = model.layout.regions[at.owner].gauge;
+  return stretch * neutral_axes_[at.owner].fraction(law::axial_share(gauge, over_caps));
 }
 
 template <class L, bool kElastic>
@@ -106,14 +139,17 @@ void ChainBody<L, kElastic>::set_trial_strains(bool of_all) {
     if (!turns && joints->axial_states().empty()) {
       trial.permanent[i] = strains.permanent[i];
       trial.accumulated[i] = strains.accumulated[i];
+      trial.elongation[i] = strains.elongation[i];
       continue;
     }
     trial.permanent[i] = record.permanent_flow(*joints, work, i);
     if (!turns) std::copy_n(strains.permanent[i].begin(), kStretch, trial.permanent[i].begin());
-    // Rounding is no flow.
-    double& stretch = trial.permanent[i][kStretch];
-    const double before = strains.permanent[i][kStretch];
-    if (!is_stretch(stretch - before, joint_models[i])) stretch = before;
+    double& elongation = trial.elongation[i];
+    elongation = trial.permanent[i][kStretch];
+    const double before = strains.elongation[i];
+    if (!is_stretch(elongation - before, joint_models[i])) elongation = before;  // rounding
+    trial.permanent[i][kStretch] =
+        strains.permanent[i][kStretch] + counted_stretch(i, elongation - before);
     for (std::size_t k = 0; k < trial.permanent[i].size(); ++k) {
       trial.permanent[i][k] += 0.0;  // no -0, which tables would show
       trial.accumulated[i][k] =

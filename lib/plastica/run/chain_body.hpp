@@ -63,13 +63,18 @@ class ChainBody {
  private:
   void set_material(const MaterialValues<double>& material);
 
+  void set_neutral_axes();
+  /// What of a permanent elongation of the joint at a node counts against its limit [m].
+  double counted_stretch(std::size_t node, double stretch) const;
+
   void find_axial_forces(bool in_motion);
   /// Whether a joint transmits more than the force at which its section yields by N alone.
   bool carries_axial_yield() const;
   /// See `AxialNote`.
   double missing_elongation(std::size_t j) const;
 
-  MaterialValues<double> material_{};  ///< that the joints have
+  MaterialValues<double> material_{};           ///< that the joints have
+  std::vector<law::NeutralAxis> neutral_axes_;  ///< (regions); empty: all elongation counts
   // Of `note_axial`:
   chain::Placement<L> axial_placement_;
   chain::OuterForces<L> axial_outside_;

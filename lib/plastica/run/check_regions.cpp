@@ -11,8 +11,6 @@
 namespace plastica {
 
 void check_regions(const Scene& scene) {
-  const bool one_surface =
-      scene.yield_model == YieldModel::Interaction || scene.yield_model == YieldModel::Conservative;
   const auto kind_of = [&](const Section& section) {
     return law::gauge_form(section, scene.yield_model, scene.yield_cap, scene.formulas).kind;
   };
@@ -34,7 +32,7 @@ void check_regions(const Scene& scene) {
                            ? "is said, but the rest of the beam has rates of its joints"
                            : "is missing: the rest of the beam has a rate that all has");
     }
-    if (one_surface && kind_of(region.section) != kind_of(scene.section)) {
+    if (has_one_surface(scene.yield_model) && kind_of(region.section) != kind_of(scene.section)) {
       throw InputError({}, name + ".section.shape", section_kind(region.section).word(),
                        "yields by another kind of surface than the rest of the beam: "
                        "take rules.yield_model = per_axis or fibre");

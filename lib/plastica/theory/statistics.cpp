@@ -6,6 +6,8 @@
 #include <numbers>
 #include <vector>
 
+#include <unsupported/Eigen/SpecialFunctions>
+
 #include "plastica/base/domain.hpp"
 
 namespace plastica::theory {
@@ -207,6 +209,24 @@ double student_t_quantile(double p, double degrees_of_freedom) {
   }
   const double t = student_t_tail_quantile(std::min(p, 1.0 - p), degrees_of_freedom);
   return p < 0.5 ? -t : t;
+}
+
+double chi_squared_cdf(double x, double degrees_of_freedom) {
+  require_domain(degrees_of_freedom > 0.0, "degrees_of_freedom > 0.0");
+  return x > 0.0 ? Eigen::numext::igamma(0.5 * degrees_of_freedom, 0.5 * x) : 0.0;
+}
+
+double chi_squared_quantile(double p, double degrees_of_freedom) {
+  require_domain(p > 0.0 && p < 1.0, "p > 0.0 && p < 1.0");
+  double low = degrees_of_freedom;
+  while (chi_squared_cdf(low, degrees_of_freedom) > p) low /= 2.0;
+  double high = 2.0 * low;
+  while (chi_squared_cdf(high, degrees_of_freedom) < p) high *= 2.0;
+  for (int i = 0; i < 60; ++i) {
+    const double middle = 0.5 * (low + high);
+    (chi_squared_cdf(middle, degrees_of_freedom) < p ? low : high) = middle;
+  }
+  return 0.5 * (low + high);
 }
 
 double half_interval(double confidence, double scale, double degrees_of_freedom,

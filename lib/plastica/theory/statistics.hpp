@@ -24,6 +24,15 @@ double student_t_cdf(double t, double degrees_of_freedom);
 /// @param degrees_of_freedom  nu > 0; infinity gives the normal quantile
 double student_t_quantile(double probability, double degrees_of_freedom);
 
+/// Probability that a chi-squared variable is below x, by the regularized incomplete gamma function
+/// (Eigen's).
+/// @param degrees_of_freedom  k > 0, not necessarily an integer
+double chi_squared_cdf(double x, double degrees_of_freedom);
+
+/// Inverse of chi_squared_cdf; error below 1e-9 of the value.
+/// @param probability  0 < p < 1
+double chi_squared_quantile(double probability, double degrees_of_freedom);
+
 /// The q within which (|x| <= q) an error x = scale t + sum h_k u_k lies with the given confidence:
 /// t a Student t variable, u_k uniform within -1 … 1, all independent. So is a measured value of
 /// which noise is one part and the distance between samples the other. With one h and more than one

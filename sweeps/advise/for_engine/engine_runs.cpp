@@ -115,7 +115,7 @@ const Outcome& EngineRuns::run(const EngineSetting& setting) {
     return not_run_;
   }
   ++runs_;
-  total_work_ += work(setting);
+  total_work_ += outcome.work;
   if (options_.progress) options_.progress(runs_);
   return outcomes_.emplace(setting, std::move(outcome)).first->second;
 }
@@ -147,6 +147,8 @@ Outcome EngineRuns::made(const EngineSetting& setting) const {
       loads.gather(*chain, time, wrenches);
       if (chain->step(loads.gravity(time), wrenches)) continue;
       outcome.status = Status::NonFinite;
+      outcome.work = std::int64_t{setting.segments} *
+                     (std::int64_t{sample} * setting.steps + step + 1);  // it ends here
       outcome.reason = fmt::format("{}'s steps blow up", engine_.word);
       return outcome;
     }

@@ -32,6 +32,8 @@ class EngineRuns {
   int most_steps() const { return 100'000; }
   /// A setting with twice as many segments, and as many steps as these need to be as stable.
   EngineSetting with_twice_segments(const EngineSetting& setting) const;
+  /// Whether steps beyond a limit, which falls with the length of segments, are unstable.
+  bool has_longest_step() const { return engine_.steps_of_twice_segments > 1; }
   /// About which axes of its joints the beam turns: of a motion in a plane about one, where the
   /// rule is of hinges.
   const std::array<bool, 3>& turns() const { return turns_; }

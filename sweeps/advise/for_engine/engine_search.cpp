@@ -21,8 +21,16 @@ constexpr double kFineRatio = 1.02;
 constexpr int kFailures = 2;
 /// By how much a step that is advised is shorter than one that blows up.
 constexpr double kStepMargin = 1.1;
-/// How often steps are halved once more if twice as many segments blow up.
-constexpr int kMoreSteps = 2;
+/// How often steps are halved once more if twice as many segments are not stable. Explicit dampers
+/// of a scene need sixteen times as many steps, four of which an explicit rule has anyway: two
+/// halvings more, and two from a step that does not blow up to one that shows what segments do.
+constexpr int kMoreSteps = 4;
+/// Half a step takes this part of the error away only if that was no error of a step's size. The
+/// rules are of first order: it would be half. Even where an error of segments cancels part of it,
+/// a setting that is within with half the step, too, does not come to a quarter so.
+constexpr double kStableFall = 4.0;
+/// Nor does half a step move a stable run by more than the size of what is watched [1].
+constexpr double kStableMove = 1.0;
 /// Doubling both moves the result by less than this part of what is too much: it has come to its
 /// limit.
 constexpr double kOfGap = 0.1;
@@ -67,13 +75,11 @@ EngineVerdict EngineSearch::judge(const EngineSetting& setting) {
   verdict.by_steps = change(setting, steps);
   const double off_segments = off(segments).largest;
   const double off_steps = off(steps).largest;
-  EngineSetting longer = setting;
-  longer.steps = static_cast<int>(setting.steps / kStepMargin);
   verdict.within = std::max(off_segments, off_steps) <= allowed_;
-  if (verdict.within && longer.steps >= 1 && blows_up(longer)) {
-    verdict.within = false;
-    verdict.reason = "with a step that is little longer it blows up";
-  } else if (!verdict.within) {
+  if (verdict.within) {
+    verdict.reason = near_blow_up(setting, verdict.by_steps);
+    verdict.within = verdict.reason.empty();
+  } else {
     verdict.reason =
         off_segments > allowed_
             ? fmt::format("with twice as many segments it is {} off", error_percent(off_segments))
@@ -85,12 +91,38 @@ EngineVerdict EngineSearch::judge(const EngineSetting& setting) {
 bool EngineSearch::is_within(const EngineSetting& setting) { return judge(setting).within; }
 
 bool EngineSearch::blows_up(const EngineSetting& setting) {
-  return runs_.run(setting).status == Status::NonFinite;
+  const Status status = runs_.run(setting).status;
+  // Finite numbers may be too large for their squares.
+  return status == Status::NonFinite || (usable(status) && !std::isfinite(off(setting).largest));
+}
+
+bool EngineSearch::is_unstable(const EngineSetting& setting) {
+  if (blows_up(setting)) return true;
+  const double error = off(setting).largest;
+  if (!runs_.has_longest_step() || error <= allowed_) return false;
+  EngineSetting half = setting;
+  half.steps *= 2;
+  if (blows_up(half)) return true;
+  const double moved = change(setting, half);
+  return kStableFall * off(half).largest < error || (std::isfinite(moved) && moved > kStableMove);
+}
+
+std::string EngineSearch::near_blow_up(const EngineSetting& setting, double by_steps) {
+  EngineSetting longer = setting;
+  longer.steps = static_cast<int>(setting.steps / kStepMargin);
+  if (longer.steps < 1) return {};
+  if (blows_up(longer)) return "with a step that is little longer it blows up";
+  // Of first or second order it would be four times what half the step changes at most, where the
+  // longer one is twice as long for want of whole numbers between.
+  const double changed = change(setting, longer);
+  if (!std::isfinite(changed) || changed <= allowed_ + 4.0 * by_steps) return {};
+  return fmt::format("with a step that is little longer it is {} off, about to blow up",
+                     error_percent(off(longer).largest));
 }
 
 EngineSetting EngineSearch::with_twice_segments(const EngineSetting& setting) {
   EngineSetting twice = runs_.with_twice_segments(setting);
-  for (int i = 0; i < kMoreSteps && blows_up(twice); ++i) twice.steps *= 2;
+  for (int i = 0; i < kMoreSteps && is_unstable(twice); ++i) twice.steps *= 2;
   return twice;
 }
 
@@ -105,17 +137,18 @@ bool EngineSearch::find_first(EngineDamping damping) {
       best_ = at;
       return true;
     }
-    EngineSetting segments = at.segments == runs_.most_segments() ? at : with_twice_segments(at);
-    segments.segments = std::min(segments.segments, runs_.most_segments());
-    segments.steps = std::min(segments.steps, runs_.most_steps());
     EngineSetting steps = at;
     steps.steps = std::min(2 * at.steps, runs_.most_steps());
-    if (segments == at && steps == at) return false;
-    if (blows_up(at)) {
+    // Of what it shows nothing is due to its segments.
+    if (is_unstable(at)) {
       if (steps == at) return false;
       at = steps;
       continue;
     }
+    EngineSetting segments = at.segments == runs_.most_segments() ? at : with_twice_segments(at);
+    segments.segments = std::min(segments.segments, runs_.most_segments());
+    segments.steps = std::min(segments.steps, runs_.most_steps());
+    if (segments == at && steps == at) return false;
     const double by_segments = change(at, segments);
     const double by_steps = change(at, steps);
     const double gap = verdict.off.largest - allowed_;

@@ -25,8 +25,9 @@ struct EngineVerdict {
 /// is within the error of the reference. Then, for other numbers of segments, the nearest first,
 /// the fewest steps are bracketed whose product is less. A setting counts as within only if it
 /// stays there with twice as many segments, and with twice as many steps: else errors of both only
-/// cancel. A step that is a tenth longer must not blow up, whatever its error: else a motion that
-/// lasts a little longer, or is a little stiffer, may.
+/// cancel. A step that is a tenth longer must not blow up, nor change the result as one does that
+/// is about to, whatever its error: else a motion that lasts a little longer, or is a little
+/// stiffer, may blow up.
 class EngineSearch {
  public:
   /// @param allowed  error against the reference [1]
@@ -49,8 +50,16 @@ class EngineSearch {
   double change(const EngineSetting& from, const EngineSetting& to);
   bool is_within(const EngineSetting& setting);
   bool blows_up(const EngineSetting& setting);
-  /// With twice as many segments, and steps that are short enough for them: explicit springs need
-  /// four times as many, explicit dampers sixteen, implicit ones no more.
+  /// Whether its step is too long for an explicit rule: it blows up; or it does not in the time
+  /// that the scene lasts, but is off by more than is allowed, and half the step takes most of that
+  /// away, or moves it by more than its size. What such a run is off says nothing of its segments.
+  bool is_unstable(const EngineSetting& setting);
+  /// Why a step that is a tenth longer does not do; empty: it does.
+  /// @param by_steps  what half the step of the setting changes [1]
+  std::string near_blow_up(const EngineSetting& setting, double by_steps);
+  /// With twice as many segments, and steps that are short enough for them, so that they show what
+  /// segments do: explicit springs need four times as many, explicit dampers sixteen, implicit ones
+  /// no more; some more of them where the first that do not blow up are still unstable.
   EngineSetting with_twice_segments(const EngineSetting& setting);
   bool find_first(EngineDamping damping);
   /// Brackets the least of a number that does, the other as it is.

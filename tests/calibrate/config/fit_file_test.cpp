@@ -220,6 +220,20 @@ TEST_F(FitFileTest, SaysThatTwoBlocksReadOneCurve) {
                                           "twice");
 }
 
+TEST_F(FitFileTest, GroupsSpecimensOfBlocksByTheSameNumber) {
+  for (const char* name : {"one/a.csv", "one/b.csv", "two/c.csv", "two/d.csv"}) write(name);
+  write("one.csv", "id,temperature\na,20\nb,20.0\n");
+  write("two.csv", "id,temperature\nc,2e1\nd,room\n");
+  const FitFile file = parse(
+      "[target_defaults]\nstrain = 1\nstress = { column = 2, unit = 'MPa' }\n"
+      "group = ['temperature']\n"
+      "[[target]]\nfiles = 'one/*'\ntable = { file = 'one.csv', key = 'id' }\n"
+      "[[target]]\nfiles = 'two/*'\ntable = { file = 'two.csv', key = 'id' }\n");
+  Names groups;
+  for (const Target& target : import_all(file)) groups.push_back(target.group.at(0).second);
+  EXPECT_EQ(groups, (Names{"20", "20", "20", "room"}));
+}
+
 TEST_F(FitFileTest, GivesSpecimensOfOneNameNumbers) {
   for (const char* name : {"one/a.csv", "two/a.csv"}) write(name);
   const FitFile file = parse(

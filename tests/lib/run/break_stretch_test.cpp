@@ -1,6 +1,8 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "tests/lib/run/watched_beam.hpp"
 #include "tests/support/chain_scene.hpp"
@@ -140,32 +142,75 @@ TEST(Breaks, OfAPulledBarAreThoseOfItsJointsAlone) {
   }
 }
 
+/// The permanent rotation of a cantilever's hinge at its break, in a section that is pulled by a
+/// fraction of what it yields at and bent by a force across.
+double rotation_at_break(const Section& section, YieldModel model, YieldCap cap, double pull) {
+  Scene scene = testing::cantilever_scene(20);
+  scene.section = section;
+  scene.yield_model = model;
+  scene.yield_cap = cap;
+  scene.material.break_strain = 0.05;
+  const double all = scene.material.yield_stress * testing::properties_of(scene).area;
+  scene.loads = {
+      {.at = Place::end(), .force = {0.0, 0.0, pull * all}, .history = History::constant()},
+      {.at = Place::end(), .force = {0.0, -500.0, 0.0}}};
+  testing::add_probe(scene, ProbeQuantity::PlasticAngle, Place::start(), Component::X);
+  SolverOptions options{.level = Level::Planar, .steps = 200};
+  options.control = PathControl::Displacement;
+  options.control_motion = {0.0, -0.5, 0.0};
+  const Response response = simulate(scene, options);
+  EXPECT_FALSE(response.chain.events.empty()) << name_of(response.status);
+  return std::fabs(testing::last_of(response, 0));
+}
+
+/// 20 mm deep.
+Section solid(SectionShape shape) {
+  Section section;
+  section.shape = shape;
+  section.width = section.height = 0.02;
+  section.radius = 0.01;
+  return section;
+}
+
 /// A joint that does not stretch breaks by what its section does under its axial force: pulled
 /// beyond yield while it bends, earlier than by bending alone.
 TEST(Breaks, CountTheElongationOfAHingeThatDoesNotShowIt) {
-  const auto rotation_at_break = [](double pull) {
-    Scene scene = testing::cantilever_scene(20);
-    scene.yield_model = YieldModel::Interaction;
-    scene.yield_cap = YieldCap::FullyPlastic;
-    scene.material.break_strain = 0.05;
-    const double all = scene.material.yield_stress * testing::properties_of(scene).area;
-    scene.loads = {
-        {.at = Place::end(), .force = {0.0, 0.0, pull * all}, .history = History::constant()},
-        {.at = Place::end(), .force = {0.0, -500.0, 0.0}}};
-    testing::add_probe(scene, ProbeQuantity::PlasticAngle, Place::start(), Component::X);
-    SolverOptions options{.level = Level::Planar, .steps = 200};
-    options.control = PathControl::Displacement;
-    options.control_motion = {0.0, -0.5, 0.0};
-    const Response response = simulate(scene, options);
-    EXPECT_FALSE(response.chain.events.empty()) << name_of(response.status);
-    return std::fabs(testing::last_of(response, 0));
+  const auto rotation = [](double pull) {
+    return rotation_at_break(solid(SectionShape::Rectangle), YieldModel::Interaction,
+                             YieldCap::FullyPlastic, pull);
   };
   // Of m + n^2 = 1, m = M/M_p and n = N/N_p: de/dtheta = 2 n M_p/N_p = n h/2, as much as the
   // extreme fibre has by bending, times n.
-  const double alone = rotation_at_break(0.0);
+  const double alone = rotation(0.0);
   for (const double n : {0.3, 0.6}) {
-    EXPECT_NEAR(alone / rotation_at_break(n), 1.0 + n, 1e-3)
-        << n << ": steps meet the limit within 1e-4";
+    EXPECT_NEAR(alone / rotation(n), 1.0 + n, 1e-3) << n << ": steps meet the limit within 1e-4";
+  }
+}
+
+/// The surface of first yield, m + n = 1, has an edge at n = 0, beside which it lengthens a section
+/// by W/A for a unit of curvature, however small n is. A section's neutral axis moves in proportion
+/// to n: what the edge lengthens beyond that is none of the extreme fibre's strain.
+TEST(Breaks, DoNotCountWhatAnEdgeOfTheYieldSurfaceLengthens) {
+  for (const YieldModel model : {YieldModel::Interaction, YieldModel::Conservative}) {
+    for (const bool round : {false, true}) {
+      const auto rotation = [&](double pull) {
+        const SectionShape shape = round ? SectionShape::Circle : SectionShape::Rectangle;
+        return rotation_at_break(solid(shape), model, YieldCap::FirstYield, pull);
+      };
+      // The hinge is as long as it is deep: (h/2) theta/h. The force across has an own pull, where
+      // the beam has turned.
+      const double alone = rotation(0.0);
+      EXPECT_NEAR(alone, 0.1, 1e-3) << round;
+      EXPECT_NEAR(alone / rotation(1e-6), 1.0, 1e-3) << round;
+      EXPECT_NEAR(alone / rotation(-1e-6), 1.0, 1e-3) << round;
+      for (const double n : {0.1, 0.2, 0.6}) {
+        // Of a rectangle the neutral axis is n h/2 off the middle, and 3 W/A is h/2; of a circle
+        // n pi r/4 at small n, and 4 W/A is r.
+        const double by_axis = round ? 0.25 * std::numbers::pi * n : n;
+        const double most = round ? 0.25 : 1.0 / 3.0;
+        EXPECT_NEAR(alone / rotation(n), 1.0 + std::min(by_axis, most), 5e-3) << n << round;
+      }
+    }
   }
 }
 

@@ -12,6 +12,21 @@ namespace {
 
 // Expected values by mpmath with 25 digits unless a closed form stands beside them.
 
+TEST(ChiSquared, IsTheDistributionOfSumsOfSquares) {
+  // Of two degrees it is exponential, of one the square of a normal variable.
+  for (const double p : {1e-6, 0.025, 0.3, 0.5, 0.9, 0.999}) {
+    EXPECT_NEAR(chi_squared_quantile(p, 2.0) / (-2.0 * std::log1p(-p)), 1.0, 1e-9) << p;
+    EXPECT_NEAR(chi_squared_quantile(p, 1.0) / std::pow(normal_quantile(0.5 + 0.5 * p), 2), 1.0,
+                1e-7)
+        << p;
+    EXPECT_NEAR(chi_squared_cdf(chi_squared_quantile(p, 7.5), 7.5), p, 1e-12);
+  }
+  // Abramowitz & Stegun, table 26.8.
+  EXPECT_NEAR(chi_squared_quantile(0.975, 11.0), 21.9200, 1e-4);
+  EXPECT_NEAR(chi_squared_quantile(0.025, 11.0), 3.81575, 1e-5);
+  EXPECT_EQ(chi_squared_cdf(0.0, 3.0), 0.0);
+}
+
 TEST(NormalQuantile, MatchesKnownValues) {
   EXPECT_NEAR(normal_quantile(0.975), 1.959963984540054, 1e-14);
   EXPECT_NEAR(normal_quantile(0.995), 2.575829303548901, 1e-13);

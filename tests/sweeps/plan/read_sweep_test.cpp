@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "plastica/model/numbered_place.hpp"
 #include "tests/lib/io/scratch_folder.hpp"
@@ -141,6 +142,44 @@ TEST(ReadSweep, SamplesItsAxesTogetherAndTheSameForASeed) {
     EXPECT_EQ(std::count_if(lengths.begin(), lengths.end(), [](double l) { return l < 10.0; }), 32);
     EXPECT_GE(*std::min_element(lengths.begin(), lengths.end()), 1.0);
     EXPECT_LE(*std::max_element(lengths.begin(), lengths.end()), 100.0);
+  }
+}
+
+/// How often each value comes up.
+std::map<double, int> counts_of(const std::string& method, const std::string& axis) {
+  const Sweep sweep = cantilever_sweep("[sample]\nmethod = '" + method + "'\ncount = 1024\n" +
+                                       "[[axis]]\n" + axis + "\n" + kTipError);
+  std::map<double, int> counts;
+  for (const double value : numbers(sweep.axes[0])) ++counts[value];
+  return counts;
+}
+
+TEST(ReadSweep, SamplesEachIntegerAlike) {
+  for (const std::string method : {"latin_hypercube", "sobol"}) {
+    for (const std::string ends : {"[10, 12]", "[12, 10]", "[5, 40]"}) {
+      const auto counts = counts_of(method, "field = 'beam.segments'\nsampled = " + ends);
+      const bool few = ends != "[5, 40]";
+      ASSERT_EQ(counts.size(), few ? 3U : 36U) << ends;
+      EXPECT_EQ(counts.begin()->first, few ? 10.0 : 5.0);
+      EXPECT_EQ(counts.rbegin()->first, few ? 12.0 : 40.0);
+      // Both methods have one point in each 1024th: an integer's part holds at most two more or
+      // fewer than its share.
+      for (const auto& [value, count] : counts) {
+        EXPECT_NEAR(count, few ? 341.3 : 28.4, 2.0) << method << ' ' << ends << ' ' << value;
+      }
+    }
+  }
+}
+
+TEST(ReadSweep, SamplesIntegersByTheirPartOfALogarithmicAxis) {
+  for (const std::string method : {"latin_hypercube", "sobol"}) {
+    const auto counts =
+        counts_of(method, "field = 'solver.steps'\nsampled = [1, 3]\nspacing = 'logarithmic'");
+    ASSERT_EQ(counts.size(), 3U);
+    for (const auto& [value, count] : counts) {
+      const double part = std::log((value + 0.5) / (value - 0.5)) / std::log(3.5 / 0.5);
+      EXPECT_NEAR(count, 1024 * part, 2.0) << method << ' ' << value;
+    }
   }
 }
 

@@ -148,6 +148,34 @@ TEST(EngineAdvice, StaysBelowTheStableStepOfBullet) {
   }
 }
 
+// Twice as many segments take 16 times as many steps of explicit dampers. The first that do not
+// blow up are off by 51 and 194 %, which says nothing of segments.
+TEST(EngineAdvice, DoesNotTakeAStepTooLongForAnErrorOfSegments) {
+  struct Expected {
+    const char* damping_time;
+    double most_work;  // half as much again as what the search finds
+  };
+  for (const auto& [damping_time, most_work] :
+       {Expected{"2 ms", 1.2e5}, Expected{"0.05 ms", 2e4}}) {
+    SCOPED_TRACE(damping_time);
+    const EngineAdvice advice =
+        sweeps::advise_for_engine(kBullet, setup_of(damped_bar(damping_time)), within(0.02));
+    ASSERT_EQ(advice.end, EngineAdviceEnd::Found);
+    EXPECT_LE(advice.setting.segments, 8);
+    EXPECT_LT(static_cast<double>(advice.work), most_work);
+    EXPECT_LE(advice.promised, 0.02);
+    // Half the step all but nothing: it is well within what is stable.
+    EXPECT_LT(advice.by_steps, 1e-4);
+    for (const sweeps::TriedEngineSetting& one : advice.tried) {
+      // No finite run at a step up to a tenth longer is off by more than its segments are.
+      const bool is_longer = one.setting.segments == advice.setting.segments &&
+                             one.time_step > advice.time_step &&
+                             one.time_step < 1.1 * advice.time_step;
+      EXPECT_TRUE(!is_longer || one.error < 0.02) << one.time_step;
+    }
+  }
+}
+
 TEST(EngineAdvice, SpeaksOfBulletAsOfMujoco) {
   const AdviceOptions options = within(0.05);
   const EngineAdvice bullet = sweeps::advise_for_engine(kBullet, setup_of(struck_bar()), options);

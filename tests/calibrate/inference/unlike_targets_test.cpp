@@ -1,0 +1,131 @@
+#include "calibrate/inference/unlike_targets.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "tests/calibrate/inference/elastic_cantilever.hpp"
+
+// Specimens of scattering modulus that share one: as a mean of them is known.
+
+namespace plastica::calibrate {
+namespace {
+
+using testing::kModulus;
+
+constexpr int kSamples = 30;
+constexpr double kNoise = 0.006;  // over the largest tip
+
+/// Specimens of a cantilever, each with a modulus of its own.
+std::vector<WeightedTarget> specimens(int count, double scatter, std::uint32_t seed) {
+  std::mt19937_64 random(seed);
+  std::normal_distribution<double> normal;
+  std::vector<WeightedTarget> targets;
+  for (int k = 0; k < count; ++k) {
+    WeightedTarget one{testing::cantilever(4), testing::continuous()};
+    one.target.name = "specimen-" + std::to_string(k + 1);
+    const double per_force = one.target.ordinate[0] / one.target.abscissa[0];
+    const double own = per_force / (1.0 + scatter * normal(random));
+    one.target.abscissa.clear();
+    one.target.ordinate.clear();
+    for (int i = 1; i <= kSamples; ++i) {
+      one.target.abscissa.push_back(0.1 * i / kSamples);
+      one.target.ordinate.push_back(own * one.target.abscissa.back() +
+                                    kNoise * 0.1 * per_force * normal(random));
+    }
+    targets.push_back(std::move(one));
+  }
+  return targets;
+}
+
+/// The continuous beam's modulus as a chain of four segments has it: larger by 1/(2 N^2).
+constexpr double kOfChain = kModulus * (1.0 + 1.0 / 32.0);
+
+SceneFitOptions without_segments() {
+  SceneFitOptions options = testing::stiffness();
+  options.segments_error = false;
+  return options;
+}
+
+bool says(const SceneFitResult& result, const std::string& words) {
+  return std::ranges::any_of(result.warnings, [&](const std::string& warning) {
+    return warning.find(words) != std::string::npos;
+  });
+}
+
+struct Counts {
+  int hold = 0, warned = 0, blamed_law = 0;
+};
+
+Counts counts_of(int count, double scatter, int seeds) {
+  Counts counts;
+  for (int seed = 1; seed <= seeds; ++seed) {
+    const auto targets = specimens(count, scatter, static_cast<std::uint32_t>(seed));
+    const SceneFitResult result = fit(targets, without_segments());
+    const FittedParameter& e = result.parameters.at(0);
+    counts.hold += e.interval_low <= kOfChain && kOfChain <= e.interval_high ? 1 : 0;
+    counts.warned += says(result, "differ by more than their noise") ? 1 : 0;
+    counts.blamed_law += says(result, "does not describe") ? 1 : 0;
+  }
+  return counts;
+}
+
+TEST(UnlikeTargets, OfScatteringSpecimensHaveTheErrorOfTheirMean) {
+  // 95 % of 60 are 57 +- 1.7. With the noise alone it would be some 25.
+  for (const double scatter : {0.01, 0.03}) {
+    const Counts counts = counts_of(8, scatter, 60);
+    EXPECT_NEAR(counts.hold, 57, 5) << scatter;
+    EXPECT_EQ(counts.warned, 60) << scatter;
+    EXPECT_EQ(counts.blamed_law, 0) << "each by itself is a straight line";
+  }
+}
+
+TEST(UnlikeTargets, OfOneModulusAreLeftAsTheyAre) {
+  const Counts counts = counts_of(8, 0.0, 100);
+  EXPECT_NEAR(counts.hold, 95, 6);
+  EXPECT_LE(counts.warned, 2) << "one of a thousand";
+}
+
+TEST(UnlikeTargets, OfTwoAreTooFewForAnErrorButNotForAWarning) {
+  const auto targets = specimens(2, 0.03, 7);
+  const SceneFitResult result = fit(targets, without_segments());
+  EXPECT_TRUE(says(result, "specimen-1 and specimen-2 differ by more than their noise"));
+  EXPECT_TRUE(says(result, "the errors know nothing of it"));
+}
+
+/// The chi-squared of estimates that are known each to s about their mean: sum (E_k - E)^2/s^2.
+TEST(UnlikeTargets, AreJudgedByWhatEachAsksFor) {
+  const auto targets = specimens(6, 0.02, 11);
+  std::vector<double> values;
+  double error = 0.0, mean = 0.0;
+  for (const WeightedTarget& one : targets) {
+    const std::vector<WeightedTarget> alone{one};
+    const FittedParameter e = fit(alone, without_segments()).parameters.at(0);
+    values.push_back(e.value);
+    error += e.noise_error / 6.0;
+    mean += e.value / 6.0;
+  }
+  double squares = 0.0, scatter = 0.0;
+  for (const double value : values) {
+    squares += std::pow((value - mean) / error, 2);
+    scatter += std::pow(value - mean, 2) / 5.0;
+  }
+  const SceneFitResult all = fit(targets, without_segments());
+  const auto said = std::ranges::find_if(all.warnings, [](const std::string& warning) {
+    return warning.find("chi-squared") != std::string::npos;
+  });
+  ASSERT_NE(said, all.warnings.end());
+  const double chi_squared = std::stod(said->substr(said->find("chi-squared") + 12));
+  EXPECT_NEAR(chi_squared / squares, 1.0, 0.3) << "of noise that each knows to 13 %";
+  EXPECT_NE(said->find("of 5 degrees"), std::string::npos) << *said;
+  EXPECT_NEAR(all.parameters.at(0).standard_error, std::sqrt(scatter / 6.0),
+              0.3 * std::sqrt(scatter / 6.0));
+  EXPECT_LT(all.parameters.at(0).degrees_of_freedom, 8.0);
+}
+
+}  // namespace
+}  // namespace plastica::calibrate
