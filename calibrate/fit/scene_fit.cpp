@@ -96,11 +96,7 @@ class SceneFit {
       const double half = std::sqrt(3.0) * p.sampling_error;
       judge(half, segments_of(i), prior_fractions_[i], p);
     }
-    if (search_.best().outcome == LeastSquaresOutcome::EvaluationsReached) {
-      result_.warnings.push_back(fmt::format(
-          "the search ended at its {} evaluations (fit.evaluations): better values may be near",
-          options_.evaluations));
-    }
+    warn(warning_of_end(search_.best().outcome, options_.evaluations));
     for (std::size_t t = 0; t < targets_.size(); ++t) {
       const SceneTarget& target = targets_[t].target;
       warn(warning_of_noise(target, stated_noise(t), search_.noise_left(t)));
@@ -243,10 +239,11 @@ class SceneFit {
       fitted.lower = *p.lower;
       fitted.upper = *p.upper;
       std::vector<double> halves;
+      BreakLimit limit;
       fractions_.emplace_back();
       Eigen::VectorXd slope = Eigen::VectorXd::Zero(covariance.rows());
       if (is_break(p)) {
-        const BreakLimit limit = errors.break_limit(p);
+        limit = errors.break_limit(p);
         fitted.value = fitted.start = std::clamp(limit.value, *p.lower, *p.upper);
         fitted.at_lower = limit.value < *p.lower;
         fitted.at_upper = limit.value > *p.upper;
@@ -270,7 +267,9 @@ class SceneFit {
         slope[static_cast<Eigen::Index>(next)] = std::abs(coordinate.slope(fitted.value));
         ++next;
       }
-      fitted.degrees_of_freedom = errors.degrees_of_freedom(slope);
+      const double degrees = errors.degrees_of_freedom(slope);
+      fitted.degrees_of_freedom =
+          errors.has_scatter() ? std::min(degrees, errors.correlated_degrees(slope)) : degrees;
       const auto error = [&](const Eigen::MatrixXd& c) {
         return fitted.at_bound() ? kNan : std::sqrt(errors.moment(c, slope, slope));
       };
@@ -278,9 +277,14 @@ class SceneFit {
       // Where the residuals are independent both estimate the same, and either may be larger.
       const double more = error(errors.correlated_covariance());
       fitted.misfit_error = std::isnan(more) ? kNan : 0.0;
-      const bool differ = std::isfinite(errors.scatter_degrees());
-      if ((in_runs_ || is_doubted_ || differ) && more > fitted.noise_error) {
-        set_misfit_error(more, errors.scatter_degrees(), fitted);
+      // That of targets that differ stands for both: their scales are not those of noise alone.
+      if (errors.has_scatter()) fitted.noise_error = std::min(fitted.noise_error, more);
+      if ((in_runs_ || is_doubted_ || errors.has_scatter()) && more > fitted.noise_error) {
+        fitted.misfit_error = std::sqrt(more * more - fitted.noise_error * fitted.noise_error);
+      }
+      if (limit.scatter > 0.0) {
+        fitted.misfit_error = std::hypot(fitted.misfit_error, limit.scatter);
+        fitted.degrees_of_freedom = std::min(fitted.degrees_of_freedom, limit.scatter_degrees);
       }
       double squares = 0.0;
       for (const double half : halves) squares += half * half / 3.0;

@@ -73,7 +73,8 @@ struct SceneFitOptions {
 /// residuals, with the degrees of freedom that the fit leaves to the target, and the fit is
 /// repeated, four times at most, until the noise changes by less than 5 %. A target with fewer than
 /// five degrees of freedom has the pooled noise of all targets, as a fraction of the largest
-/// ordinate.
+/// ordinate. Targets of one kind that may differ count alike, and the errors of what three and more
+/// share are those of their scatter: unlike_targets.hpp.
 ///
 /// Errors are those of Gauss and Newton: C = A^-1 B A^-1 with A = J^T W J, B = J^T W^2 J, J the
 /// residuals' slopes over the noise by central differences and W the weights, given or of the path

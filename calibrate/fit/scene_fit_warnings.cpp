@@ -14,6 +14,13 @@
 
 namespace plastica::calibrate {
 
+std::string warning_of_end(LeastSquaresOutcome outcome, int evaluations) {
+  if (outcome != LeastSquaresOutcome::EvaluationsReached) return {};
+  return fmt::format(
+      "the search ended at its {} evaluations (fit.evaluations): better values may be near",
+      evaluations);
+}
+
 std::string warning_of_noise(const SceneTarget& target, StatedNoise is, double left) {
   if (is == StatedNoise::Fits) return {};
   return fmt::format("{}: a noise of {:.3g} is stated, but the residuals are of {:.3g} (SI)",

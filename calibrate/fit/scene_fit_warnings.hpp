@@ -13,6 +13,9 @@
 /// say; not installed.
 namespace plastica::calibrate {
 
+/// That a search ended before it had come to its end.
+std::string warning_of_end(LeastSquaresOutcome outcome, int evaluations);
+
 /// A stated noise that the residuals contradict.
 /// @param left  what they are [SI]
 std::string warning_of_noise(const SceneTarget& target, StatedNoise is, double left);

@@ -22,15 +22,6 @@ double variance_inflation(double autocorrelation, double samples, int parameters
   return std::min(samples / samples_worth(samples, autocorrelation), most);
 }
 
-void set_misfit_error(double whole, double degrees, FittedParameter& p) {
-  const double noise = p.noise_error * p.noise_error;
-  const double misfit = whole * whole - noise;
-  p.misfit_error = std::sqrt(misfit);
-  if (std::isinf(degrees)) return;
-  const double squares = noise * noise / p.degrees_of_freedom + misfit * misfit / degrees;
-  p.degrees_of_freedom = std::pow(noise + misfit, 2) / squares;
-}
-
 void set_material_interval(double confidence, std::span<const double> halves,
                            const SegmentsError& segments, FittedParameter& p) {
   if (std::isnan(p.noise_error)) return;

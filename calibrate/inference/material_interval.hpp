@@ -23,12 +23,6 @@ bool are_in_runs(double runs_test_p, double autocorrelation, double samples);
 /// @param parameters  that the curve determines
 double variance_inflation(double autocorrelation, double samples, int parameters);
 
-/// Sets what lack of fit adds to a parameter's noise error, and its degrees of freedom after Welch
-/// and Satterthwaite.
-/// @param whole    standard error of both together, above that of the noise [SI]
-/// @param degrees  of freedom of what is added; infinite: as if it were known
-void set_misfit_error(double whole, double degrees, FittedParameter& p);
-
 /// Sets standard error and confidence interval of a parameter as one of the material, from all that
 /// parts it from the fitted value: noise and lack of fit (Student's t with the parameter's degrees
 /// of freedom), breaks between samples, and segments (both evenly likely over their intervals).

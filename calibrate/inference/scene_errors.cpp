@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numeric>
 
 #include "calibrate/inference/not_a_number.hpp"
@@ -136,6 +135,11 @@ void SceneErrors::set_covariance(std::span<const double> residual,
     by_target_.push_back(from_scores(gram(j.middleRows(first, count), w.segment(first, count))));
   }
   kinds_ = targets_of_one_kind(problem_, slopes_, residual, free);
+  for (const TargetsOfOneKind& kind : kinds_) {
+    if (!kind.tell_scatter()) continue;
+    scatter_.push_back(
+        {of_all(between(inverse, kind.scores)), static_cast<double>(kind.targets.size() - 1)});
+  }
   correlated_covariance_ = from_scores(correlated_scores(residual, free));
 }
 
@@ -196,13 +200,19 @@ MatrixXd SceneErrors::correlated_scores(std::span<const double> residual,
   return sum;
 }
 
-double SceneErrors::scatter_degrees() const {
-  double fewest = std::numeric_limits<double>::infinity();
-  for (const TargetsOfOneKind& kind : kinds_) {
-    if (kind.tell_scatter())
-      fewest = std::min(fewest, static_cast<double>(kind.targets.size() - 1));
+double SceneErrors::correlated_degrees(const VectorXd& gradient) const {
+  double rest = moment(correlated_covariance_, gradient, gradient);
+  const double variance = rest;
+  const double of_noise = degrees_of_freedom(gradient);
+  if (!(variance > 0.0)) return of_noise;
+  double squares = 0.0;
+  for (const Scatter& one : scatter_) {
+    const double own = joint_moment(one.covariance, gradient, gradient);
+    squares += own * own / one.degrees;
+    rest -= own;
   }
-  return fewest;
+  rest = std::max(rest, 0.0);
+  return variance * variance / (squares + rest * rest / of_noise);
 }
 
 double SceneErrors::degrees_of_freedom(const VectorXd& gradient) const {
@@ -322,6 +332,16 @@ BreakLimit SceneErrors::break_limit(const Parameter& p) {
     mean.max = std::max(mean.max, limits[k].value);
     const double off = limits[k].value - mean.value;
     mean.disagree = mean.disagree || off * off * certainty[k] > kFar * kFar;
+  }
+  if (mean.disagree && limits.size() > 2) {
+    const auto count = static_cast<double>(limits.size());
+    double squares = 0.0;
+    for (std::size_t k = 0; k < limits.size(); ++k) {
+      const double part = mean.fractions[broken[k]];
+      squares += std::pow(part * (limits[k].value - mean.value) / (1.0 - part), 2);
+    }
+    mean.scatter = std::sqrt(squares * (count - 1.0) / count);
+    mean.scatter_degrees = count - 1.0;
   }
   return mean;
 }

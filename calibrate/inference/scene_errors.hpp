@@ -21,6 +21,9 @@ struct BreakLimit {
   /// than four of its standard errors.
   double min = 0.0, max = 0.0;
   bool disagree = false;
+  /// Of three and more that disagree: the mean's standard error by how they scatter [1], and its
+  /// degrees of freedom; else 0.
+  double scatter = 0.0, scatter_degrees = 0.0;
   /// What each target counts in the value, 0 if it did not break in its way (n_targets).
   std::vector<double> fractions;
 
@@ -61,8 +64,10 @@ class SceneErrors {
   const Eigen::MatrixXd& correlated_covariance() const { return correlated_covariance_; }
   /// Those that several targets are of.
   const std::vector<TargetsOfOneKind>& kinds() const { return kinds_; }
-  /// Of what targets that differ put into the correlated covariance; infinite where none does.
-  double scatter_degrees() const;
+  /// Whether targets that differ are in the correlated covariance.
+  bool has_scatter() const { return !scatter_.empty(); }
+  /// As `degrees_of_freedom`, of the correlated covariance.
+  double correlated_degrees(const Eigen::VectorXd& gradient) const;
   /// The inverse of J^T W J, likewise: the covariance if all weights are 1 (n x n).
   const Eigen::MatrixXd& inverse() const { return inverse_; }
   /// `joint_moment` of one of these; NaN where the curves do not determine both functions, whose
@@ -103,6 +108,12 @@ class SceneErrors {
   Eigen::MatrixXd unseen_;  ///< directions that no curve shows, over `unit_` (n x directions)
   Eigen::VectorXd unit_;    ///< of the coordinates (n)
   std::vector<TargetsOfOneKind> kinds_;
+  /// What targets that differ put into the correlated covariance.
+  struct Scatter {
+    Eigen::MatrixXd covariance;  ///< (n x n)
+    double degrees = 0.0;        ///< of freedom
+  };
+  std::vector<Scatter> scatter_;
   std::vector<Eigen::MatrixXd> by_target_;  ///< what each target's noise puts into the covariance
   std::vector<double> slopes_;              ///< of the residuals (m x n), row by row
   IdentifiableSlopes identifiable_;

@@ -124,10 +124,11 @@ bool warn_of_difference(std::span<const WeightedTarget> targets, const TargetsOf
   for (const std::size_t t : kind.targets) names.push_back(targets[t].target.name);
   warnings.push_back(fmt::format(
       "{} differ by more than their noise does (chi-squared {:.3g} of {:.0f} degrees of freedom): "
-      "{}; if they are specimens that differ, shared = false fits each by itself",
+      "{}. They are specimens that differ (shared = false fits each by itself), or the model does "
+      "not carry over from one to the other",
       listed(names, kShownTargets), kind.chi_squared, kind.degrees,
-      kind.tell_scatter() ? "the errors count how they scatter, as a part of their misfit"
-                          : "the errors know nothing of it"));
+      kind.tell_scatter() ? "they count alike, and the errors count how they scatter"
+                          : "they count alike, and two hardly say how far others would be"));
   return true;
 }
 

@@ -2,6 +2,7 @@
 
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
+#include <Eigen/QR>
 
 namespace plastica::calibrate {
 
@@ -33,6 +34,10 @@ MatrixXd mapped(const MatrixXd& map, const VectorXd& variance) {
 
 MatrixXd inverse_of(const MatrixXd& a) {
   return a.ldlt().solve(MatrixXd::Identity(a.rows(), a.cols()));
+}
+
+VectorXd shortest_solution(const MatrixXd& a, const VectorXd& b) {
+  return a.completeOrthogonalDecomposition().solve(b);
 }
 
 UnitDirections::UnitDirections(const MatrixXd& a) : size(a.diagonal().cwiseSqrt().cwiseInverse()) {

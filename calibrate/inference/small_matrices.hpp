@@ -32,6 +32,9 @@ Eigen::MatrixXd mapped(const Eigen::MatrixXd& map, const Eigen::VectorXd& varian
 /// A^-1. @param a  symmetric and positive definite
 Eigen::MatrixXd inverse_of(const Eigen::MatrixXd& a);
 
+/// The shortest x of least |A x - b|.
+Eigen::VectorXd shortest_solution(const Eigen::MatrixXd& a, const Eigen::VectorXd& b);
+
 /// Eigenvalues, the smallest first, and eigenvectors (a column each) of S A S, whose diagonal is 1.
 struct UnitDirections {
   Eigen::VectorXd size;  ///< the diagonal of S: one over the roots of that of A

@@ -6,10 +6,7 @@
 
 #include "calibrate/fit/check_scene_fit.hpp"
 #include "calibrate/inference/lack_of_fit.hpp"
-#include "calibrate/inference/material_interval.hpp"
-#include "calibrate/inference/score_covariance.hpp"
 #include "calibrate/inference/small_matrices.hpp"
-#include "calibrate/inference/verdict.hpp"
 #include "plastica/theory/statistics.hpp"
 
 namespace plastica::calibrate {
@@ -24,7 +21,7 @@ using Eigen::VectorXd;
 constexpr double kShown = 1e-6;
 
 /// A target of which no more samples are left tells nothing of its noise.
-constexpr Index kFewLeft = 8;
+constexpr double kFewLeft = 12.0;
 
 /// A part of the inverse: of the directions that are shown.
 struct Shown {
@@ -77,83 +74,154 @@ Score score_of(const SceneProblem& problem, std::size_t t, std::span<const doubl
   return one;
 }
 
-/// Whether a target's samples count alike and leave independent noise: its variance is one number.
-bool is_even_noise(const SceneProblem& problem, std::size_t t, const VectorXd& left) {
-  const std::span<const double> weights = problem.weights(t);
-  const auto [low, high] = std::ranges::minmax_element(weights);
-  const std::span<const double> all(left.data(), static_cast<std::size_t>(left.size()));
-  return *low == *high &&
-         !are_in_runs(runs_test_p(all), autocorrelation(all), static_cast<double>(all.size()));
+/// The chi-squared that is as seldom as F of so many degrees of freedom over its own estimate's: by
+/// the normal deviates of both (Paulson, Ann. Math. Stat. 13 (1942) 233; Wilson & Hilferty, PNAS 17
+/// (1931) 684).
+double chi_squared_of(double f, double of_mean, double of_variance) {
+  const double a = 2.0 / (9.0 * of_mean), b = 2.0 / (9.0 * of_variance);
+  const double root = std::cbrt(f);
+  const double z = ((1.0 - b) * root - (1.0 - a)) / std::sqrt(b * root * root + a);
+  return of_mean * std::pow(std::max(0.0, 1.0 - a + z * std::sqrt(a)), 3);
 }
 
-/// h^T V^-1 h in the directions that are shown, V the covariance of the score by noise.
-double squared(const VectorXd& h, const Shown& shown, const Score& one, const VectorXd& left,
-               bool is_even) {
+/// What tells how far a target is from what its kind asks for.
+struct OwnNoise {
+  double variance = 0.0;  ///< of its samples, over the scale
+  double alike = 0.0;     ///< correlation of neighbours, >= 0
+  double worth = 0.0;     ///< degrees of freedom of the variance
+
+  /// @param weights  of the samples, whose roots are in the residuals
+  OwnNoise(const VectorXd& left, std::span<const double> weights, Index rank) {
+    const VectorXd own =
+        left.cwiseQuotient(Eigen::Map<const VectorXd>(weights.data(), left.size()).cwiseSqrt());
+    const auto samples = static_cast<double>(own.size());
+    const auto k = static_cast<double>(rank);
+    const double seen = autocorrelation({own.data(), static_cast<std::size_t>(own.size())});
+    // What a fit takes from it: as in score_covariance.hpp.
+    constexpr double kMost = 0.97;
+    alike = std::clamp(seen + (k * (1.0 + seen) + 2.0 * seen) / samples, 0.0, kMost);
+    worth = samples_worth(samples, alike) - k;
+    variance = own.squaredNorm() / (samples - k);
+  }
+  /// What of it counts in a score whose slopes change slowly.
+  double inflated() const { return variance * (1.0 + alike) / (1.0 - alike); }
+};
+
+/// h^T V^-1 h in the directions that are shown, V the covariance of the score by noise: as of
+/// independent samples, times what neighbours that are alike make of slopes that change slowly.
+double squared(const VectorXd& h, const Shown& shown, const Score& one, const OwnNoise& noise,
+               std::span<const double> weights) {
+  const MatrixXd slopes = product(one.slopes, shown.directions);
+  const Eigen::Map<const VectorXd> weight(weights.data(), slopes.rows());
   // A curve without any noise has the rounding of its numbers.
   constexpr double kRounding = 1e-20;
-  const VectorXd own = shown.directions.transpose() * h;
-  const auto samples = static_cast<double>(left.size());
-  const double freedom = samples - static_cast<double>(shown.rank());
-  if (is_even) {
-    // Of an estimated variance the mean of what follows is freedom/(freedom - 2) too large.
-    const double variance =
-        left.squaredNorm() / freedom + kRounding * one.residual.squaredNorm() / samples;
-    return own.squaredNorm() / variance * (freedom - 2.0) / freedom;
+  const double floor = kRounding * one.residual.squaredNorm();
+  const MatrixXd covariance = noise.inflated() * gram(slopes, weight) +
+                              floor * MatrixXd::Identity(shown.rank(), shown.rank());
+  const VectorXd own = Shown(covariance).directions.transpose() * shown.directions.transpose() * h;
+  const auto rank = static_cast<double>(shown.rank());
+  return chi_squared_of(own.squaredNorm() / rank, rank, noise.worth);
+}
+
+/// What several targets ask for together.
+struct Together {
+  VectorXd sum;
+  MatrixXd normal;
+
+  explicit Together(Index n) : sum(VectorXd::Zero(n)), normal(MatrixXd::Zero(n, n)) {}
+  void add(const Score& one, double weight = 1.0) {
+    sum += weight * one.score;
+    normal += weight * one.normal;
   }
-  using ByRows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
-  const ByRows slopes = product(one.slopes, shown.directions);
-  const std::vector<double> noise =
-      score_covariance({slopes.data(), static_cast<std::size_t>(slopes.size())},
-                       {left.data(), static_cast<std::size_t>(left.size())});
-  const MatrixXd covariance = SlopeRows(noise.data(), shown.rank(), shown.rank());
-  const MatrixXd floor =
-      kRounding * one.residual.squaredNorm() * MatrixXd::Identity(shown.rank(), shown.rank());
-  const Shown inverse(covariance + floor);
-  return freedom / samples * (inverse.directions.transpose() * own).squaredNorm();
+};
+
+/// chi^2 and its degrees of freedom, of targets with enough samples.
+void compare(const SceneProblem& problem, std::span<const Score> scores, TargetsOfOneKind& kind) {
+  Together counted(scores.front().score.size());
+  struct One {
+    std::size_t k;
+    Shown shown;
+    OwnNoise noise;
+  };
+  std::vector<One> ones;
+  for (std::size_t k = 0; k < scores.size(); ++k) {
+    const Shown shown(scores[k].normal);
+    const OwnNoise noise(kind.left[k], problem.weights(kind.targets[k]), shown.rank());
+    if (!(noise.worth >= kFewLeft)) continue;
+    if (noise.inflated() > 0.0) counted.add(scores[k], 1.0 / noise.inflated());
+    ones.push_back({k, shown, noise});
+  }
+  const Shown by_all(counted.normal);
+  const VectorXd of_kind = -by_all.solve(counted.sum);
+  kind.degrees = -static_cast<double>(by_all.rank());
+  for (const One& one : ones) {
+    const Score& score = scores[one.k];
+    const VectorXd h = score.score + score.normal * of_kind;
+    kind.degrees += static_cast<double>(one.shown.rank());
+    if (!(h.squaredNorm() > 0.0) || one.shown.rank() == 0) continue;
+    kind.chi_squared +=
+        squared(h, one.shown, score, one.noise, problem.weights(kind.targets[one.k]));
+  }
+}
+
+/// How the scores scatter, and with which scales all would count alike.
+void find_scatter(std::span<const Score> scores, TargetsOfOneKind& kind) {
+  const Index n = scores.front().score.size();
+  Together all(n);
+  for (const Score& one : scores) all.add(one);
+  const Shown by_all(all.normal);
+  const MatrixXd inverse = product(by_all.directions, by_all.directions.transpose());
+  const VectorXd of_kind = -by_all.solve(all.sum);
+  const auto count = static_cast<double>(scores.size());
+  const double part = static_cast<double>(by_all.rank()) / count;  // of one, if all count alike
+  kind.scores = MatrixXd::Zero(n, n);
+  std::vector<double> leverage;
+  Together alike(n);
+  for (const Score& one : scores) {
+    const VectorXd h = one.score + one.normal * of_kind;
+    const MatrixXd own = product(one.normal, inverse);
+    leverage.push_back(own.trace());
+    const VectorXd k = shortest_solution(MatrixXd::Identity(n, n) - own, h);
+    kind.scores += k * k.transpose();
+    if (leverage.back() > 0.0) alike.add(one, part / leverage.back());
+  }
+  kind.scores *= (count - 1.0) / count;
+  const VectorXd middle = -Shown(alike.normal).solve(alike.sum);
+  double squares = 0.0, degrees = -static_cast<double>(by_all.rank());
+  for (std::size_t k = 0; k < scores.size(); ++k) {
+    const Shown shown(scores[k].normal);
+    degrees += static_cast<double>(shown.rank());
+    if (!(leverage[k] > 0.0)) continue;
+    const VectorXd h = scores[k].score + scores[k].normal * middle;
+    squares += part / leverage[k] * (shown.directions.transpose() * h).squaredNorm();
+  }
+  for (const double one : leverage) {
+    const bool is_known = one > 0.0 && squares > 0.0 && degrees > 0.0;
+    kind.to_count_alike.push_back(is_known ? std::sqrt(one / part * squares / degrees) : 1.0);
+  }
 }
 
 TargetsOfOneKind compared(const SceneProblem& problem, std::vector<std::size_t> targets,
                           std::span<const double> slopes, std::span<const double> residual,
                           const std::vector<Index>& free) {
   TargetsOfOneKind kind;
-  const auto n = static_cast<Index>(free.size());
+  kind.targets = std::move(targets);
   std::vector<Score> scores;
-  VectorXd sum = VectorXd::Zero(n);
-  MatrixXd normal = MatrixXd::Zero(n, n);
-  for (const std::size_t t : targets) {
-    scores.push_back(score_of(problem, t, slopes, residual, free));
-    sum += scores.back().score;
-    normal += scores.back().normal;
-  }
-  const Shown by_all(normal);
-  const VectorXd of_kind = -by_all.solve(sum);
-  kind.scores = MatrixXd::Zero(n, n);
-  kind.degrees = -static_cast<double>(by_all.rank());
-  for (std::size_t k = 0; k < targets.size(); ++k) {
-    const Score& one = scores[k];
+  for (const std::size_t t : kind.targets) {
+    const Score& one = scores.emplace_back(score_of(problem, t, slopes, residual, free));
     const Shown shown(one.normal);
-    const VectorXd h = one.score + one.normal * of_kind;
     kind.left.push_back(one.residual - one.slopes * shown.solve(one.score));
     kind.degrees_left.push_back(static_cast<double>(one.residual.size() - shown.rank()));
-    kind.scores += h * h.transpose();
-    if (one.residual.size() < shown.rank() + kFewLeft) continue;
-    if (shown.rank() > 0) {
-      const bool is_even = is_even_noise(problem, targets[k], kind.left.back());
-      kind.chi_squared += squared(h, shown, one, kind.left.back(), is_even);
-    }
-    kind.degrees += static_cast<double>(shown.rank());
   }
-  const auto count = static_cast<double>(targets.size());
-  kind.scores *= count / (count - 1.0);
-  kind.targets = std::move(targets);
+  compare(problem, scores, kind);
+  find_scatter(scores, kind);
   return kind;
 }
 
 }  // namespace
 
-bool TargetsOfOneKind::differ() const {
-  constexpr double kSeldom = 1e-3;
-  return degrees > 0.0 && theory::chi_squared_cdf(chi_squared, degrees) > 1.0 - kSeldom;
+double TargetsOfOneKind::probability() const {
+  return degrees > 0.0 ? 1.0 - theory::chi_squared_cdf(chi_squared, degrees) : 1.0;
 }
 
 std::vector<TargetsOfOneKind> targets_of_one_kind(const SceneProblem& problem,
@@ -181,10 +249,10 @@ std::vector<TargetsOfOneKind> targets_of_one_kind(const SceneProblem& problem,
 std::vector<double> left_alone(const SceneProblem& problem, const TargetsOfOneKind& kind,
                                std::size_t k) {
   const std::size_t t = kind.targets[k];
-  std::vector<double> of_all(problem.squares().residuals);
-  std::ranges::copy(kind.left[k],
-                    of_all.begin() + static_cast<std::ptrdiff_t>(problem.first_residual(t)));
-  return problem.unscaled(t, of_all);
+  const std::span<const double> weights = problem.weights(t);
+  std::vector<double> left(kind.left[k].begin(), kind.left[k].end());
+  for (std::size_t i = 0; i < left.size(); ++i) left[i] *= problem.scale(t) / std::sqrt(weights[i]);
+  return left;
 }
 
 }  // namespace plastica::calibrate

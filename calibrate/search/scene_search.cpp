@@ -7,7 +7,6 @@
 #include <numeric>
 #include <utility>
 
-#include "calibrate/inference/scene_errors.hpp"
 #include "calibrate/problem/target_noise.hpp"
 #include "calibrate/search/least_squares_search.hpp"
 #include "calibrate/search/optimizer.hpp"
@@ -17,9 +16,6 @@
 namespace plastica::calibrate {
 namespace {
 
-/// Of the fits that set a target's noise by what is left of it.
-constexpr int kMaxRounds = 4;
-constexpr double kSameNoise = 0.05;
 /// Gauss-Newton steps that a search may take before the best are chosen, and how many of these go
 /// on to the end: see tests/studies/README.md.
 constexpr int kShortSteps = 6;
@@ -260,85 +256,6 @@ void SceneSearch::search() {
     start.outcome = found.outcome;
     start.evaluations = found.evaluations;
   }
-}
-
-double SceneSearch::cost_of(std::size_t t) const {
-  double sum = 0.0;
-  for (const double r : problem_.unscaled(t, best_.residual)) sum += r * r;
-  return sum;
-}
-
-std::vector<double> SceneSearch::costs() const {
-  std::vector<double> all;
-  for (std::size_t t = 0; t < problem_.targets().size(); ++t) all.push_back(cost_of(t));
-  return all;
-}
-
-double SceneSearch::noise_left(std::size_t t) const {
-  return std::sqrt(cost_of(t) / degrees_left_[t]);
-}
-
-/// Residuals and cost over another noise. @return largest change of a scale [1]
-double SceneSearch::rescale(std::vector<TargetNoise> noise) {
-  double change = 0.0;
-  for (std::size_t t = 0; t < noise.size(); ++t) {
-    const double before = problem_.scale(t);
-    // No scene is solved better than this, which keeps an exact curve from all the weight.
-    constexpr double kMin = 1e-9;
-    double& deviation = noise[t].deviation;
-    if (!problem_.targets()[t].target.noise) {
-      deviation = std::max(deviation, kMin * size_of(problem_.targets()[t]));
-    }
-    const double factor = before / deviation;
-    if (factor == 1.0) continue;
-    change = std::max(change, std::abs(factor - 1.0));
-    const std::size_t first = problem_.first_residual(t);
-    for (std::size_t i = 0; i < problem_.targets()[t].target.ordinate.size(); ++i) {
-      best_.residual[first + i] *= factor;
-    }
-  }
-  problem_.set_noise(std::move(noise));
-  best_.cost = 0.0;
-  for (const double r : best_.residual) best_.cost += r * r;
-  return change;
-}
-
-/// Of targets of one kind that differ what values of their own leave: what their difference does is
-/// no noise, and those nearest to the middle would have all the weight.
-std::vector<TargetNoise> SceneSearch::noise_of(const SceneErrors& errors) const {
-  std::vector<double> squares = costs();
-  std::vector<double> degrees = degrees_left_;
-  for (const TargetsOfOneKind& kind : errors.kinds()) {
-    if (!kind.differ()) continue;
-    for (std::size_t k = 0; k < kind.targets.size(); ++k) {
-      const std::vector<double> left = left_alone(problem_, kind, k);
-      squares[kind.targets[k]] = std::inner_product(left.begin(), left.end(), left.begin(), 0.0);
-      degrees[kind.targets[k]] = kind.degrees_left[k];
-    }
-  }
-  return noise_of_targets(problem_, squares, degrees, problem_.noise());
-}
-
-/// Weights targets by the noise that they turn out to have. The last search is with the weights
-/// that stand in the result, so that its values are their minimum.
-void SceneSearch::settle_noise() {
-  for (int round = 0;; ++round) {
-    const SceneErrors errors(problem_, best_.x, best_.residual);
-    degrees_left_ = degrees_left(problem_, errors.identifiable());
-    const double change = rescale(noise_of(errors));
-    const bool alone =
-        problem_.targets().size() == 1 && problem_.squares().residuals == problem_.samples();
-    if (knows_noise_ || alone) return;
-    const std::string stage = "weights " + std::to_string(round);
-    LeastSquares again = search_from(stage, {best_.x}, options_.evaluations).front().found;
-    if (again.outcome != LeastSquaresOutcome::NoStart) {
-      best_ = std::move(again);
-      pass_kinks("kinks of " + stage);
-    }
-    if (change < kSameNoise || round == kMaxRounds) break;
-  }
-  degrees_left_ =
-      degrees_left(problem_, SceneErrors(problem_, best_.x, best_.residual).identifiable());
 }
 
 }  // namespace plastica::calibrate

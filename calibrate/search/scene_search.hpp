@@ -76,12 +76,14 @@ class SceneSearch {
   std::vector<double> costs() const;
   std::vector<TargetNoise> noise_of(const SceneErrors& errors) const;
   double rescale(std::vector<TargetNoise> noise);
+  void set_left(const SceneErrors& errors);
   void tell(std::string_view stage, std::size_t done, std::size_t total) const;
 
   SceneProblem& problem_;
   const SceneFitOptions& options_;
   bool knows_noise_ = false;
-  std::vector<double> degrees_left_;  ///< by the residuals of each target
+  /// Of the residuals of each target that are its noise: degrees of freedom, and squares [SI^2].
+  std::vector<double> degrees_left_, squares_left_;
   LeastSquares best_;
   std::vector<SceneStart> starts_;
   std::string first_reason_;

@@ -36,12 +36,14 @@ class SampleWriter {
       for (const Row* row : rows_) offsets_.push_back(offsets_.back() + samples_of(*row, member));
     }
     io::Hdf5Column column = group_.column(name, offsets_.back(), {units, kDeflate});
-    constexpr std::size_t kTogether = 1024;  // so that all threads read what lies aside
+    // Of those that lie aside so many together that all threads read, and no more.
+    constexpr std::size_t kTogether = 1U << 20U;  // samples
     std::vector<Row> read;
-    for (std::size_t first = 0; first < rows_.size(); first += kTogether) {
-      const std::size_t count = std::min(kTogether, rows_.size() - first);
-      read_aside(first, count, read);
-      for (std::size_t i = first; i < first + count; ++i) {
+    for (std::size_t first = 0, end = 0; first < rows_.size(); first = end) {
+      end = first + 1;
+      while (end < rows_.size() && offsets_[end + 1] - offsets_[first] <= kTogether) ++end;
+      read_aside(first, end - first, read);
+      for (std::size_t i = first; i < end; ++i) {
         const std::vector<double>& own = member(is_aside(*rows_[i]) ? read[i - first] : *rows_[i]);
         if (own.size() != offsets_[i + 1] - offsets_[i]) refuse(name);
         column.append(own);
@@ -90,7 +92,7 @@ class SampleWriter {
   /// Rows with the samples of those that do not lie in memory.
   void read_aside(std::size_t first, std::size_t count, std::vector<Row>& read) const {
     if constexpr (std::is_same_v<Row, Curve>) {
-      read.resize(count);
+      read.assign(count, Row());
       parallel_for(count, {group_.threads(), nullptr}, [&](std::size_t i, int) {
         const Row& row = *rows_[first + i];
         if (is_aside(row)) read[i] = with_samples(row);

@@ -307,7 +307,8 @@ GaugeForm gauge_form(const Section& section, YieldModel model, YieldCap cap, For
   return form;
 }
 
-double moment_left(const Section& section, YieldCap cap, Formulas formulas, double n) {
+double moment_left(const Section& section, YieldCap cap, Formulas formulas, double n,
+                   GaugePlane plane) {
   const bool plastic = cap == YieldCap::FullyPlastic && formulas == Formulas::Mechanics;
   if (n >= 1.0) return 0.0;
   if (!plastic) return 1.0 - n;
@@ -315,7 +316,7 @@ double moment_left(const Section& section, YieldCap cap, Formulas formulas, doub
   if (kind.edge() == SectionEdge::Rectangle) return 1.0 - n * n;
   if (!kind.has_fibres()) return 1.0 - n;
   std::array<double, 2> before{0.0, 1.0};
-  for (const auto& point : plastic_curve(section, GaugePlane::Both)) {
+  for (const auto& point : plastic_curve(section, plane)) {
     if (point[0] >= n) {
       const double part = (n - before[0]) / (point[0] - before[0]);
       return before[1] + part * (point[1] - before[1]);
@@ -326,7 +327,7 @@ double moment_left(const Section& section, YieldCap cap, Formulas formulas, doub
 }
 
 NeutralAxis neutral_axis(const Section& section, const SectionProperties& properties,
-                         const GaugeForm& gauge, double lever) {
+                         const GaugeForm& gauge, GaugePlane plane, double lever) {
   NeutralAxis axis;
   switch (gauge.kind) {
     case GaugeKind::Rectangle:
@@ -338,12 +339,18 @@ NeutralAxis neutral_axis(const Section& section, const SectionProperties& proper
       break;
     case GaugeKind::PlasticCurve: break;
   }
+  const bool about_y = plane == GaugePlane::AboutY;
+  if (!section_kind(section).has_fibres()) {
+    axis.moves = about_y ? properties.outer_distance_y : properties.outer_distance_x;
+    return axis;
+  }
   // m = 1 - c n^2 beside n = 0, and dy/dn = 2 c M_p/N_p.
   constexpr double kSmall = 0.05;
   const double lost =
-      1.0 - moment_left(section, YieldCap::FullyPlastic, Formulas::Mechanics, kSmall);
-  axis.moves =
-      2.0 * lost / (kSmall * kSmall) * properties.plastic_section_modulus_x / properties.area;
+      1.0 - moment_left(section, YieldCap::FullyPlastic, Formulas::Mechanics, kSmall, plane);
+  const double modulus =
+      about_y ? properties.plastic_section_modulus_y : properties.plastic_section_modulus_x;
+  axis.moves = 2.0 * lost / (kSmall * kSmall) * modulus / properties.area;
   return axis;
 }
 

@@ -54,8 +54,9 @@ GaugeForm gauge_form(const Section& section, YieldModel model, YieldCap cap, For
                      GaugePlane plane = GaugePlane::Both);
 
 /// The moment that a section carries beside an axial force n = |N|/N_p, over that without: 1 - n at
-/// first yield, fully plastic the section's own (of a rectangular tube that about x). Not below 0.
-double moment_left(const Section& section, YieldCap cap, Formulas formulas, double n);
+/// first yield, fully plastic the section's own (of several that about x). Not below 0.
+double moment_left(const Section& section, YieldCap cap, Formulas formulas, double n,
+                   GaugePlane plane = GaugePlane::Both);
 
 /// What of the elongation of a section that bends is its neutral axis' doing.
 ///
@@ -77,9 +78,11 @@ struct NeutralAxis {
   }
 };
 
+/// A section that is given by its numbers is taken to be as broad everywhere: n h/2.
+/// @param plane  AboutX or AboutY
 /// @param lever  yield moment over the axial force at yield, as the surface has them [m]
 NeutralAxis neutral_axis(const Section& section, const SectionProperties& properties,
-                         const GaugeForm& gauge, double lever);
+                         const GaugeForm& gauge, GaugePlane plane, double lever);
 
 /// Axial force over that at yield, of one that is as far along the direction of the given forces
 /// that they yield without their torque [1]; 0 without bending moment and axial force.

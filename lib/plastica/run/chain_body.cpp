@@ -83,15 +83,19 @@ void ChainBody<L, kElastic>::set_material(const MaterialValues<double>& material
 
 template <class L, bool kElastic>
 void ChainBody<L, kElastic>::set_neutral_axes() {
-  neutral_axes_.clear();
-  if (!watch.active() || !has_one_surface(model.scene.yield_model)) return;
+  // The material's numbers have no part in them.
+  if (!neutral_axes_.empty() || !has_one_surface(model.scene.yield_model)) return;
   neutral_axes_.resize(model.layout.regions.size());
   for (const chain::JointModel& joint : joint_models) {
-    law::NeutralAxis& axis = neutral_axes_[joint.owner];
-    if (axis.moves > 0.0) continue;  // another joint has it
+    std::array<law::NeutralAxis, 2>& axes = neutral_axes_[joint.owner];
+    if (axes[0].moves > 0.0) continue;  // another joint has them
     const chain::BeamRegion& region = model.layout.regions[joint.owner];
-    axis = law::neutral_axis(region.section, region.properties, region.gauge,
-                             joint.cap[law::kBendingX] / joint.cap[law::kAxial]);
+    for (const std::size_t k : {law::kBendingX, law::kBendingY}) {
+      axes[k] =
+          law::neutral_axis(region.section, region.properties, region.gauge,
+                            k == law::kBendingX ? law::GaugePlane::AboutX : law::GaugePlane::AboutY,
+                            joint.cap[k] / joint.cap[law::kAxial]);
+    }
   }
 }
 
@@ -125,7 +129,12 @@ double ChainBody<L, kElastic>::counted_stretch(std::size_t node, double stretch)
     over_caps[law::kAxial] = force / at.cap[law::kAxial];
   }
   const law::GaugeForm& gauge = model.layout.regions[at.owner].gauge;
-  return stretch * neutral_axes_[at.owner].fraction(law::axial_share(gauge, over_caps));
+  const double n = law::axial_share(gauge, over_caps);
+  const double by_x = std::fabs(over_caps[law::kBendingX]);
+  const double by_y = std::fabs(over_caps[law::kBendingY]);
+  const auto& [about_x, about_y] = neutral_axes_[at.owner];
+  if (!(by_x + by_y > 0.0)) return stretch;
+  return stretch * (by_x * about_x.fraction(n) + by_y * about_y.fraction(n)) / (by_x + by_y);
 }
 
 template <class L, bool kElastic>

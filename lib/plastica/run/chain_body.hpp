@@ -73,8 +73,9 @@ class ChainBody {
   /// See `AxialNote`.
   double missing_elongation(std::size_t j) const;
 
-  MaterialValues<double> material_{};           ///< that the joints have
-  std::vector<law::NeutralAxis> neutral_axes_;  ///< (regions); empty: all elongation counts
+  MaterialValues<double> material_{};  ///< that the joints have
+  /// Of bending about x and about y (regions); empty: all elongation counts.
+  std::vector<std::array<law::NeutralAxis, 2>> neutral_axes_;
   // Of `note_axial`:
   chain::Placement<L> axial_placement_;
   chain::OuterForces<L> axial_outside_;

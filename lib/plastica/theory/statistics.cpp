@@ -213,6 +213,7 @@ double student_t_quantile(double p, double degrees_of_freedom) {
 
 double chi_squared_cdf(double x, double degrees_of_freedom) {
   require_domain(degrees_of_freedom > 0.0, "degrees_of_freedom > 0.0");
+  if (std::isinf(x)) return x > 0.0 ? 1.0 : 0.0;
   return x > 0.0 ? Eigen::numext::igamma(0.5 * degrees_of_freedom, 0.5 * x) : 0.0;
 }
 

@@ -101,7 +101,8 @@ bool EngineSearch::is_unstable(const EngineSetting& setting) {
   const double error = off(setting).largest;
   if (!runs_.has_longest_step() || error <= allowed_) return false;
   EngineSetting half = setting;
-  half.steps *= 2;
+  half.steps = std::min(2 * half.steps, runs_.most_steps());
+  if (half == setting) return false;
   if (blows_up(half)) return true;
   const double moved = change(setting, half);
   return kStableFall * off(half).largest < error || (std::isfinite(moved) && moved > kStableMove);

@@ -183,6 +183,17 @@ TEST(SceneJointFit, SaysThatTargetsDisagreeOnTheBreak) {
   EXPECT_TRUE(disagrees(apart));
   EXPECT_LT(apart.targets[0].break_strain, apart.parameter("break_strain").value);
   EXPECT_GT(apart.targets[1].break_strain, apart.parameter("break_strain").value);
+  // Of three the error is how they scatter, with two degrees of freedom.
+  targets.push_back(targets[1]);
+  targets[2].target.broke = SceneBreak{0.066, 0.001};
+  make_curve(targets[2], {}, 0.5, 3);
+  const SceneFitResult three = fit(targets, options);
+  double mean = 0.0, squares = 0.0;
+  for (const TargetFit& one : three.targets) mean += one.break_strain / 3.0;
+  for (const TargetFit& one : three.targets) squares += std::pow(one.break_strain - mean, 2) / 6.0;
+  EXPECT_NEAR(three.parameter("break_strain").misfit_error / std::sqrt(squares), 1.0, 0.3);
+  EXPECT_LE(three.parameter("break_strain").degrees_of_freedom, 2.0);
+  targets.pop_back();
   targets[1] = targets[0];
   EXPECT_FALSE(disagrees(fit(targets, options)));
 }

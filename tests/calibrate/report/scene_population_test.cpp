@@ -138,7 +138,7 @@ TEST(ScenePopulation, FindsTheSpecimensScatterUnderNoiseAsLarge) {
   EXPECT_LT(p.covariance[1], 0.0) << "likewise";
 }
 
-TEST(ScenePopulation, HasIntervalsOfMeanAndScatterFromResamplesOfTheFits) {
+TEST(ScenePopulation, HasIntervalsOfMeanAndScatter) {
   // Forty values without noise: bootstrap-t is near Student's, t(0.975; 39) = 2.023, within 10 %.
   std::mt19937_64 random(3);
   std::normal_distribution<double> scatter(100.0, 10.0);
@@ -168,8 +168,7 @@ TEST(ScenePopulation, HasIntervalsOfMeanAndScatterFromResamplesOfTheFits) {
   EXPECT_TRUE(std::isnan(scene_population(records).parameters[0].deviation_low));
 }
 
-/// Ten specimens each, of deviation 3, with a noise of 2 of their fits. Percentiles of resamples
-/// hold the 3 in three quarters.
+/// Seven specimens each, of deviation 3, with a noise of 2 of their fits.
 TEST(ScenePopulation, HoldsTheDeviationOfFewSpecimensAsOftenAsItSays) {
   constexpr int kPopulations = 400;
   std::mt19937_64 random(5);
@@ -177,7 +176,7 @@ TEST(ScenePopulation, HoldsTheDeviationOfFewSpecimensAsOftenAsItSays) {
   int holds = 0, below = 0;
   for (int population = 0; population < kPopulations; ++population) {
     std::vector<SceneFitRecord> records;
-    for (int i = 0; i < 10; ++i) {
+    for (int i = 0; i < 7; ++i) {
       records.push_back(specimen(scatter(random) + noise(random), i));
       records.back().result.parameters[0].noise_error = 2.0;
     }
@@ -188,6 +187,19 @@ TEST(ScenePopulation, HoldsTheDeviationOfFewSpecimensAsOftenAsItSays) {
   // 95 % of 400 are 380 +- 4.4; 10 on each side.
   EXPECT_NEAR(holds, 380, 15);
   EXPECT_NEAR(below, 10, 10);
+}
+
+TEST(ScenePopulation, LetsTheDeviationBeNoneWhereTheFitsNoiseIsAll) {
+  std::vector<SceneFitRecord> records;
+  for (const double value : {99.0, 100.0, 101.0, 100.5}) {
+    records.push_back(specimen(value, 1.0));
+    records.back().result.parameters[0].noise_error = 1.0;
+  }
+  const PopulationParameter some = scene_population(records).parameters[0];
+  EXPECT_EQ(some.deviation_low, 0.0);
+  EXPECT_GT(some.deviation_high, 1.0);
+  for (SceneFitRecord& record : records) record.result.parameters[0].noise_error = 10.0;
+  EXPECT_EQ(scene_population(records).parameters[0].deviation_high, 0.0);
 }
 
 }  // namespace

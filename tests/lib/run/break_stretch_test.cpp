@@ -142,23 +142,37 @@ TEST(Breaks, OfAPulledBarAreThoseOfItsJointsAlone) {
   }
 }
 
-/// The permanent rotation of a cantilever's hinge at its break, in a section that is pulled by a
-/// fraction of what it yields at and bent by a force across.
-double rotation_at_break(const Section& section, YieldModel model, YieldCap cap, double pull) {
+/// A cantilever that is pulled by a fraction of what its section yields at and bent by a force
+/// across. Probes: the permanent rotation of its hinge, and the strain there.
+Scene pulled_and_bent(const Section& section, YieldModel model, YieldCap cap, double pull,
+                      bool about_x = true) {
   Scene scene = testing::cantilever_scene(20);
   scene.section = section;
   scene.yield_model = model;
   scene.yield_cap = cap;
-  scene.material.break_strain = 0.05;
   const double all = scene.material.yield_stress * testing::properties_of(scene).area;
   scene.loads = {
       {.at = Place::end(), .force = {0.0, 0.0, pull * all}, .history = History::constant()},
-      {.at = Place::end(), .force = {0.0, -500.0, 0.0}}};
-  testing::add_probe(scene, ProbeQuantity::PlasticAngle, Place::start(), Component::X);
+      {.at = Place::end(), .force = {about_x ? 0.0 : -500.0, about_x ? -500.0 : 0.0, 0.0}}};
+  testing::add_probe(scene, ProbeQuantity::PlasticAngle, Place::start(),
+                     about_x ? Component::X : Component::Y);
+  testing::add_probe(scene, ProbeQuantity::LargestPlasticStrain, {}, {});
+  return scene;
+}
+
+SolverOptions bent_to(double displacement, bool about_x = true) {
   SolverOptions options{.level = Level::Planar, .steps = 200};
   options.control = PathControl::Displacement;
-  options.control_motion = {0.0, -0.5, 0.0};
-  const Response response = simulate(scene, options);
+  options.control_motion = {about_x ? 0.0 : -displacement, about_x ? -displacement : 0.0, 0.0};
+  return options;
+}
+
+/// Of a limit of 5 %.
+double rotation_at_break(const Section& section, YieldModel model, YieldCap cap, double pull,
+                         bool about_x = true) {
+  Scene scene = pulled_and_bent(section, model, cap, pull, about_x);
+  scene.material.break_strain = 0.05;
+  const Response response = simulate(scene, bent_to(0.5, about_x));
   EXPECT_FALSE(response.chain.events.empty()) << name_of(response.status);
   return std::fabs(testing::last_of(response, 0));
 }
@@ -211,6 +225,46 @@ TEST(Breaks, DoNotCountWhatAnEdgeOfTheYieldSurfaceLengthens) {
         EXPECT_NEAR(alone / rotation(n), 1.0 + std::min(by_axis, most), 5e-3) << n << round;
       }
     }
+  }
+}
+
+/// An I-section's neutral axis moves fast about x, through the web, and hardly about y.
+TEST(Breaks, CountTheElongationByTheAxisThatBends) {
+  Section section;
+  section.shape = SectionShape::ISection;
+  section.width = 0.1;
+  section.height = 0.2;
+  section.flange_thickness = 0.0085;
+  section.web_thickness = 0.0056;
+  const double area = section_properties(section, 0.3).area;
+  for (const bool about_x : {true, false}) {
+    const auto rotation = [&](double pull) {
+      return rotation_at_break(section, YieldModel::Interaction, YieldCap::FirstYield, pull,
+                               about_x);
+    };
+    const double alone = rotation(0.0);
+    EXPECT_NEAR(alone, 0.1, 1e-3) << about_x;
+    for (const double n : {0.05, 0.1}) {
+      // Between the axis and its mirror image, of the web's breadth or its height, is n A.
+      const double breadth = about_x ? section.web_thickness : section.height;
+      const double off = n * area / (2.0 * breadth);
+      const double half_depth = 0.5 * (about_x ? section.height : section.width);
+      EXPECT_NEAR(alone / rotation(n), 1.0 + off / half_depth, 0.01) << n << about_x;
+    }
+  }
+}
+
+/// A fit learns from it at which limit a specimen broke.
+TEST(Breaks, HaveTheSameStrainsWhereNothingLimitsThem) {
+  for (const double n : {0.0, 1e-6, 0.2}) {
+    const Response response =
+        simulate(pulled_and_bent(solid(SectionShape::Rectangle), YieldModel::Interaction,
+                                 YieldCap::FirstYield, n),
+                 bent_to(0.1));
+    ASSERT_EQ(response.status, Status::Completed) << name_of(response.status);
+    const double bending = 0.5 * std::fabs(testing::last_of(response, 0));
+    EXPECT_GT(bending, 0.01);
+    EXPECT_NEAR(testing::last_of(response, 1) / bending, 1.0 + n, 5e-3) << n;
   }
 }
 

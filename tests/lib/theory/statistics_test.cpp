@@ -25,6 +25,7 @@ TEST(ChiSquared, IsTheDistributionOfSumsOfSquares) {
   EXPECT_NEAR(chi_squared_quantile(0.975, 11.0), 21.9200, 1e-4);
   EXPECT_NEAR(chi_squared_quantile(0.025, 11.0), 3.81575, 1e-5);
   EXPECT_EQ(chi_squared_cdf(0.0, 3.0), 0.0);
+  EXPECT_EQ(chi_squared_cdf(std::numeric_limits<double>::infinity(), 3.0), 1.0);
 }
 
 TEST(NormalQuantile, MatchesKnownValues) {
