@@ -210,7 +210,7 @@ TargetsOfOneKind compared(const SceneProblem& problem, std::vector<std::size_t> 
   for (const std::size_t t : kind.targets) {
     const Score& one = scores.emplace_back(score_of(problem, t, slopes, residual, free));
     const Shown shown(one.normal);
-    kind.left.push_back(one.residual - one.slopes * shown.solve(one.score));
+    kind.left.emplace_back(one.residual - one.slopes * shown.solve(one.score));
     kind.degrees_left.push_back(static_cast<double>(one.residual.size() - shown.rank()));
   }
   compare(problem, scores, kind);

@@ -1,4 +1,4 @@
-#include "calibrate/inference/unlike_targets.hpp"
+#include "calibrate/fit/scene_fit.hpp"
 
 #include <gtest/gtest.h>
 
