@@ -127,8 +127,8 @@ bool warn_of_difference(std::span<const WeightedTarget> targets, const TargetsOf
       "{}. They are specimens that differ (shared = false fits each by itself), or the model does "
       "not carry over from one to the other",
       listed(names, kShownTargets), kind.chi_squared, kind.degrees,
-      kind.tell_scatter() ? "they count alike, and the errors count how they scatter"
-                          : "they count alike, and two hardly say how far others would be"));
+      kind.tell_scatter() ? "the errors count how they scatter"
+                          : "two hardly say how far others would be"));
   return true;
 }
 

@@ -31,8 +31,9 @@ struct FittedParameter {
   double sampling_error = 0.0;
   /// What residuals that lie in runs, as those of a model that cannot follow, add to it, as the
   /// root of a difference of squares: of a coupon by how alike neighbours are, through scenes after
-  /// Newey and West (material_interval.hpp, score_covariance.hpp). 0 where they are noise, NaN
-  /// where it is not known.
+  /// Newey and West (material_interval.hpp, score_covariance.hpp). So does the scatter of targets
+  /// that share the parameters and differ (unlike_targets.hpp). 0 where they are noise, NaN where
+  /// it is not known.
   double misfit_error = kNone;
   /// Confidence interval of the material's, from all of these errors together
   /// (material_interval.hpp). With segments it lies about the extrapolated value, not about

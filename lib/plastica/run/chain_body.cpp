@@ -83,19 +83,18 @@ void ChainBody<L, kElastic>::set_material(const MaterialValues<double>& material
 
 template <class L, bool kElastic>
 void ChainBody<L, kElastic>::set_neutral_axes() {
-  // The material's numbers have no part in them.
+  // Of all regions: which owns a joint between two is another with another material. That has no
+  // part in the axes themselves, since all caps of a section grow with its yield stress.
   if (!neutral_axes_.empty() || !has_one_surface(model.scene.yield_model)) return;
-  neutral_axes_.resize(model.layout.regions.size());
-  for (const chain::JointModel& joint : joint_models) {
-    std::array<law::NeutralAxis, 2>& axes = neutral_axes_[joint.owner];
-    if (axes[0].moves > 0.0) continue;  // another joint has them
-    const chain::BeamRegion& region = model.layout.regions[joint.owner];
-    for (const std::size_t k : {law::kBendingX, law::kBendingY}) {
-      axes[k] =
-          law::neutral_axis(region.section, region.properties, region.gauge,
-                            k == law::kBendingX ? law::GaugePlane::AboutX : law::GaugePlane::AboutY,
-                            joint.cap[k] / joint.cap[law::kAxial]);
-    }
+  for (const chain::BeamRegion& region : model.layout.regions) {
+    const auto cap =
+        chain::joint_of_region(model.scene, region, material_values(region.material)).cap;
+    const auto about = [&](law::GaugePlane plane, std::size_t axis) {
+      return law::neutral_axis(region.section, region.properties, region.gauge, plane,
+                               cap[axis] / cap[law::kAxial]);
+    };
+    neutral_axes_.push_back({about(law::GaugePlane::AboutX, law::kBendingX),
+                             about(law::GaugePlane::AboutY, law::kBendingY)});
   }
 }
 

@@ -254,6 +254,30 @@ TEST(Breaks, CountTheElongationByTheAxisThatBends) {
   }
 }
 
+/// Nor does a trifle of a moment turn a bar that is pulled by that surface's other edge: the pull
+/// straightens it.
+TEST(Breaks, OfAPulledBarDoNotHangOnATrifleAcross) {
+  const auto factor_at_break = [](double across) {
+    Scene scene = testing::cantilever_scene(12);
+    scene.yield_model = YieldModel::Interaction;
+    scene.material.break_strain = 0.03;
+    scene.material.hardening.law = HardeningLaw::Linear;
+    scene.material.hardening.tangent_modulus = 2e9;
+    const double all = scene.material.yield_stress * testing::properties_of(scene).area;
+    scene.loads = {
+        {.at = Place::end(), .force = {0.0, across, 0.0}, .history = History::constant()},
+        {.at = Place::end(), .force = {0.0, 0.0, 2.0 * all}}};
+    const Response response = simulate(
+        scene, {.level = Level::Planar, .translation = JointTranslation::Elastic, .steps = 100});
+    EXPECT_FALSE(response.chain.events.empty()) << name_of(response.status);
+    return response.chain.events.at(0).factor;
+  };
+  const double alone = factor_at_break(0.0);
+  for (const double across : {1e-6, 1e-3, 1.0}) {
+    EXPECT_NEAR(factor_at_break(across) / alone, 1.0, 1e-4) << across << " N";
+  }
+}
+
 /// A fit learns from it at which limit a specimen broke.
 TEST(Breaks, HaveTheSameStrainsWhereNothingLimitsThem) {
   for (const double n : {0.0, 1e-6, 0.2}) {
