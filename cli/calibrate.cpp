@@ -152,7 +152,7 @@ int calibrate_files(const CalibrateArguments& arguments) {
   how.progress = [&bar](const calibrate::BatchProgress& progress) {
     bar.update(progress.done, progress.failed + progress.rejected, progress.resumed);
   };
-  how.spool = spool;
+  how.counts_curves = true;
   calibrate::JournaledBatch batch(targets, file.options, how);
   bar.set_total(batch.own());
   contents.options = file.options;

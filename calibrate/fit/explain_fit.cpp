@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
+#include "calibrate/fit/fitted_curve.hpp"
 #include "calibrate/inference/identifiable_yield.hpp"
 #include "calibrate/inference/lack_of_fit.hpp"
 #include "calibrate/inference/material_interval.hpp"
@@ -236,53 +238,13 @@ void warn_of_early_break(const Target& target, const BreakEvent& event, FitResul
       broke ? "went on" : "did not break at all"));
 }
 
-/// The fitted beam on the specimen's strain path, with its break; and the strain where it breaks.
+/// The fitted curve, and the strain where the model breaks.
 void add_fitted_curve(const Target& target, const FitOptions& options, FitResult& result) {
-  Setup setup = options.setup;
-  for (const FittedParameter& p : result.parameters) {
-    // A break limit that the curve does not show would break the fitted beam at a guess. All else
-    // is what the optimizer compared with the curve, determined by it or not.
-    if (p.identified || !p.is_break()) set_field(setup, find_field(p.path), p.value);
-  }
-  Scene& scene = setup.scene;
-  take_test(target, scene);
-  scene.probes = {{"stress", ProbeQuantity::Stress}};
-  scene.on_break = BreakPolicy::CutAll;
-  const auto& observed = target.characteristics.observed_break;
-  if (observed) scene.drive.strain.push_back(observed->first_broken_strain);
-  const std::size_t shown = scene.drive.strain.size();
-
-  // Go on in the last direction until the beam must have broken, to learn at which strain.
-  if (scene.material.break_strain || scene.material.break_shear_strain) {
-    const double last = scene.drive.strain.back();
-    const double limit = std::max(scene.material.break_strain.value_or(0.0),
-                                  scene.material.break_shear_strain.value_or(0.0));
-    const Material& material = scene.material;
-    const double stiffness =
-        target.test == Test::Torsion ? resolved_shear_modulus(material) : material.youngs_modulus;
-    const double elastic =
-        4.0 * std::max(largest_stress(target.corrected), material.yield_stress) / stiffness;
-    const double before = shown > 1 ? scene.drive.strain[shown - 2] : 0.0;
-    const double direction = last == before ? last : last - before;
-    scene.drive.strain.push_back(last + std::copysign(4.0 * limit + elastic, direction));
-  }
-  const Response response = simulate(scene, setup.solver);
-  result.fitted.strain.assign(scene.drive.strain.begin(),
-                              scene.drive.strain.begin() + static_cast<std::ptrdiff_t>(shown));
-  result.fitted.stress.assign(response.probes[0].begin(),
-                              response.probes[0].begin() + static_cast<std::ptrdiff_t>(shown));
-  if (!response.event) return;
-  result.break_strain_total = response.event->strain;
-  warn_of_early_break(target, *response.event, result);
-  // A line to the first broken sample would fall before the break.
-  if (observed && response.event->sample + 1 == shown) {
-    const auto add = [](double value, std::vector<double>& values) {
-      values.insert(values.end() - 1, 2, value);
-    };
-    add(response.event->strain, result.fitted.strain);
-    add(response.event->stress, result.fitted.stress);
-    result.fitted.stress.end()[-2] = 0.0;
-  }
+  FittedCurve fitted = fitted_curve(target, options, result);
+  result.fitted = std::move(fitted.curve);
+  if (!fitted.event) return;
+  result.break_strain_total = fitted.event->strain;
+  warn_of_early_break(target, *fitted.event, result);
 }
 
 /// The solution's details, for a result that says nothing of any other.

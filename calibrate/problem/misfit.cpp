@@ -15,6 +15,9 @@ namespace {
 
 /// How far a break limit may be from the measured permanent strain at no cost, as a factor.
 constexpr double kLikelyReach = 30.0;
+/// A permanent strain at break of less than this fraction of the total one may be none: it is what
+/// the modulus leaves of that, whose errors are of this size.
+constexpr double kPlainlyPermanent = 0.1;
 
 std::vector<double> sample_weights(const std::vector<double>& strain, const FitOptions& options) {
   if (options.objective == Objective::Path) return path_weights(strain);
@@ -83,9 +86,11 @@ Misfit::Misfit(const Target& target, const FitOptions& options, const ParameterS
                     parameters.all()[decides->index].role == ParameterRole::Free;
   if (free && observed && options.break_weight > 0.0) {
     const double permanent = target.characteristics.break_strain_plastic.value_or(0.0);
-    const double scale = permanent > 0.0 ? permanent : std::fabs(observed->strain());
+    const double total = std::fabs(observed->strain());
+    const double scale = permanent > 0.0 ? permanent : total;
     break_scale_ = options.break_weight * cost_unit_ / (scale * scale);
-    break_size_ = scale;
+    if (permanent > kPlainlyPermanent * total) likely_least_ = permanent / kLikelyReach;
+    likely_most_ = kLikelyReach * std::max(permanent, total);
     break_index_ = decides->index;
   }
   if (decides) break_factor_ = decides->factor;
@@ -153,8 +158,7 @@ bool Misfit::set_values(std::span<const double> active) {
 double Misfit::limit() const { return break_factor_ * all_values_[break_index_]; }
 
 double Misfit::likely_limit() const {
-  return std::clamp(response_.permanent_strain, break_size_ / kLikelyReach,
-                    break_size_ * kLikelyReach);
+  return std::clamp(response_.permanent_strain, likely_least_, likely_most_);
 }
 
 double Misfit::break_cost(double limit, std::span<double> by_all, bool limit_moves) const {

@@ -40,8 +40,9 @@ void take_test(const Target& target, Scene& scene);
 /// at break_strain = p/k. So a free one is not searched but set to that, within its bounds, at each
 /// evaluation; the others are searched with the limit that is likely, p clamped to P/30 … 30 P, in
 /// place of k break_strain: a break limit that is at a bound, fixed or tied does not add to their
-/// gradient, but a model that does not yield at all, when the specimen broke with a permanent
-/// strain, costs.
+/// gradient, but a model that does not yield at all, when the specimen broke with a plain permanent
+/// strain, costs. One of less than a tenth of the total strain may be the modulus's error, and says
+/// nothing of the yield stress: there p is clamped by no lower limit.
 class Misfit {
  public:
   /// @throws InputError if the scene or a parameter does not suit the test
@@ -178,8 +179,9 @@ class Misfit {
   std::vector<double> weight_;  ///< over their sum (n_samples)
   std::vector<double> raw_weight_;
   double cost_unit_ = 1.0;
-  double break_scale_ = 0.0;  ///< break_weight S^2 / P^2; 0 without a break term
-  double break_size_ = 1.0;   ///< P
+  double break_scale_ = 0.0;   ///< break_weight S^2 / P^2; 0 without a break term
+  double likely_least_ = 0.0;  ///< of `likely_limit`
+  double likely_most_ = 0.0;
   double break_factor_ = 1.0;
   std::size_t break_index_ = 0;  ///< of the break parameter in the set
   std::vector<SetPrior> priors_;

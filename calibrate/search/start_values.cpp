@@ -114,8 +114,13 @@ StartValue raw_start(MaterialField field, const CurveSizes& s, const Target& tar
     case MaterialField::BreakStrain:
     case MaterialField::BreakShearStrain: {
       const double permanent = target.characteristics.break_strain_plastic.value_or(0.0);
-      const double start = permanent > 0.0 ? permanent : s.strain;
-      return around(field == MaterialField::BreakStrain ? start / yield_ratio : start, 30.0);
+      const double by_test = field == MaterialField::BreakStrain ? yield_ratio : 1.0;
+      const double start = (permanent > 0.0 ? permanent : s.strain) / by_test;
+      StartValue found = around(start, 30.0);
+      // One that broke without any has next to none.
+      const bool broke = target.characteristics.observed_break.has_value();
+      if (broke && !(permanent > 0.0)) found = {start / 30.0, 1e-4 * start, found.upper};
+      return found;
     }
     case MaterialField::TangentModulus: {
       // Hardening moduli of torsion are a third of those of tension; E is 2(1+nu) G.

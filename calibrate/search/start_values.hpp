@@ -27,7 +27,8 @@ struct StartValue {
 ///
 /// From the characteristics: Young's modulus as measured; the yield stress as the mean of proof
 /// stress and strength (ideal plasticity has to follow both) or as the proof stress (hardening
-/// laws); the break strain as the permanent strain at break; the tangent modulus as the slope from
+/// laws); the break strain as the permanent strain at break (of a specimen that broke without any,
+/// far below its total strain); the tangent modulus as the slope from
 /// proof stress to strength. Where a curve lacks one, its largest stress and strain stand in (95 %
 /// of the stress for a yield stress).
 /// What saturates hardens, above 0; of a cyclic curve that carries less at the end of a later

@@ -4,6 +4,7 @@
 
 #include "calibrate/result/describe_target.hpp"
 #include "calibrate/store/coded_rows.hpp"
+#include "calibrate/target/curve_spool.hpp"
 #include "plastica/base/instruction_set.hpp"
 #include "plastica/base/renamed.hpp"
 #include "plastica/base/version.hpp"
@@ -35,7 +36,7 @@ void put_parameter(ByteWriter& writer, const Parameter& p) {
 void put_target(ByteWriter& writer, const Target& t) {
   store::Putter put(writer);
   put(t.name, t.test, t.measure, t.loading, t.status, t.reason);
-  put(t.corrected.strain, t.corrected.stress);
+  put(digest_of(t.corrected));
   store::code_described(put, t.characteristics, kDescribeCharacteristics);
   put.each(t.properties, [](auto& to, auto& pair) { to(pair.first, pair.second); });  // strain rate
 }
@@ -60,13 +61,13 @@ std::uint64_t digest_of(const FitOptions& options) {
   writer.put(options.seed).put(options.confidence);
   writer.put(options.intervals.profile).put(options.intervals.bootstrap);
   writer.put(options.intervals.block);
-  return io::Digest().bytes(writer.bytes()).value();
+  return io::Digest().block(writer.bytes()).value();
 }
 
 std::string case_id(const Target& target, std::uint64_t options_digest) {
   ByteWriter writer;
   put_target(writer, target);
-  const auto digest = io::Digest().integer(options_digest).bytes(writer.bytes()).value();
+  const auto digest = io::Digest().integer(options_digest).block(writer.bytes()).value();
   return target.name + ' ' + io::hexadecimal(digest);
 }
 

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "calibrate/result/words.hpp"
+#include "calibrate/target/curve.hpp"
 #include "plastica/io/bytes.hpp"
 #include "plastica/io/storage_error.hpp"
 
@@ -142,10 +143,19 @@ class CodedRows {
   void numbers(std::string_view, std::string_view, const Member& member) {
     for (Row* row : rows_) coder_(member(*row));
   }
+  /// Of curves, how many samples they have: the fitted ones can be made again.
   template <typename Columns>
   void samples(std::string_view, const Columns& columns) {
-    SampleCoder coder{*this};
-    columns(coder);
+    if constexpr (std::is_same_v<std::remove_const_t<Row>, Curve>) {
+      for (Row* row : rows_) {
+        std::uint64_t count = row->samples();
+        coder_(count);
+        if constexpr (!std::is_const_v<Row>) row->aside.samples = count;
+      }
+    } else {
+      SampleCoder coder{*this};
+      columns(coder);
+    }
   }
   template <typename Member, typename Description>
   auto list(std::string_view, const Member& member, const Description& description) {

@@ -5,6 +5,7 @@
 #include <span>
 #include <stdexcept>
 
+#include "calibrate/fit/fitted_curve.hpp"
 #include "calibrate/store/fit_rules.hpp"
 #include "calibrate/store/interval_store.hpp"
 #include "calibrate/store/layout.hpp"
@@ -67,7 +68,9 @@ void write_fit_store(const std::string& path, const FitStoreContents& contents,
   io::Hdf5Group& root = file.root();
   io::write_schema(root, kFitStoreSchema, kFitStoreVersion);
   io::write_run_id(root, contents.run);
-  store::WrittenRows<FitRecord> rows(root, records);
+  store::WrittenRows<FitRecord> rows(root, records, [&](std::size_t i) {
+    return remade_curve(records[i]->target, contents.options, records[i]->result);
+  });
   store::traverse_records(rows);
   std::vector<store::StoredParameter> all;
   for (const Parameter& p : parameters_of(contents.options.laws, contents.options.parameters)) {

@@ -32,9 +32,9 @@ struct FitStoreContents {
 /// place of what is there if that is allowed.
 ///
 /// The records must have names of their own, or laws of their own beside the same name; curves with
-/// as many stresses as strains; and either no parameters or those of the options (of their law), in
-/// their order. A fit that is not Fitted has no cost and
-/// no misfit.
+/// as many stresses as strains (fitted ones that only count their samples are made again); and
+/// either no parameters or those of the options (of their law), in their order. A fit that is not
+/// Fitted has no cost and no misfit.
 /// @throws io::StorageError if it cannot be written; std::logic_error if the records are not so
 void write_fit_store(const std::string& path, const FitStoreContents& contents,
                      io::Overwrite overwrite = io::Overwrite::Allowed);

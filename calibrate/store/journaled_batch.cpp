@@ -1,11 +1,11 @@
 #include "calibrate/store/journaled_batch.hpp"
 
 #include <algorithm>
-#include <memory>
 #include <string_view>
 #include <unordered_set>
 #include <utility>
 
+#include "calibrate/fit/fitted_curve.hpp"
 #include "calibrate/fit/unseen.hpp"
 #include "calibrate/store/case_id.hpp"
 #include "calibrate/store/result_bytes.hpp"
@@ -41,7 +41,7 @@ std::vector<std::string> ids_of(std::span<const Target> targets, const FitOption
     const std::uint64_t digest =
         one.law ? io::Digest().integer(options_digest).text(name_of(*one.law)).value()
                 : options_digest;
-    ids[i] = case_id(*CorrectedTarget(targets[one.target]), digest);
+    ids[i] = case_id(targets[one.target], digest);
   });
   return ids;
 }
@@ -52,9 +52,7 @@ std::string id_of_run(std::vector<std::string> ids, std::span<const Target> targ
   // Samples that were dropped decide nothing, but stand in the result.
   std::vector<std::string> raw_ids(targets.size());
   parallel_for(targets.size(), {threads, nullptr}, [&](std::size_t i, int) {
-    const Curve raw = with_samples(targets[i].raw);
-    const auto digest = io::Digest().reals(raw.strain).reals(raw.stress).value();
-    raw_ids[i] = targets[i].name + ' ' + io::hexadecimal(digest);
+    raw_ids[i] = targets[i].name + ' ' + io::hexadecimal(digest_of(targets[i].raw));
   });
   ids.insert(ids.end(), raw_ids.begin(), raw_ids.end());
   for (const Target& target : targets) {
@@ -88,15 +86,20 @@ JournaledBatch::JournaledBatch(std::span<const Target> targets, const FitOptions
       cases_(cases_of(targets.size(), options)) {
   ids_ = ids_of(targets, options, cases_, how_.threads);
   deal(id_of_run(ids_, targets, options, how_.threads));
-  resume([&](FitResult& result) {
+  resume([&](std::size_t i, FitResult& result) {
+    if (!may_have_curve(targets[cases_[i].target], result)) return false;
     if (!options.keep_trace) result.trace.leave_out();
-    put_fitted_aside(result);
     return !options.keep_trace || result.trace.left_out == 0;
   });
 }
 
-void JournaledBatch::put_fitted_aside(FitResult& result) const {
-  if (how_.spool) put_aside(result.fitted, how_.spool);
+void JournaledBatch::remake_curves(std::vector<FitResult>& results) const {
+  if (how_.counts_curves) return;
+  parallel_for(results.size(), {how_.threads, nullptr}, [&](std::size_t i, int) {
+    FitResult& result = results[i];
+    if (!result.fitted.is_aside()) return;
+    result.fitted = remade_curve(targets_[cases_[i].target], options_, result);
+  });
 }
 
 std::vector<FitResult> JournaledBatch::run() {
@@ -110,7 +113,7 @@ std::vector<FitResult> JournaledBatch::run() {
   }
   const auto finished = [&](std::size_t k, FitResult& result) {
     keep(missing[k], result);
-    put_fitted_aside(result);
+    if (how_.counts_curves) count_alone(result);
   };
   std::vector<FitResult> fitted;
   share(team(), to_fit.size(), how_.stop, [&](const NextIndex& next) {
@@ -119,9 +122,6 @@ std::vector<FitResult> JournaledBatch::run() {
                   {.threads = how_.threads, .stop = how_.stop, .finished = finished, .next = next});
   });
   gather(false);
-  for (const std::unique_ptr<FitResult>& result : results_) {
-    if (result) put_fitted_aside(*result);
-  }
   end_run(progress_.done == progress_.total);
 
   std::vector<FitResult> results = std::move(fitted);
@@ -133,6 +133,7 @@ std::vector<FitResult> JournaledBatch::run() {
     if (results_[i]) results[i] = std::move(*results_[i]);
   }
   results_.clear();
+  remake_curves(results);
   // Of all fits together, and quick: no part of the journal.
   if (complete() && own() == size()) add_unseen(targets_, cases_, options_, how_.threads, results);
   return results;

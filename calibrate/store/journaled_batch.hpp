@@ -37,14 +37,14 @@ class JournaledBatch : public JournaledFits<FitResult> {
   const std::vector<FitCase>& cases() const { return cases_; }
 
   /// Fits what is missing. Result i belongs to case i; a fit that was not begun, because of the
-  /// stop flag, has the reason "not run", as those of other shards have. Their curves are in the
-  /// spool, if there is one. To be called once.
+  /// stop flag, has the reason "not run", as those of other shards have. To be called once.
   /// @throws InputError as `fit_target`; io::StorageError if the journal cannot be written. What
   ///         was finished before is in the journal.
   std::vector<FitResult> run();
 
  private:
-  void put_fitted_aside(FitResult& result) const;
+  /// Gives those of the journal their curves, which it only counts.
+  void remake_curves(std::vector<FitResult>& results) const;
 
   std::span<const Target> targets_;
   const FitOptions& options_;

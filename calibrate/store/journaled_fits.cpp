@@ -15,13 +15,13 @@ JournaledFits<Result>::JournaledFits(JournaledOptions how, std::uint64_t kind,
     : how_(std::move(how)), journal_(how_.journal, kind, noun) {}
 
 template <typename Result>
-void JournaledFits<Result>::resume(const std::function<bool(Result&)>& usable) {
+void JournaledFits<Result>::resume(const std::function<bool(std::size_t, Result&)>& usable) {
   results_.resize(ids_.size());
   for (std::size_t i = 0; i < ids_.size(); ++i) {
     const std::vector<std::byte>* bytes = own_[i] ? journal_.find(ids_[i]) : nullptr;
     if (bytes == nullptr) continue;
     Result result = result_from_bytes<Result>(*bytes);
-    if (usable && !usable(result)) continue;
+    if (usable && !usable(i, result)) continue;
     results_[i] = std::make_unique<Result>(std::move(result));
     count(*results_[i]);
     ++progress_.resumed;

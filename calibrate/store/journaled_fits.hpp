@@ -16,8 +16,6 @@
 
 namespace plastica::calibrate {
 
-class CurveSpool;
-
 /// How far a run of fits has come.
 struct BatchProgress {
   std::size_t done = 0;  ///< fitted, failed and rejected, those of the journal included
@@ -35,9 +33,9 @@ struct JournaledOptions {
   StopFlag stop = nullptr;
   /// Called once before the first fit and after each, one call at a time, from any thread.
   std::function<void(const BatchProgress&)> progress{};
-  /// Takes the curves of fits of specimens, once they are in the journal; null: they stay in
-  /// memory.
-  std::shared_ptr<CurveSpool> spool{};
+  /// Of specimens: results only count the samples of their curves, which `remade_curve` makes when
+  /// they are written. Else they have them.
+  bool counts_curves = false;
 };
 
 /// Fits that survive the interruption of their run, whatever they are of: each that has ended goes
@@ -104,7 +102,7 @@ class JournaledFits {
   /// Takes the results of its own fits that the journal has.
   /// @param usable  told each, which it may change; false: it is stale, whatever its id. Empty: all
   ///                are usable
-  void resume(const std::function<bool(Result&)>& usable = {});
+  void resume(const std::function<bool(std::size_t index, Result&)>& usable = {});
   /// Whether a fit is to be done here.
   bool is_own(std::size_t index) const { return own_[index]; }
   /// To be called once, before the first fit. @throws std::logic_error when it is called again

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <span>
 #include <stdexcept>
@@ -23,11 +24,15 @@
 ///   columns.table(NAME, MEMBER, WIDTH)   so many numbers for each sample.
 namespace plastica::calibrate::store {
 
+/// The curve of a row.
+using CurveOfRow = std::function<Curve(std::size_t row)>;
+
 template <typename Row>
 class SampleWriter {
  public:
-  SampleWriter(io::Hdf5Group group, const std::vector<const Row*>& rows)
-      : group_(std::move(group)), rows_(rows) {}
+  /// @param remade  of curves that are counted alone; empty: there are none
+  SampleWriter(io::Hdf5Group group, const std::vector<const Row*>& rows, CurveOfRow remade = {})
+      : group_(std::move(group)), rows_(rows), remade_(std::move(remade)) {}
 
   template <typename Member>
   void operator()(const std::string& name, std::string_view units, const Member& member) {
@@ -35,21 +40,8 @@ class SampleWriter {
       offsets_ = {0};
       for (const Row* row : rows_) offsets_.push_back(offsets_.back() + samples_of(*row, member));
     }
-    io::Hdf5Column column = group_.column(name, offsets_.back(), {units, kDeflate});
-    // Of those that lie aside so many together that all threads read, and no more.
-    constexpr std::size_t kTogether = 1U << 20U;  // samples
-    std::vector<Row> read;
-    for (std::size_t first = 0, end = 0; first < rows_.size(); first = end) {
-      end = first + 1;
-      while (end < rows_.size() && offsets_[end + 1] - offsets_[first] <= kTogether) ++end;
-      read_aside(first, end - first, read);
-      for (std::size_t i = first; i < end; ++i) {
-        const std::vector<double>& own = member(is_aside(*rows_[i]) ? read[i - first] : *rows_[i]);
-        if (own.size() != offsets_[i + 1] - offsets_[i]) refuse(name);
-        column.append(own);
-      }
-    }
-    column.finish();
+    columns_.push_back({name, group_.column(name, offsets_.back(), {units, kDeflate}),
+                        [member](const Row& row) { return std::span<const double>(member(row)); }});
   }
 
   template <typename Member>
@@ -82,9 +74,35 @@ class SampleWriter {
     group_.write_table<double>(name, all, width, {{}, kDeflate});
   }
 
-  void write_offsets() { group_.write("offsets", offsets_, {{}, kDeflate}); }
+  /// Writes the lists of numbers and the offsets: to be called last.
+  void finish() {
+    // Of those that lie aside so many together that all threads read, and no more.
+    constexpr std::size_t kTogether = 1U << 20U;  // samples
+    std::vector<Row> read;
+    for (std::size_t first = 0, end = 0; first < rows_.size(); first = end) {
+      end = first + 1;
+      while (end < rows_.size() && offsets_[end + 1] - offsets_[first] <= kTogether) ++end;
+      read_aside(first, end - first, read);
+      for (Column& column : columns_) {
+        for (std::size_t i = first; i < end; ++i) {
+          const std::span<const double> own =
+              column.of(is_aside(*rows_[i]) ? read[i - first] : *rows_[i]);
+          if (own.size() != offsets_[i + 1] - offsets_[i]) refuse(column.name);
+          column.made.append(own);
+        }
+      }
+    }
+    for (Column& column : columns_) column.made.finish();
+    group_.write("offsets", offsets_, {{}, kDeflate});
+  }
 
  private:
+  struct Column {
+    std::string name;
+    io::Hdf5Column made;
+    std::function<std::span<const double>(const Row&)> of;
+  };
+
   static bool is_aside(const Row& row) {
     if constexpr (std::is_same_v<Row, Curve>) return row.is_aside();
     return false;
@@ -95,7 +113,8 @@ class SampleWriter {
       read.assign(count, Row());
       parallel_for(count, {group_.threads(), nullptr}, [&](std::size_t i, int) {
         const Row& row = *rows_[first + i];
-        if (is_aside(row)) read[i] = with_samples(row);
+        if (!is_aside(row)) return;
+        read[i] = row.spool || !remade_ ? with_samples(row) : remade_(first + i);
       });
     }
   }
@@ -115,6 +134,8 @@ class SampleWriter {
   io::Hdf5Group group_;
   const std::vector<const Row*>& rows_;
   std::vector<std::uint64_t> offsets_;
+  std::vector<Column> columns_;
+  CurveOfRow remade_;
 };
 
 inline void count_samples(Curve& curve, std::size_t samples) { curve.aside.samples = samples; }

@@ -37,8 +37,9 @@ namespace plastica::calibrate::store {
 template <typename Row>
 class WrittenRows {
  public:
-  WrittenRows(io::Hdf5Group& root, std::vector<const Row*> rows)
-      : root_(root), rows_(std::move(rows)) {}
+  /// @param remade  makes the fitted curves that are counted alone; empty: there are none
+  WrittenRows(io::Hdf5Group& root, std::vector<const Row*> rows, CurveOfRow remade = {})
+      : root_(root), rows_(std::move(rows)), remade_(std::move(remade)) {}
 
   /// @param own_units  see ColumnWriter
   template <typename Description>
@@ -62,9 +63,9 @@ class WrittenRows {
 
   template <typename Columns>
   void samples(const std::string& path, const Columns& columns) {
-    SampleWriter<Row> writer(root_.group(path), rows_);
+    SampleWriter<Row> writer(root_.group(path), rows_, remade_);
     columns(writer);
-    writer.write_offsets();
+    writer.finish();
   }
 
   /// @param owner  the column that says whose an item is
@@ -92,7 +93,8 @@ class WrittenRows {
     using Part = std::remove_cvref_t<decltype(member(*rows_[0]))>;
     std::vector<const Part*> parts;
     for (const Row* row : rows_) parts.push_back(&member(*row));
-    return WrittenRows<Part>(root_, std::move(parts));
+    constexpr bool kIsOfFit = std::is_same_v<Part, FitResult> || std::is_same_v<Row, FitResult>;
+    return WrittenRows<Part>(root_, std::move(parts), kIsOfFit ? remade_ : CurveOfRow());
   }
 
   template <typename Member>
@@ -111,6 +113,7 @@ class WrittenRows {
  private:
   io::Hdf5Group& root_;
   std::vector<const Row*> rows_;
+  CurveOfRow remade_;
 };
 
 /// The file that rows are read from.

@@ -39,6 +39,26 @@ bool is_slack(const Curve& curve, const ElasticLine& line) {
   return before > 0;
 }
 
+/// Of the elastic range: what carries load over more of it is hardly a foot.
+constexpr double kLongFoot = 0.5;
+
+/// Whether a line that the curve begins beyond is that of what bends, as of rubber, and not of an
+/// elastic part behind a strain sensor that stuck at first: published curves of metals that begin
+/// so have bends of up to 1.09.
+bool is_bent(const ElasticLine& line) { return line.bend > 1.1 || line.bend < 0.9; }
+
+/// Whether the first samples lie far beyond a line that meets zero stress at `zero`: below it, at
+/// larger strains. A foot lies before it.
+bool begins_beyond(const Curve& curve, double modulus, double zero) {
+  constexpr std::size_t kFirst = 3;  // the very first is often a row of zeros
+  constexpr double kFar = 0.25;      // of what the line misses the origin by
+  for (std::size_t i = 0; i < std::min(kFirst, curve.size()); ++i) {
+    const double beyond = curve.strain[i] - curve.stress[i] / modulus - zero;
+    if (beyond < kFar * std::abs(zero)) return false;
+  }
+  return true;
+}
+
 /// What the load cell shows when nothing is left to carry load is its zero.
 void warn_of_load_zero(Target& target, std::size_t broken) {
   constexpr std::size_t kFewest = 3;
@@ -166,6 +186,14 @@ double shift_strain(Target& target, const ElasticLine& line, const TargetOptions
   if (!why_not && !is_preload && zero < 0.0 && !line.is_straight()) {
     why_not = "the curve bends where the line was found: no foot is so";
   }
+  if (!why_not && !is_preload && is_bent(line) && begins_beyond(curve, line.modulus, zero)) {
+    why_not = "the curve begins beyond the line, on a steeper one: no foot is so";
+    target.warnings.push_back(fmt::format(
+        "the curve begins steeper than where Young's modulus is measured, whose line meets zero "
+        "stress at {:.3g} % strain: the modulus is not that of its beginning; name a window "
+        "(characteristics.window), or the modulus",
+        100.0 * zero));
+  }
   Correction& candidate = is_preload ? preload : toe;
   const Mode mode = is_preload ? options.preload.mode : options.toe.mode;
   if (!why_not && mode == Mode::Automatic) {
@@ -188,6 +216,13 @@ double shift_strain(Target& target, const ElasticLine& line, const TargetOptions
         "the toe of {:.3g} % is longer than the elastic range of {:.3g} %, as no foot is: it is "
         "taken for slack of the grips; if they had none, are strain and stress the right columns "
         "and units?",
+        100.0 * toe.amount, 100.0 * elastic));
+  } else if (toe.applied && options.toe.mode == Mode::Automatic && !slack &&
+             toe.amount > kLongFoot * elastic && (given || !is_slack(curve, line))) {
+    target.warnings.push_back(fmt::format(
+        "the foot of {:.3g} % is long beside the elastic range of {:.3g} %, and carries load: if "
+        "that is the material and not the grips, strains and modulus are wrong "
+        "(corrections.toe = \"off\")",
         100.0 * toe.amount, 100.0 * elastic));
   }
   shift(curve, total);

@@ -16,6 +16,7 @@ class CurveSpool;
 struct PlaceOfCurve {
   std::uint64_t offset = 0;  ///< of its first number, in numbers
   std::size_t samples = 0;   ///< 0: it is not put aside
+  std::uint64_t digest = 0;  ///< `digest_of` the curve
 };
 
 /// A stress-strain curve in SI: strain [1], stress [Pa], both (n).

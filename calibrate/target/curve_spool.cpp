@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "calibrate/target/target.hpp"
+#include "plastica/io/digest.hpp"
 #include "plastica/io/durable_file.hpp"
 #include "plastica/io/storage_error.hpp"
 
@@ -126,7 +127,9 @@ void CurveSpool::fail(const char* action, int error) const {
 
 void put_aside(Curve& curve, const std::shared_ptr<CurveSpool>& spool) {
   if (curve.strain.empty()) return;
+  const std::uint64_t digest = digest_of(curve);
   curve.aside = spool->put(curve.strain, curve.stress);
+  curve.aside.digest = digest;
   curve.spool = spool;
   curve.strain = std::vector<double>();  // with their memory, which {} would keep
   curve.stress = std::vector<double>();
@@ -135,6 +138,16 @@ void put_aside(Curve& curve, const std::shared_ptr<CurveSpool>& spool) {
 void put_aside(Target& target, const std::shared_ptr<CurveSpool>& spool) {
   put_aside(target.raw, spool);
   put_aside(target.corrected, spool);
+}
+
+std::uint64_t digest_of(const Curve& curve) {
+  if (curve.is_aside() && !curve.spool)
+    throw std::logic_error("digest_of: they were counted alone");
+  if (curve.is_aside()) return curve.aside.digest;
+  const auto bytes = [](const std::vector<double>& values) {
+    return std::as_bytes(std::span(values));
+  };
+  return io::Digest().block(bytes(curve.strain)).block(bytes(curve.stress)).value();
 }
 
 Curve with_samples(const Curve& curve) {

@@ -54,6 +54,11 @@ void put_aside(Curve& curve, const std::shared_ptr<CurveSpool>& spool);
 /// The same with both curves of a target.
 void put_aside(Target& target, const std::shared_ptr<CurveSpool>& spool);
 
+/// Digest of the bits of a curve's samples, wherever these are: it is kept with those that are put
+/// aside.
+/// @throws std::logic_error if they were counted, but not read (`FitSamples`)
+std::uint64_t digest_of(const Curve& curve);
+
 /// A curve with its samples, wherever these are.
 /// @throws io::StorageError; std::logic_error if they were counted, but not read (`FitSamples`)
 Curve with_samples(const Curve& curve);

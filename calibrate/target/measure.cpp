@@ -59,6 +59,9 @@ void warn_of_given_modulus(Target& target, const ElasticLine& given, double nois
       own->modulus / 1e9, given.modulus / 1e9));
 }
 
+/// A window whose lower half is less steep than this beside its upper half has a foot in it.
+constexpr double kRising = 0.95;
+
 /// Takes out what cannot be, and warns of that and of what is doubtful: a number would be believed.
 void drop_impossible(Target& target, const ElasticLine& line) {
   Characteristics& c = target.characteristics;
@@ -86,6 +89,12 @@ void drop_impossible(Target& target, const ElasticLine& line) {
         "there, so that the modulus is not that of an elastic part; name a window "
         "(characteristics.window), or the modulus",
         line.bend));
+  } else if (line.bend < kRising) {
+    target.warnings.push_back(fmt::format(
+        "the curve grows steeper where Young's modulus is measured, by {:.2g} % there, as where a "
+        "foot reaches into it: the modulus may be too small by as much; name a window "
+        "(characteristics.window), or the modulus",
+        100.0 * (1.0 / line.bend - 1.0)));
   }
 }
 

@@ -7,6 +7,18 @@ macro(plastica_require package)
   set_property(GLOBAL APPEND PROPERTY PLASTICA_DEPENDENCIES "${plastica_arguments}")
 endmacro()
 
+# plastica_include_by_name(TARGET NAME HEADER PACKAGE): takes a header that is all there is of a
+# library and brings no file for find_package. PACKAGE is Debian's name.
+function(plastica_include_by_name target name header package)
+  find_path(PLASTICA_INCLUDE_${name} ${header})
+  mark_as_advanced(PLASTICA_INCLUDE_${name})
+  if(NOT PLASTICA_INCLUDE_${name})
+    message(FATAL_ERROR
+      "${header} is not found (Debian: ${package}; -DPLASTICA_INCLUDE_${name}=PATH says where)")
+  endif()
+  target_include_directories(${target} PRIVATE ${PLASTICA_INCLUDE_${name}})
+endfunction()
+
 # plastica_link_by_name(TARGET NAME HEADER PACKAGE): links a library that brings no file for
 # find_package. Who links our installed static library finds it by its name. PACKAGE is Debian's name.
 function(plastica_link_by_name target name header package)

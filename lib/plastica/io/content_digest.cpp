@@ -26,11 +26,16 @@ namespace {
 constexpr std::string_view kHdf5Signature = "\211HDF\r\n\032\n";
 constexpr std::string_view kTitle = "Plastica result; HDF5 from byte 512 on\n";
 
+/// Which digest of a content its block says: older files have that of FNV-1a.
+enum class DigestKind { Fnv1a, Xxh3 };
+
+std::string_view word_of(DigestKind kind) { return kind == DigestKind::Xxh3 ? "xxh3 " : "digest "; }
+
 /// The block in front of a content.
-std::string block_of(std::uint64_t bytes, std::uint64_t digest) {
+std::string block_of(std::uint64_t bytes, DigestKind kind, std::uint64_t digest) {
   std::string block(kTitle);
   block += "bytes " + std::to_string(bytes) + "\n";
-  block += "digest " + hexadecimal(digest) + "\n";
+  block += std::string(word_of(kind)) + hexadecimal(digest) + "\n";
   block.resize(kContentOffset, '\0');
   return block;
 }
@@ -49,21 +54,22 @@ ssize_t read_at(int descriptor, std::span<std::byte> buffer, std::size_t offset)
   return static_cast<ssize_t>(filled);
 }
 
-struct Content {
-  std::uint64_t bytes = 0;
-  Digest digest{};
-};
-
-/// Reads all that stands behind the block. @return false for an error; `errno` says which
-bool read_content(int descriptor, Content& content) {
-  std::vector<std::byte> buffer(std::size_t{1} << 16U);
+/// Reads all that stands behind the block.
+/// @return the block that such a content has; empty for an error: `errno` says which
+std::string read_content(int descriptor, DigestKind kind, std::uint64_t& bytes) {
+  std::vector<std::byte> buffer(std::size_t{1} << 18U);
+  Xxh3 xxh3;
+  Digest fnv1a;
+  bytes = 0;
   while (true) {
-    const ssize_t got = read_at(descriptor, buffer, kContentOffset + content.bytes);
-    if (got < 0) return false;
-    if (got == 0) return true;
-    content.digest.bytes(std::span(buffer).first(static_cast<std::size_t>(got)));
-    content.bytes += static_cast<std::uint64_t>(got);
+    const ssize_t got = read_at(descriptor, buffer, kContentOffset + bytes);
+    if (got < 0) return {};
+    if (got == 0) break;
+    const auto read = std::span<const std::byte>(buffer).first(static_cast<std::size_t>(got));
+    kind == DigestKind::Xxh3 ? xxh3.bytes(read) : void(fnv1a.bytes(read));
+    bytes += static_cast<std::uint64_t>(got);
   }
+  return block_of(bytes, kind, kind == DigestKind::Xxh3 ? xxh3.value() : fnv1a.value());
 }
 
 /// The number behind "bytes " in a block; 0 if there is none.
@@ -97,9 +103,9 @@ void write_content_digest(int descriptor, const std::string& path) {
   const auto fail = [&](const char* action) {
     throw StorageError(path, std::string(action) + ": " + std::strerror(errno));
   };
-  Content content;
-  if (!read_content(descriptor, content)) fail("cannot be read back");
-  const std::string block = block_of(content.bytes, content.digest.value());
+  std::uint64_t bytes = 0;
+  const std::string block = read_content(descriptor, DigestKind::Xxh3, bytes);
+  if (block.empty()) fail("cannot be read back");
   std::size_t done = 0;
   while (done < block.size()) {
     const ssize_t written =
@@ -141,14 +147,17 @@ bool check_content_digest(const std::string& path) {
     refuse(hdf5 ? "is damaged: what stands in front of its HDF5 part is not what Plastica writes"
                 : "is not an HDF5 file");
   }
-  Content content;
-  if (!read_content(file.get(), content)) refuse_unread();
+  const bool is_older = block.find(word_of(DigestKind::Fnv1a)) != std::string_view::npos;
+  std::uint64_t bytes = 0;
+  const std::string expected =
+      read_content(file.get(), is_older ? DigestKind::Fnv1a : DigestKind::Xxh3, bytes);
+  if (expected.empty()) refuse_unread();
   const std::uint64_t said = bytes_said(block);
-  if (content.bytes < said) {
+  if (bytes < said) {
     refuse("is cut off: of " + std::to_string(kContentOffset + said) + " bytes " +
-           std::to_string(kContentOffset + content.bytes) + " are left");
+           std::to_string(kContentOffset + bytes) + " are left");
   }
-  if (block != block_of(content.bytes, content.digest.value())) {
+  if (block != expected) {
     refuse("is damaged, or was changed by another program: it differs from its digest");
   }
   return true;

@@ -6,9 +6,9 @@
 namespace plastica::io {
 
 /// A result file is an HDF5 file behind a block of 512 bytes (HDF5 calls it a user block), which
-/// says in three lines of text what stands behind it: how many bytes, and their Digest. It is
-/// written last and checked before HDF5 reads anything, since HDF5 takes most flipped bits for
-/// what was meant, and crashes on others.
+/// says in three lines of text what stands behind it: how many bytes, and their digest (XXH3, 64
+/// bits). It is written last and checked before HDF5 reads anything, since HDF5 takes most flipped
+/// bits for what was meant, and crashes on others.
 inline constexpr std::size_t kContentOffset = 512;
 
 /// Writes the block in front of a file's content, which is complete.

@@ -32,16 +32,16 @@ ChunkWriter::ChunkWriter(hid_t dataset, hid_t creation, std::span<const std::siz
       level_(level),
       threads_(resolved_threads(threads)),
       next_(shape.size(), 0) {
-  // Held in memory: so many chunks of each thread, and no more bytes if a row alone is long.
-  constexpr std::size_t kAtOnce = 8;
+  // Held in memory: so many chunks, whatever the number of threads, so that columns which are
+  // written side by side lie in the file alike; no more bytes if a row alone is long.
+  constexpr std::size_t kAtOnce = 32;
   constexpr std::size_t kMaxBytes = std::size_t{64} << 20U;
   std::vector<hsize_t> chunk(shape.size());
   H5Pget_chunk(creation, static_cast<int>(chunk.size()), chunk.data());
   rows_ = chunk[0];
   chunk_bytes_ = rows_ * row_bytes(shape, element_bytes);
   bytes_of_dataset_ = shape[0] * row_bytes(shape, element_bytes);
-  const std::size_t usual = kAtOnce * static_cast<std::size_t>(threads_);
-  at_once_ = std::clamp<std::size_t>(kMaxBytes / chunk_bytes_, 1, usual) * chunk_bytes_;
+  at_once_ = std::clamp<std::size_t>(kMaxBytes / chunk_bytes_, 1, kAtOnce) * chunk_bytes_;
 }
 
 bool ChunkWriter::append(std::span<const unsigned char> bytes) {

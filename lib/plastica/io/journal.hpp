@@ -59,7 +59,8 @@ bool is_in_use(const std::string& path);
 /// An append-only file of finished cases beside an output, which survives `kill -9` at any byte.
 ///
 /// Layout, little-endian: "PLASTJNL", version (8 bytes), run digest (8); then per record the
-/// lengths of id and payload (8 each), the Digest of both lengths, id and payload (8), id, payload.
+/// lengths of id and payload (8 each), a digest of both (8; `journal_layout::checksum_of`), id,
+/// payload.
 /// A record is handed to the system completely when `append` returns and is on the disk at most one
 /// sync interval later. One process at a time may write a journal.
 class Journal {

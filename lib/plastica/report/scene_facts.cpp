@@ -141,8 +141,19 @@ bool is_motion(const io::SceneRecord& record) {
   return record.level != Level::Coupon && record.setup.solver.analysis == Analysis::Dynamics;
 }
 
+namespace {
+
+/// About all axes [rad].
+double plastic_angle_of(const ChainHistory& chain, std::size_t at) {
+  const double* angle = chain.plastic_angle.data() + 3 * at;
+  return std::hypot(angle[0], angle[1], angle[2]);
+}
+
+}  // namespace
+
 ScenePeaks peaks_of(const io::SceneRecord& record) {
   ScenePeaks peaks;
+  double most_bent = 0.0;  // of the joint of the largest plastic strain
   const ChainHistory& chain = record.response.chain;
   for (std::size_t frame = 0; frame < frames_of(record); ++frame) {
     const std::size_t sample = chain.frame_sample[frame];
@@ -155,8 +166,15 @@ ScenePeaks peaks_of(const io::SceneRecord& record) {
       raise(peaks.stress, {chain.stress[at], joint, sample, 0});
       raise(peaks.shear_stress,
             {chain.moment[3 * at + 2] / record.outline.modulus[3 * joint + 2], joint, sample, 2});
-      if (chain.plastic_strain[at] > kRoundedStrain) {
-        raise(peaks.plastic_strain, {chain.plastic_strain[at], joint, sample, 0});
+      // A hinge's neighbours have its strain, where that is of a length over several joints.
+      constexpr double kTie = 1e-9;
+      const double strain = chain.plastic_strain[at];
+      if (strain <= kRoundedStrain) continue;
+      const double most = peaks.plastic_strain ? peaks.plastic_strain->value : 0.0;
+      const double angle = plastic_angle_of(chain, at);
+      if (strain > (1.0 + kTie) * most || (strain > (1.0 - kTie) * most && angle > most_bent)) {
+        peaks.plastic_strain = Peak{strain, joint, sample, 0};
+        most_bent = angle;
       }
     }
   }

@@ -16,7 +16,7 @@ constexpr std::array<BreakCause, 3> kCauses{BreakCause::BendingX, BreakCause::Be
                                             BreakCause::Torsion};
 
 /// How large a strain is against its limit.
-double use_of(double strain, double limit) { return std::isinf(limit) ? 0.0 : strain / limit; }
+double over_limit(double strain, double limit) { return std::isinf(limit) ? 0.0 : strain / limit; }
 
 JointFlow times(double factor, JointFlow angles) {
   for (double& angle : angles) angle *= factor;
@@ -245,11 +245,47 @@ double BreakWatch::excess(const std::vector<JointFlow>& angles, const std::vecto
   double largest = 0.0;
   for_each_joint(angles, [&](std::size_t j, const Strains& strain) {
     if (!left_out.empty() && left_out[j]) return;
-    for (std::size_t k = 0; k < strain.of.size(); ++k) {
-      largest = std::max(largest, use_of(held(strain, k), joints_[j].limit[k]));
-    }
+    const LimitUse use = use_of(strain, j);
+    if (use.of <= largest) return;
+    const bool breaks = use.of > 1.0 - kBreakTolerance;
+    if (breaks && !left_out.empty() && left_out[breaking_for(angles, j, use.worst)]) return;
+    largest = use.of;
   });
   return largest - 1.0;
+}
+
+BreakWatch::LimitUse BreakWatch::use_of(const Strains& strain, std::size_t joint) const {
+  LimitUse use;
+  for (std::size_t k = 0; k < strain.of.size(); ++k) {
+    const double of = over_limit(held(strain, k), joints_[joint].limit[k]);
+    if (of > use.of) use = {of, k};
+  }
+  return use;
+}
+
+std::size_t BreakWatch::breaking_for(const std::vector<JointFlow>& angles, std::size_t joint,
+                                     std::size_t worst) const {
+  const std::array<double, 3>& hinge = hinge_[joint];
+  const std::size_t axis = worst < 3 ? worst : hinge[0] < hinge[1] ? 1 : 0;
+  if (hinge[0] == 0.0 || !has_window(joint, axis)) return joint;
+  const Window window = window_of(joint, axis);
+  const auto bend = [&](std::size_t j) {
+    return nearest_limit(strains_of(spread(angles[j], j), j), j);
+  };
+  std::size_t most = joint;
+  double of_most = bend(joint);
+  const double enough = of_most / (1.0 - kBreakTolerance);
+  const auto look_at = [&](std::size_t j) {
+    const double of = bend(j);
+    if (of <= std::max(enough, of_most)) return;
+    most = j;
+    of_most = of;
+  };
+  for (std::size_t j = joint; j > 0 && joints_[j - 1].end > window.low; --j) look_at(j - 1);
+  for (std::size_t j = joint + 1; j < joints_.size() && joints_[j].begin < window.high; ++j) {
+    look_at(j);
+  }
+  return most;
 }
 
 double BreakWatch::nearest_limit(const Strains& strains, std::size_t joint) const {
@@ -257,8 +293,8 @@ double BreakWatch::nearest_limit(const Strains& strains, std::size_t joint) cons
   std::size_t nearest = 0;
   for (std::size_t k = 1; k < strains.of.size(); ++k) {
     const double own = held(strains, k), of_nearest = held(strains, nearest);
-    const double use = use_of(own, limit[k]);
-    const double before = use_of(of_nearest, limit[nearest]);
+    const double use = over_limit(own, limit[k]);
+    const double before = over_limit(of_nearest, limit[nearest]);
     if (use > before || (use == before && own > of_nearest)) nearest = k;
   }
   return held(strains, nearest);
@@ -308,21 +344,23 @@ std::vector<BrokenJoint> BreakWatch::broken(const std::vector<JointFlow>& angles
   std::vector<BrokenJoint> joints;
   if (excess(angles) <= 0.0) return joints;
   for_each_joint(angles, [&](std::size_t j, const Strains& strain) {
-    const auto& limit = joints_[j].limit;
-    const auto use = [&](std::size_t k) { return use_of(held(strain, k), limit[k]); };
-    std::size_t worst = 0;
-    for (std::size_t k = 1; k < strain.of.size(); ++k) {
-      if (use(k) > use(worst)) worst = k;
-    }
-    if (use(worst) <= 1.0 - kBreakTolerance) return;
+    const LimitUse use = use_of(strain, j);
+    if (use.of <= 1.0 - kBreakTolerance) return;
+    const std::size_t breaks = breaking_for(angles, j, use.worst);
     BrokenJoint broken;
-    broken.joint = static_cast<int>(j);
-    broken.cause = cause_of(strain, j, worst);
-    broken.strain = held(strain, worst);
-    broken.limit = limit[worst];
-    std::copy_n(angles[j].begin(), broken.angle.size(), broken.angle.begin());
-    joints.push_back(broken);
+    broken.joint = static_cast<int>(breaks);
+    broken.cause = cause_of(strain, j, use.worst);
+    broken.strain = held(strain, use.worst);
+    broken.limit = joints_[j].limit[use.worst];
+    std::copy_n(angles[breaks].begin(), broken.angle.size(), broken.angle.begin());
+    const auto same = std::ranges::find(joints, broken.joint, &BrokenJoint::joint);
+    if (same == joints.end()) {
+      joints.push_back(broken);
+    } else if (same->strain * broken.limit < broken.strain * same->limit) {
+      *same = broken;
+    }
   });
+  std::ranges::sort(joints, {}, &BrokenJoint::joint);
   return joints;
 }
 

@@ -82,6 +82,10 @@ Localization localization_of(const Scene& scene);
 ///   a lone hinge (theta_n = 0) both come out as in a fine chain.
 /// L_p = 0: theta_p over the joint's own length, as in Wendelius' report.
 ///
+/// What a window holds may be the hinge of a neighbour: then all joints whose windows hold it have
+/// its strain, and it is that one alone which breaks: of those in the window the one that is bent
+/// most, theta_p/l, or that is bent as much within `kBreakTolerance`.
+///
 /// A permanent elongation is taken alike, over the hinge length of the axis that bends, and its
 /// strain adds to that of bending: the extreme fibre's (plane sections). Where both axes bend it is
 /// the mean of the strains over either length, by what each bends; where none does, the plain mean.
@@ -103,7 +107,8 @@ class BreakWatch {
   // costs as much as there are joints, however many a hinge length holds.
 
   /// Largest strain over its limit minus 1, of all joints; negative: nothing breaks.
-  /// @param left_out  of each joint whether it does not count (joints); empty: all do
+  /// @param left_out  of each joint whether it does not count (joints), where it breaks for others
+  ///                  as well; empty: all do
   double excess(const std::vector<JointFlow>& angles, const std::vector<bool>& left_out = {});
 
   /// The angles that count, in the break measure.
@@ -135,6 +140,15 @@ class BreakWatch {
     std::array<double, 4> of{};
     double stretch = 0.0;
   };
+  /// How far a joint is to a limit.
+  struct LimitUse {
+    double of = 0.0;
+    std::size_t worst = 0;  ///< which strain
+  };
+  LimitUse use_of(const Strains& strain, std::size_t joint) const;
+  /// The joint that breaks where one is over its limit.
+  std::size_t breaking_for(const std::vector<JointFlow>& angles, std::size_t joint,
+                           std::size_t worst) const;
   /// What a joint breaks by.
   BreakCause cause_of(const Strains& strain, std::size_t joint, std::size_t worst) const;
 

@@ -10,6 +10,7 @@
 #include "plastica/run/axial_warning.hpp"
 #include "plastica/run/likely_mistakes.hpp"
 #include "plastica/run/peak_warning.hpp"
+#include "plastica/run/plane_warning.hpp"
 #include "plastica/run/rounding_warning.hpp"
 #include "plastica/run/scene_warnings.hpp"
 #include "plastica/run/turn_warning.hpp"
@@ -65,6 +66,7 @@ std::vector<std::string> run_warnings(const Scene& scene, const SolverOptions& s
   add_all(scene_warnings(model));
   if (has_yielded(response) || yields_by_bending(scene, response)) add(first_yield_warning(model));
   if (leaves_plane(response)) add(model_detail::tipping_warning(scene));
+  add(plane_warning(scene, solver, model.level, response));
   add_all(axial_warnings(scene, solver, response));
   add_all(rounding_warnings(scene, response));
   add_all(peak_warnings(scene, response));

@@ -59,9 +59,8 @@ sum_t<typename L::Scalar> MotionStep<L, kElastic>::ground_work() {
   const S root = moved(chain_.root.history);
   const chain::Wrench<L> passed = w_.transmitted.outer[0];
   if (is_something(root)) {
-    const chain::Wrench<L> before = root_wrench_.value_or(passed);
-    const chain::Wrench<L> mean{end * passed.force + begin * before.force,
-                                end * passed.moment + begin * before.moment};
+    const chain::Wrench<L> mean{end * passed.force + begin * root_wrench_.force,
+                                end * passed.moment + begin * root_wrench_.moment};
     const typename L::Spin increment = L::step_spin(begin_.near[0], w_.placement.near[0]);
     work -= dot(mean.force, root * chain_.root.motion) + dot(mean.moment, increment);
   }

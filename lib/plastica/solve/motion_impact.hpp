@@ -339,6 +339,23 @@ void MotionStep<L, kElastic>::restart() {
     inertia_[i] = inertia_force(StepFactors(rule_, 1.0), chain_.inertias[i], w_.placement.frame[i],
                                 w_.placement.frame[i], motion_[i], motion_[i]);
   }
+  note_root_wrench();
+}
+
+/// What the root passes on at the accelerations that have just been found.
+template <class L, bool kElastic>
+void MotionStep<L, kElastic>::note_root_wrench() {
+  for (std::size_t i = 0; i < chain_.size(); ++i) {
+    add_inertia_force(chain_.inertias[i], i, w_.placement, inertia_[i], w_.outer_forces);
+  }
+  for (std::size_t k = 0; k < multiplier_.size(); ++k) {
+    const chain::Wrench<L> unit = chain::unit_wrench(chain_.constraints[k], w_.placement);
+    chain::Wrench<L>& wrench = w_.outer_forces.wrench[chain_.constraints[k].segment];
+    wrench.force += multiplier_[k] * unit.force;
+    wrench.moment += multiplier_[k] * unit.moment;
+  }
+  w_.recursion.sum(chain_, w_.q, w_.placement, no_motion_, w_.joints, w_.outer_forces, w_.impulses);
+  root_wrench_ = w_.impulses.outer[0];
 }
 
 }  // namespace plastica::solve

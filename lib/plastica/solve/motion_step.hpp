@@ -81,7 +81,7 @@ class MotionStep {
       struck_.reserve(constraints);
     }
     multiplier_.assign(constraints, constant<S>(0));
-    root_wrench_.reset();
+    root_wrench_ = {};
     flows_ = {};
     momentum_.assign(chain_.size(), {});
     rests_ = constant<S>(0);
@@ -328,6 +328,7 @@ class MotionStep {
   bool supports_move() const;
   bool passes_corner() const;
   void restart();
+  void note_root_wrench();
 
   struct Contacts {
     std::vector<bool> rests_on;  ///< one-sided constraints that are closed (constraints)
@@ -371,7 +372,7 @@ class MotionStep {
   std::conditional_t<kHasLanes<S>, NoContacts, Contacts> contacts_;
   std::vector<Struck> struck_;                   ///< at the last impact
   std::vector<S> multiplier_;                    ///< (constraints)
-  std::optional<chain::Wrench<L>> root_wrench_;  ///< what the root passed on; none: not known
+  chain::Wrench<L> root_wrench_;                 ///< what the root passed on; not of midpoints
   std::vector<typename L::Spin> ground_moment_;  ///< of ground joints on their segments
   // At its end:
   Motions motion_now_;

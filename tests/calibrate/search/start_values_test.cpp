@@ -78,6 +78,16 @@ TEST(StartValues, StandInWithTheCurvesSizesWhereCharacteristicsAreMissing) {
   EXPECT_NEAR(start_of("break_strain", bare).start, 0.02, 1e-15);
 }
 
+TEST(StartValues, ReachFarBelowTheStrainOfASpecimenThatBrokeElastically) {
+  Target brittle = steel_bar();
+  brittle.characteristics.break_strain_plastic.reset();
+  brittle.characteristics.observed_break.emplace();
+  const StartValue value = start_of("break_strain", brittle);
+  EXPECT_LT(value.lower, 1e-3 * 0.02);
+  EXPECT_LT(value.start, 0.1 * 0.02);
+  EXPECT_GT(value.upper, 0.02);
+}
+
 TEST(StartValues, LieInsideOfBoundsThatLieInTheFieldsRange) {
   FitOptions options;
   Hardening& hardening = options.setup.scene.material.hardening;

@@ -7,6 +7,7 @@
 #include <filesystem>
 
 #include "calibrate/fit/fit.hpp"
+#include "calibrate/fit/fitted_curve.hpp"
 #include "calibrate/target/curve_spool.hpp"
 #include "plastica/io/hdf5.hpp"
 #include "tests/calibrate/store/same_bits.hpp"
@@ -64,6 +65,38 @@ TEST(FitStore, WritesTheSameBytesWhereCurvesArePutAside) {
   }
   write_fit_store(folder.file("aside.h5"), contents);
   EXPECT_TRUE(io::content_of(folder.file("here.h5")) == io::content_of(folder.file("aside.h5")));
+}
+
+/// Fitted curves that are counted alone are made again: of one law, and of several.
+TEST(FitStore, WritesTheSameBytesWhereFittedCurvesAreCountedAlone) {
+  for (const bool several : {false, true}) {
+    const io::ScratchFolder folder;
+    FitOptions options = ideal_options();
+    options.keep_trace = false;
+    if (several) options.laws = {Law::Ideal, Law::Linear};
+    const std::vector<Target> targets = ideal_targets(5);
+    const std::vector<FitResult> results = fit(targets, options);
+    const std::vector<FitCase> cases = cases_of(targets.size(), options);
+    FitStoreContents contents;
+    contents.options = options;
+    for (std::size_t i = 0; i < cases.size(); ++i) {
+      contents.records.push_back({targets[cases[i].target], results[i]});
+    }
+    write_fit_store(folder.file("here.h5"), contents);
+    const auto spool = std::make_shared<CurveSpool>(folder.file(""), 2000);
+    std::size_t curves = 0;
+    for (FitRecord& record : contents.records) {
+      EXPECT_TRUE(may_have_curve(record.target, record.result));
+      curves += record.result.fitted.size() > 0 ? 1 : 0;
+      put_aside(record.target, spool);
+      count_alone(record.result);
+      EXPECT_EQ(record.result.fitted.size(), 0U);
+    }
+    EXPECT_GT(curves, 3U);
+    write_fit_store(folder.file("counted.h5"), contents);
+    EXPECT_TRUE(io::content_of(folder.file("here.h5")) ==
+                io::content_of(folder.file("counted.h5")));
+  }
 }
 
 TEST(FitStore, CountsSamplesWhereItIsToldTo) {

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "calibrate/fit/fitted_curve.hpp"
 #include "plastica/io/storage_error.hpp"
 #include "tests/calibrate/store/same_bits.hpp"
 #include "tests/calibrate/store/synthetic_fits.hpp"
@@ -17,7 +18,10 @@ struct CurveFits {
     FitResult failed;
     failed.status = FitStatus::Failed;
     failed.trace = {{1}, {2.0}, {INFINITY}, 0, 0};
-    return {filled_record("Stab-ä").result, rejected_record("b").result, failed, FitResult()};
+    std::vector<FitResult> all{filled_record("Stab-ä").result, rejected_record("b").result, failed,
+                               FitResult()};
+    for (FitResult& result : all) count_alone(result);  // of curves no more is kept
+    return all;
   }
   static void change_a_bit(Result& result) { result.trace.values[5] = 0.0; }  // was -0.0
 };

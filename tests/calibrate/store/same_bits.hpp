@@ -88,7 +88,7 @@ inline auto members(const StatedPriors& v) {
 }
 inline auto members(const FitResult& v) {
   // No binding takes a class apart whose base has members, too.
-  static_assert(sizeof(FitResult) == sizeof(FitOutcome) + 400, "all members are compared here");
+  static_assert(sizeof(FitResult) == sizeof(FitOutcome) + 408, "all members are compared here");
   return std::tie(static_cast<const FitOutcome&>(v), v.cost, v.misfit_rms, v.misfit_fraction,
                   v.misfit_word, v.runs_test_p, v.autocorrelation, v.effective_samples, v.samples,
                   v.noise, v.simpler_evaluations, v.break_strain_total, v.seed, v.stages, v.trace,

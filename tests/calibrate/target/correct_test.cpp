@@ -3,8 +3,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
+#include <random>
+#include <string>
 
 #include "calibrate/target/make.hpp"
 #include "tests/calibrate/target/curves.hpp"
@@ -14,6 +17,7 @@ namespace {
 
 using plastica::testing::IdealPlastic;
 using plastica::testing::smooth_curve;
+using plastica::testing::warns_that;
 using Mode = CorrectionChoice::Mode;
 
 const Correction& find(const Target& target, const std::string& kind) {
@@ -320,6 +324,69 @@ TEST(Correction, TakesTheEndForTheBreakWhereTheUserSaysSo) {
   ASSERT_TRUE(target.characteristics.observed_break.has_value());
   EXPECT_EQ(target.characteristics.observed_break->rule, "end-of-data");
   EXPECT_EQ(target.characteristics.observed_break->last_intact_strain, curve.strain.back());
+}
+
+/// Stress of a stretched rubber over its strain, which breaks between its last two samples.
+template <typename Stress>
+Curve rubber(double end, const Stress& stress) {
+  Curve curve;
+  for (int i = 0; i <= 800; ++i) {
+    const double strain = end * i / 800.0;
+    curve.strain.push_back(strain);
+    curve.stress.push_back(stress(1.0 + strain));
+  }
+  curve.strain.push_back(1.002 * end);
+  curve.stress.push_back(0.0);
+  return curve;
+}
+
+/// Neo-Hooke's rubber begins three times as steep as it goes on: no foot can be so, and its strain
+/// at break stays. With some noise, without which the line is found at the very beginning.
+TEST(Correction, DoesNotTakeAConcaveCurveForAFoot) {
+  std::mt19937_64 random(1);
+  std::normal_distribution<double> noise(0.0, 1.5e3);
+  for (const double end : {0.5, 1.0, 2.0, 4.0, 6.0}) {
+    const auto neo_hooke = [&](double stretch) {
+      return 0.5e6 * (stretch - 1.0 / (stretch * stretch)) + noise(random);
+    };
+    const Target target = make_target("rubber", rubber(end, neo_hooke));
+    EXPECT_FALSE(find(target, "toe").applied) << end;
+    ASSERT_TRUE(target.characteristics.break_strain) << end;
+    EXPECT_NEAR(*target.characteristics.break_strain, 1.001 * end, 2e-3 * end) << end;
+    EXPECT_TRUE(warns_that(target, "the curve begins steeper") ||
+                warns_that(target, "the curve bends"))
+        << end;
+  }
+}
+
+/// A strain that stuck at first lies beyond the line, too, behind which the curve is straight.
+TEST(Correction, ShiftsACurveWhoseStrainStuckAtFirst) {
+  Curve curve;
+  for (int i = 0; i <= 600; ++i) {
+    const double true_strain = 1e-5 * i;
+    curve.strain.push_back(std::max(0.0, true_strain - 5e-4 * (1.0 - std::exp(-i / 20.0))));
+    curve.stress.push_back(std::min(69e9 * true_strain, 250e6 + 1e9 * true_strain));
+  }
+  const Target target = make_target("stuck", curve);
+  EXPECT_TRUE(find(target, "toe").applied);
+  EXPECT_NEAR(find(target, "toe").amount, -5e-4, 0.3e-4);
+}
+
+/// A steel whose slope rises as E (1 - exp(-strain/foot)) and whose foot ends within the window.
+TEST(Correction, WarnsWhereAFootReachesIntoTheWindowOfTheModulus) {
+  const auto warns = [](double foot) {
+    Curve curve;
+    for (int i = 0; i <= 600; ++i) {
+      const double strain = 1e-5 * i;
+      const double rises = strain - foot * (1.0 - std::exp(-strain / foot));
+      curve.strain.push_back(strain);
+      curve.stress.push_back(std::min(205e9 * rises, 350e6 + 1e9 * strain));
+    }
+    return warns_that(make_target("foot", curve), "the curve grows steeper");
+  };
+  EXPECT_TRUE(warns(5e-4));
+  EXPECT_TRUE(warns(4e-4));
+  EXPECT_FALSE(warns(5e-5));
 }
 
 }  // namespace

@@ -5,9 +5,12 @@
 #include <cstddef>
 #include <limits>
 #include <random>
+#include <string>
+#include <string_view>
 
 #include "calibrate/target/curve.hpp"
 #include "calibrate/target/options.hpp"
+#include "calibrate/target/target.hpp"
 
 namespace plastica::testing {
 
@@ -68,6 +71,12 @@ inline calibrate::Curve smooth_curve(std::size_t samples = 500, double end = 0.1
     out.stress.push_back(elastic / std::pow(1.0 + std::pow(elastic / plastic, 12.0), 1.0 / 12.0));
   }
   return out;
+}
+
+/// Whether one of a target's warnings begins with these words.
+inline bool warns_that(const calibrate::Target& target, std::string_view beginning) {
+  return std::ranges::any_of(
+      target.warnings, [&](const std::string& warning) { return warning.starts_with(beginning); });
 }
 
 }  // namespace plastica::testing

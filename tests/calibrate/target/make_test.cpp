@@ -13,6 +13,8 @@
 namespace plastica::calibrate {
 namespace {
 
+using plastica::testing::warns_that;
+
 TEST(MakeTarget, RejectsACurveWithoutASampleAndSaysWhy) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   for (const Curve& curve : {Curve{}, Curve{{nan, 0.1}, {1.0, nan}}}) {
@@ -90,11 +92,6 @@ TEST(MakeTarget, KeepsTheRawCurveAsItWas) {
   EXPECT_EQ(target.raw.strain, curve.strain);
   EXPECT_EQ(target.raw.stress, curve.stress);
   EXPECT_LT(target.corrected.size(), curve.size());
-}
-
-bool warns_that(const Target& target, const std::string& beginning) {
-  return std::ranges::any_of(
-      target.warnings, [&](const std::string& warning) { return warning.starts_with(beginning); });
 }
 
 /// A hardening steel with some noise, that breaks to `zero`.

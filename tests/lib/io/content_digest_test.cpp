@@ -3,7 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <random>
+#include <string>
 
+#include "plastica/io/digest.hpp"
 #include "plastica/io/hdf5.hpp"
 #include "tests/lib/io/message_from.hpp"
 #include "tests/lib/io/scratch_folder.hpp"
@@ -101,6 +103,20 @@ TEST_F(ContentDigest, IsOfRegularFiles) {
             "/dev/zero: is no regular file");
   EXPECT_EQ(message_from<InputError>([] { check_content_digest("/tmp"); }),
             "/tmp: cannot be read: it is a folder");
+}
+
+/// Of FNV-1a, under another word.
+TEST_F(ContentDigest, IsCheckedInFilesOfOlderVersions) {
+  const std::string content = bytes_.substr(kContentOffset);
+  const Digest digest = Digest().bytes(std::as_bytes(std::span(content)));
+  std::string block = "Plastica result; HDF5 from byte 512 on\nbytes " +
+                      std::to_string(content.size()) + "\ndigest " + hexadecimal(digest.value()) +
+                      "\n";
+  block.resize(kContentOffset, '\0');
+  EXPECT_EQ(on_opening(block + content), "");
+  std::string damaged = block + content;
+  damaged[kContentOffset + content.size() / 2] ^= 4;
+  EXPECT_NE(on_opening(damaged), "");
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <limits>
+#include <string>
 #include <vector>
 
 namespace plastica::io {
@@ -45,6 +46,40 @@ TEST(Digest, TakesEqualNumbersForEqual) {
 TEST(Digest, IsShownAsSixteenHexadecimalDigits) {
   EXPECT_EQ(hexadecimal(0x0123456789abcdefU), "0123456789abcdef");
   EXPECT_EQ(hexadecimal(0), "0000000000000000");
+}
+
+std::uint64_t xxh3_of(std::string_view text) { return xxh3(std::as_bytes(std::span(text))); }
+
+TEST(Digest, GivesThePublishedValuesOfXxh3) {
+  EXPECT_EQ(xxh3_of(""), 0x2d06800538d394c2U);
+  EXPECT_EQ(xxh3_of("abc"), 0x78af5f94892f3950U);
+}
+
+TEST(Digest, OfPiecesIsThatOfTheWhole) {
+  std::string text;
+  for (int i = 0; i < 2000; ++i) text += std::to_string(i);
+  for (const std::size_t piece : {1U, 7U, 1000U}) {
+    Xxh3 pieces;
+    for (std::size_t at = 0; at < text.size(); at += piece) {
+      pieces.bytes(std::as_bytes(std::span(std::string_view(text).substr(at, piece))));
+    }
+    EXPECT_EQ(pieces.value(), xxh3_of(text)) << piece;
+  }
+}
+
+TEST(Digest, OfManyNumbersFindsEachThatChanges) {
+  std::vector<double> values(1000, 0.1);
+  const std::uint64_t whole = Digest().reals(values).value();
+  for (const std::size_t i :
+       {std::size_t{0}, std::size_t{255}, std::size_t{256}, values.size() - 1}) {
+    values[i] = -values[i];
+    EXPECT_NE(Digest().reals(values).value(), whole) << i;
+    values[i] = -values[i];
+  }
+  values[300] = 0.0;
+  const std::uint64_t with_zero = Digest().reals(values).value();
+  values[300] = -0.0;
+  EXPECT_EQ(Digest().reals(values).value(), with_zero);
 }
 
 }  // namespace

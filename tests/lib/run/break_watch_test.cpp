@@ -8,6 +8,7 @@
 #include <numbers>
 #include <random>
 #include <utility>
+#include <vector>
 
 #include "tests/lib/run/watched_beam.hpp"
 #include "tests/support/sanitized.hpp"
@@ -219,6 +220,37 @@ TEST(BreakWatch, TakesTheDepthForTheHingeLengthAndNoneWithTheReportsFormulas) {
   const BreakWatch watch(scene, joints);
   EXPECT_EQ(watch.hinge_lengths(7)[0], 0.06);
   EXPECT_EQ(watch.hinge_lengths(8)[0], kHeight);
+}
+
+/// Joints whose windows hold a neighbour's hinge have its strain, but do not break for it.
+TEST(BreakWatch, BreaksTheHingeAndNotTheJointsWhoseWindowsHoldIt) {
+  for (const int segments : {20, 80, 320}) {
+    BreakWatch watch = watch_of(ideal_scene(), segments, {0.01, kNone, kNone, kNone});
+    for (const int at : {0, 1, segments / 2, segments - 1}) {
+      const auto joint = static_cast<std::size_t>(at);
+      const auto joints = watch.broken(lone(segments, joint, {0.03, 0.0, 0.0}));
+      ASSERT_EQ(joints.size(), 1U) << segments << ' ' << at;
+      EXPECT_EQ(joints[0].joint, at) << segments;
+      EXPECT_NEAR(joints[0].strain, 0.015, 1e-15);
+      EXPECT_NEAR(joints[0].angle[0], 0.03, 1e-15);
+    }
+    // Two hinges, further apart than a window is long.
+    auto two = lone(segments, 0, {0.03, 0.0, 0.0});
+    two[static_cast<std::size_t>(segments / 2)] = {0.03, 0.0, 0.0};
+    EXPECT_EQ(watch.broken(two).size(), 2U) << segments;
+    // Bent evenly, all break but the half joints at the ends, or these, too.
+    EXPECT_GE(watch.broken(uniform(segments, 1.0)).size(), static_cast<std::size_t>(segments - 1));
+  }
+}
+
+/// One that was told of is not told of again by its neighbours.
+TEST(BreakWatch, LeavesOutWhatBreaksForOthers) {
+  BreakWatch watch = watch_of(ideal_scene(), 80, {0.01, kNone, kNone, kNone});
+  const auto angles = lone(80, 40, {0.03, 0.0, 0.0});
+  std::vector<bool> known(81, false);
+  EXPECT_GT(watch.excess(angles, known), 0.0);
+  known[40] = true;
+  EXPECT_LT(watch.excess(angles, known), 0.0);
 }
 
 }  // namespace

@@ -53,5 +53,40 @@ TEST(MotionCut, AtTheEndLeavesWhatElseHoldsTheLastSegment) {
   EXPECT_GT(moved, 1e-6);
 }
 
+/// A cantilever whose clamp moves across, and is cut.
+Response moved_and_cut(Place clamp, Scheme scheme, double time_step) {
+  Scene scene = testing::chain_scene(20);
+  scene.material.density = 7850.0;
+  scene.yield_model = YieldModel::Elastic;
+  Support held{.at = clamp, .kind = SupportKind::Clamp};
+  held.translation = {0.0, 0.1, 0.0};
+  held.history = History::smooth_step(0.0, 0.05);
+  scene.supports = {held};
+  scene.cuts.push_back({clamp, 0.01});
+  SolverOptions options{
+      .analysis = Analysis::Dynamics, .duration = 0.02, .steps = 40, .time_step = time_step};
+  options.scheme = scheme;
+  return simulate(scene, options);
+}
+
+/// The work of a moving clamp, the beam's mirror image and its energy must agree, whichever end
+/// it holds, though the clamp at the start is the ground and that at the end is not.
+TEST(MotionCut, LeavesTheWorkOfAMovingClampThatOfItsMirrorImage) {
+  for (const double step : {1e-4, 2e-5}) {
+    const Response start = moved_and_cut(Place::start(), Scheme::GeneralizedAlpha, step);
+    const Response end = moved_and_cut(Place::end(), Scheme::GeneralizedAlpha, step);
+    const Response other = moved_and_cut(Place::start(), Scheme::EnergyMomentum, step);
+    for (const Response* response : {&start, &end, &other}) {
+      ASSERT_EQ(response->status, Status::Broken) << step;
+    }
+    const Energies& of_start = start.chain.energy.back();
+    const Energies& of_end = end.chain.energy.back();
+    EXPECT_GT(of_start.external, 1.0);
+    EXPECT_NEAR(of_start.external / of_end.external, 1.0, 1e-5) << step;
+    EXPECT_NEAR(of_start.external / other.chain.energy.back().external, 1.0, 2e-3) << step;
+    EXPECT_LT(std::fabs(of_start.residual), 2e-4 * of_start.external) << step;
+  }
+}
+
 }  // namespace
 }  // namespace plastica

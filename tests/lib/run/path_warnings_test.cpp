@@ -219,5 +219,32 @@ TEST(PathWarnings, SayWhereARegionCoversAnother) {
   EXPECT_FALSE(warns(with(0.5), "lies over"));
 }
 
+/// An I-section of fibres in the level of space, bent about its strong axis, with a pull of 1 % of
+/// N_p that keeps the tangent positive: what rounding begins across its plane grows.
+TEST(PathWarnings, SayWhereOnlyRoundingTakesABeamOutOfItsPlane) {
+  const auto warned = [](const std::function<void(Scene&)>& change) {
+    Scene scene = cantilever();
+    scene.material.youngs_modulus = 210e9;
+    scene.material.yield_stress = 355e6;
+    scene.beam.length = 1.0;
+    scene.beam.segments = 20;
+    scene.section.shape = SectionShape::ISection;
+    scene.section.width = scene.section.height = 0.02;
+    scene.section.flange_thickness = scene.section.web_thickness = 0.002;
+    scene.yield_model = YieldModel::Fibre;
+    scene.loads = {{.at = Place::end(), .force = {0.0, -600.0, 397.6}}};
+    change(scene);
+    SolverOptions options{.steps = 40};
+    options.translation = JointTranslation::Elastic;
+    options.level = Level::Spatial;
+    const Model model = prepare(scene, options);
+    return warns(run_warnings(scene, options, model, simulate(scene, options)),
+                 "nothing acts across the plane");
+  };
+  EXPECT_TRUE(warned([](Scene&) {}));
+  EXPECT_FALSE(warned([](Scene& s) { s.loads[0].force[1] = -300.0; }));
+  EXPECT_FALSE(warned([](Scene& s) { s.loads[0].force[0] = 0.6; }));
+}
+
 }  // namespace
 }  // namespace plastica
