@@ -238,6 +238,19 @@ void warn_of_early_break(const Target& target, const BreakEvent& event, FitResul
       broke ? "went on" : "did not break at all"));
 }
 
+/// A yield stress above what the specimen bore is reached after its break.
+void warn_of_late_break(const Target& target, const BreakEvent& event, FitResult& result) {
+  constexpr double kLate = 0.01;  // of the strain at break
+  const auto& observed = target.characteristics.observed_break;
+  if (!observed) return;
+  const double late = std::fabs(event.strain) - std::fabs(observed->strain());
+  if (late <= std::fabs(observed->half_interval()) + kLate * std::fabs(observed->strain())) return;
+  result.warnings.push_back(
+      fmt::format("the fitted model breaks at {:.4g} % strain in total, and the specimen broke at "
+                  "{:.4g} %",
+                  100.0 * event.strain, 100.0 * observed->strain()));
+}
+
 /// The fitted curve, and the strain where the model breaks.
 void add_fitted_curve(const Target& target, const FitOptions& options, FitResult& result) {
   FittedCurve fitted = fitted_curve(target, options, result);
@@ -245,6 +258,7 @@ void add_fitted_curve(const Target& target, const FitOptions& options, FitResult
   if (!fitted.event) return;
   result.break_strain_total = fitted.event->strain;
   warn_of_early_break(target, *fitted.event, result);
+  warn_of_late_break(target, *fitted.event, result);
 }
 
 /// The solution's details, for a result that says nothing of any other.
@@ -273,7 +287,7 @@ void describe_fit(const Target& target, const ParameterSet& set, Misfit& misfit,
 void explain_fit(const Target& target, const FitOptions& options, const ParameterSet& set,
                  Misfit& misfit, std::span<const double> active, FitResult& result) {
   Misfit::Details details = begin_result(misfit, active, result);
-  drop_unidentifiable_yield(misfit, set, active, options, details);
+  drop_unidentifiable_yield(misfit, set, target.corrected, active, options, details);
   details.by_shift = shift_slopes(target, options, set, active);
   const Uncertainty u = uncertainty(details, active, set, target, options, misfit.break_factor());
   judge_misfit(describe_misfit(details, target, result), target, options, result);

@@ -47,7 +47,7 @@ CouponProblem::CouponProblem(const Target& target, const FitOptions& options,
   if (result.stated_priors) priors.variance = result.stated_priors->variance;
   misfit_.set_priors(priors);
   details_ = misfit_.details(active_);
-  drop_unidentifiable_yield(misfit_, set_, active_, options, details_);
+  drop_unidentifiable_yield(misfit_, set_, target.corrected, active_, options, details_);
   details_.by_shift = shift_slopes(target, options, set_, active_);
   uncertainty_ = uncertainty(details_, active_, set_, target, options, misfit_.break_factor());
   spread_ = spread_of(details_, active_, set_, target, options);

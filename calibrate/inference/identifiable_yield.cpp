@@ -11,7 +11,11 @@
 namespace plastica::calibrate {
 namespace {
 
-constexpr int kFewSamples = 3;
+bool is_elastic(const ResolvedParameter& p) {
+  return p.field->material == MaterialField::YoungsModulus ||
+         p.field->material == MaterialField::ShearModulus ||
+         p.field->material == MaterialField::PoissonRatio;
+}
 
 bool is_yield(const ResolvedParameter& p) {
   return p.field->material == MaterialField::YieldStress ||
@@ -70,38 +74,110 @@ class WithoutYield {
   LeastSquaresProblem problem_;
 };
 
-}  // namespace
+/// What a curve tells of its noise, for sums of weighted squares.
+struct NoiseOfCost {
+  double variance = 0.0;         ///< of the stress [Pa^2]
+  double degrees = 1.0;          ///< of freedom
+  double squared_weights = 0.0;  ///< sum w^2 over the samples that count
+  double samples = 0.0;          ///< that count
 
-void drop_unidentifiable_yield(Misfit& misfit, const ParameterSet& parameters,
-                               std::span<const double> active, const FitOptions& options,
-                               Misfit::Details& details) {
-  const std::size_t samples = details.residual.size();
-  for (std::size_t k = 0; k < active.size(); ++k) {
-    if (!is_yield(parameters.all()[parameters.active()[k]])) continue;
-    const std::span<double> slopes = std::span(details.jacobian).subspan(k * samples, samples);
-    const std::span<const double> weights = misfit.weights();
-    int moved = 0;
-    for (std::size_t s = 0; s < samples; ++s) moved += slopes[s] != 0.0 && weights[s] > 0.0 ? 1 : 0;
-    if (moved == 0 || moved > kFewSamples) continue;
-    // What the squares say of the noise, or what is known of it; and the squared threshold over it.
-    double squares = 0.0, counted = 0.0, squared_weights = 0.0;
-    for (std::size_t s = 0; s < samples; ++s) {
+  NoiseOfCost(const Misfit::Details& details, std::span<const double> weights,
+              std::size_t parameters, const FitOptions& options) {
+    double squares = 0.0;
+    for (std::size_t s = 0; s < weights.size(); ++s) {
       if (!(weights[s] > 0.0)) continue;
       squares += details.residual[s] * details.residual[s];
       squared_weights += weights[s] * weights[s];
-      counted += 1.0;
+      samples += 1.0;
     }
-    double degrees = std::max(1.0, counted - static_cast<double>(active.size()));
-    double variance = squares / degrees;
+    degrees = std::max(1.0, samples - static_cast<double>(parameters));
+    variance = squares / degrees;
     if (options.objective == Objective::LeastSquares && options.noise) {
       variance = *options.noise * *options.noise;
       degrees = std::numeric_limits<double>::infinity();
     }
-    const double t = theory::student_t_quantile(0.5 + 0.5 * options.confidence, degrees);
-    const double best = misfit.search_cost(active, {});
-    const double without = WithoutYield(misfit, parameters, active, k).min_cost();
-    if (without - best < t * t * variance * squared_weights) std::ranges::fill(slopes, 0.0);
   }
+
+  /// What a cost must rise by where so many parameters are taken out that say something. Where the
+  /// curve leaves its elastic line was looked for at all samples: by Bonferroni's inequality the
+  /// risk is shared between as many places as differ, some halvings of the curve.
+  double rise(double confidence, int parameters) const {
+    const double risk = (1.0 - confidence) / std::max(1.0, std::log2(samples));
+    const double t = theory::student_t_quantile(1.0 - 0.5 * risk, degrees);
+    const double more = theory::chi_squared_quantile(1.0 - risk, parameters) /
+                        theory::chi_squared_quantile(1.0 - risk, 1.0);
+    return t * t * more * variance * squared_weights;
+  }
+};
+
+/// The model where it hardly yields.
+struct ElasticModel {
+  bool is_one = false;  ///< but for some samples at its end: no bound makes it yield
+  /// A bound below what the stress costs [Pa^2]: that is linear in a modulus.
+  double least_cost = 0.0;
+
+  ElasticModel(Misfit& misfit, const Curve& curve, std::span<const double> active) {
+    const std::span<const double> weights = misfit.weights();
+    std::vector<double> residual(weights.size());
+    if (!misfit.residuals(active, residual)) return;
+    double xx = 0.0, xy = 0.0, yy = 0.0, most = 0.0;
+    double slope = 0.0;
+    std::vector<double> model(weights.size());
+    for (std::size_t s = 0; s < weights.size(); ++s) {
+      const double measured = curve.stress[s];
+      model[s] = measured + residual[s];
+      xx += weights[s] * model[s] * model[s];
+      xy += weights[s] * model[s] * measured;
+      yy += weights[s] * measured * measured;
+      most = std::max(most, std::fabs(model[s]));
+      if (curve.strain[s] != 0.0) slope = std::max(slope, model[s] / curve.strain[s]);
+    }
+    constexpr double kFewest = 3.0, kSome = 0.05, kStraight = 1e-6;
+    double yield = 0.0;
+    for (std::size_t s = 0; s < model.size(); ++s) {
+      yield += std::fabs(slope * curve.strain[s] - model[s]) > kStraight * most ? 1.0 : 0.0;
+    }
+    is_one = yield <= std::max(kFewest, kSome * static_cast<double>(model.size()));
+    least_cost = xx > 0.0 ? std::max(0.0, yy - xy * xy / xx) : 0.0;
+  }
+};
+
+}  // namespace
+
+void drop_unidentifiable_yield(Misfit& misfit, const ParameterSet& parameters, const Curve& curve,
+                               std::span<const double> active, const FitOptions& options,
+                               Misfit::Details& details) {
+  const std::size_t samples = details.residual.size();
+  const std::span<const double> weights = misfit.weights();
+  const auto of = [&](std::size_t k) -> const ResolvedParameter& {
+    return parameters.all()[parameters.active()[k]];
+  };
+  const auto slopes_of = [&](std::size_t k) {
+    return std::span(details.jacobian).subspan(k * samples, samples);
+  };
+  const auto is_seen = [&](std::size_t k) {
+    const std::span<const double> slopes = slopes_of(k);
+    for (std::size_t s = 0; s < samples; ++s) {
+      if (slopes[s] != 0.0 && weights[s] > 0.0) return true;
+    }
+    return false;
+  };
+  std::vector<std::size_t> plastic;
+  for (std::size_t k = 0; k < active.size(); ++k) {
+    if (!of(k).is_break && !is_elastic(of(k)) && is_seen(k)) plastic.push_back(k);
+  }
+  const auto yield = std::ranges::find_if(plastic, [&](std::size_t k) { return is_yield(of(k)); });
+  if (yield == plastic.end()) return;
+  const NoiseOfCost noise(details, weights, active.size(), options);
+  const double best = misfit.search_cost(active, {});
+  const double enough = best + noise.rise(options.confidence, static_cast<int>(plastic.size()));
+  // Mostly it is plain, and no search is needed.
+  std::vector<double> elastic(active.begin(), active.end());
+  elastic[*yield] = of(*yield).upper;
+  const ElasticModel without(misfit, curve, elastic);
+  if (!without.is_one || without.least_cost >= enough) return;
+  if (WithoutYield(misfit, parameters, active, *yield).min_cost() >= enough) return;
+  for (const std::size_t k : plastic) std::ranges::fill(slopes_of(k), 0.0);
 }
 
 }  // namespace plastica::calibrate

@@ -23,7 +23,7 @@ NormalMatrices normal_matrices(const Misfit::Details& d, const std::vector<std::
                                const std::vector<double>& size) {
   const auto m = static_cast<Eigen::Index>(columns.size());
   const MatrixXd none = MatrixXd::Zero(m, m);
-  NormalMatrices normal{none, none, none, none, VectorXd::Zero(m), {}, {}, {}, {}};
+  NormalMatrices normal{none, none, none, none, VectorXd::Zero(m), {}, {}, {}, {}, {}};
   std::vector<double> squared_weight(d.weight);
   for (double& w : squared_weight) w *= w;
   const std::size_t samples = d.residual.size();
@@ -71,12 +71,16 @@ NormalMatrices keep_identified(const Misfit::Details& d, const std::vector<doubl
     normal = normal.of(kept);
   };
   std::vector<Eigen::Index> identifiable;
+  std::vector<std::size_t> blank;
   for (Eigen::Index i = 0; i < normal.a.rows(); ++i) {
     if (normal.a(i, i) > kRankTolerance * kRankTolerance * stress * stress * total) {
       identifiable.push_back(i);
+    } else {
+      blank.push_back(columns[static_cast<std::size_t>(i)]);
     }
   }
   keep(identifiable);
+  normal.blank = blank;
   if (columns.empty()) return normal;
   const UnitDirections directions(normal.a);
   const Eigen::Index unseen = (directions.values.array() < kRankTolerance).count();
@@ -94,12 +98,15 @@ NormalMatrices keep_identified(const Misfit::Details& d, const std::vector<doubl
   normal.is_determined = std::move(is_determined);
   normal.unseen = vectors;
   normal.shown = shown;
+  normal.blank = std::move(blank);
   normal.unit = directions.size;
   return normal;
 }
 
 bool NormalMatrices::determine(const std::vector<double>& gradient,
                                const std::vector<double>& size) const {
+  const auto moves = [&](std::size_t column) { return size[column] * gradient[column] != 0.0; };
+  if (std::ranges::any_of(blank, moves)) return false;
   if (unseen.size() == 0) return true;
   VectorXd own(unseen.rows());
   for (Eigen::Index k = 0; k < own.size(); ++k) {

@@ -21,6 +21,7 @@ struct NormalMatrices {
   /// shows anything of, before one was held for each; these columns, and their units over `size`.
   Eigen::MatrixXd unseen;
   std::vector<std::size_t> shown;
+  std::vector<std::size_t> blank;  ///< columns that the curve shows nothing of
   Eigen::VectorXd unit;
 
   /// Whether the curve determines a function of the active parameters.
@@ -35,6 +36,7 @@ struct NormalMatrices {
             kept_of(prior, kept),
             kept_of(stated, kept),
             stated_in_a(kept),
+            {},
             {},
             {},
             {},

@@ -158,6 +158,7 @@ GroupSummary summarize(std::span<const FitRecord> records, const std::vector<std
     if (!is_usable(result)) continue;
     for (const FittedParameter& parameter : result.parameters) {
       if (parameter.role == ParameterRole::Fixed || !parameter.identified) continue;
+      if (parameter.at_bound()) continue;  // says how far it may go, not what it is
       parameters.add(i, parameter.name(), parameter.dimension, parameter.value,
                      std::sqrt(3.0) * parameter.sampling_error);
     }

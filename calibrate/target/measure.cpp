@@ -92,7 +92,7 @@ void drop_impossible(Target& target, const ElasticLine& line) {
   } else if (line.bend < kRising) {
     target.warnings.push_back(fmt::format(
         "the curve grows steeper where Young's modulus is measured, by {:.2g} % there, as where a "
-        "foot reaches into it: the modulus may be too small by as much; name a window "
+        "foot reaches into it: the modulus is too small by at least as much; name a window "
         "(characteristics.window), or the modulus",
         100.0 * (1.0 / line.bend - 1.0)));
   }

@@ -29,7 +29,7 @@ class InterruptedRun : public ::testing::Test {
 
   /// Begins the batch and ends it by a signal once its journal holds some fits, but not all.
   CommandResult interrupt(int signal) const {
-    constexpr std::uintmax_t kSomeFits = 1'000'000;  // bytes; a fit takes some 80 000
+    constexpr std::uintmax_t kSomeFits = 20'000;  // bytes; a fit takes some 1 000
     RunningCommand running =
         place_.start({"calibrate", "fit.toml", "--threads", "1", "-o", "out.h5"});
     while (running.runs() && journal_size() < kSomeFits) {

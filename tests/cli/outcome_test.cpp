@@ -140,7 +140,7 @@ TEST(Outcome, OfAFullDiskKeepsTheOutputThatIsThere) {
 TEST(Outcome, OfAJournalThatCannotGrowIsThree) {
   const Workplace place;
   write_good_curves(place);
-  const LimitOfFileSize limit(4 * 1024);
+  const LimitOfFileSize limit(512);
   expect_machine_failure(place.run({"calibrate", "fit.toml", "--quiet"}), "fit.h5.journal: ");
 }
 

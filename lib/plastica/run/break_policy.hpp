@@ -1,6 +1,6 @@
 #pragma once
 
-#include <algorithm>
+#include <utility>
 
 #include "plastica/model/rules.hpp"
 #include "plastica/run/response.hpp"
@@ -9,18 +9,18 @@ namespace plastica {
 
 /// Marks the joints of a break that a policy cuts. The worst is that whose strain is furthest over
 /// its limit; of several within rounding of each other, that of the lowest number.
+/// @param event  `cut` says which joints are hinges, as `BreakWatch::broken` has it
 inline void mark_cuts(BreakPolicy policy, ChainBreak& event) {
-  for (BrokenJoint& joint : event.joints) joint.cut = policy == BreakPolicy::CutAll;
-  if (policy != BreakPolicy::CutWorst || event.joints.empty()) return;
+  if (policy == BreakPolicy::CutAll) return;
   constexpr double kTie = 1e-9;
+  BrokenJoint* worst = nullptr;
   const auto use = [](const BrokenJoint& joint) { return joint.strain / joint.limit; };
-  double most = 0.0;
-  for (const BrokenJoint& joint : event.joints) most = std::max(most, use(joint));
   for (BrokenJoint& joint : event.joints) {
-    if (use(joint) < most * (1.0 - kTie)) continue;
-    joint.cut = true;
-    return;
+    const bool is_hinge = std::exchange(joint.cut, false);
+    const bool is_worse = worst == nullptr || use(joint) > use(*worst) * (1.0 + kTie);
+    if (is_hinge && is_worse) worst = &joint;
   }
+  if (policy == BreakPolicy::CutWorst && worst != nullptr) worst->cut = true;
 }
 
 }  // namespace plastica

@@ -246,10 +246,7 @@ double BreakWatch::excess(const std::vector<JointFlow>& angles, const std::vecto
   for_each_joint(angles, [&](std::size_t j, const Strains& strain) {
     if (!left_out.empty() && left_out[j]) return;
     const LimitUse use = use_of(strain, j);
-    if (use.of <= largest) return;
-    const bool breaks = use.of > 1.0 - kBreakTolerance;
-    if (breaks && !left_out.empty() && left_out[breaking_for(angles, j, use.worst)]) return;
-    largest = use.of;
+    if (use.of > largest && has_yielded(angles[j], j, use)) largest = use.of;
   });
   return largest - 1.0;
 }
@@ -263,29 +260,31 @@ BreakWatch::LimitUse BreakWatch::use_of(const Strains& strain, std::size_t joint
   return use;
 }
 
-std::size_t BreakWatch::breaking_for(const std::vector<JointFlow>& angles, std::size_t joint,
-                                     std::size_t worst) const {
-  const std::array<double, 3>& hinge = hinge_[joint];
-  const std::size_t axis = worst < 3 ? worst : hinge[0] < hinge[1] ? 1 : 0;
-  if (hinge[0] == 0.0 || !has_window(joint, axis)) return joint;
-  const Window window = window_of(joint, axis);
-  const auto bend = [&](std::size_t j) {
-    return nearest_limit(strains_of(spread(angles[j], j), j), j);
-  };
-  std::size_t most = joint;
-  double of_most = bend(joint);
-  const double enough = of_most / (1.0 - kBreakTolerance);
-  const auto look_at = [&](std::size_t j) {
-    const double of = bend(j);
-    if (of <= std::max(enough, of_most)) return;
-    most = j;
-    of_most = of;
-  };
-  for (std::size_t j = joint; j > 0 && joints_[j - 1].end > window.low; --j) look_at(j - 1);
-  for (std::size_t j = joint + 1; j < joints_.size() && joints_[j].begin < window.high; ++j) {
-    look_at(j);
+bool BreakWatch::has_yielded(const JointFlow& flow, std::size_t joint, const LimitUse& use) const {
+  const double limit = joints_[joint].limit[use.worst];
+  return own_strain(flow, joint) >= kOwnPart * use.of * limit;
+}
+
+void BreakWatch::mark_hinges(const std::vector<JointFlow>& angles,
+                             std::vector<BrokenJoint>& joints) const {
+  std::vector<double> own;
+  for (const BrokenJoint& joint : joints) {
+    const auto j = static_cast<std::size_t>(joint.joint);
+    own.push_back(own_strain(angles[j], j) / joint.limit);
   }
-  return most;
+  for (std::size_t a = 0; a < joints.size(); ++a) {
+    const auto joint = static_cast<std::size_t>(joints[a].joint);
+    joints[a].cut = true;
+    for (const std::size_t axis : {std::size_t{0}, std::size_t{1}, std::size_t{2}}) {
+      if (hinge_[joint][0] == 0.0 || !has_window(joint, axis)) continue;
+      const Window window = window_of(joint, axis);
+      for (std::size_t b = 0; b < joints.size(); ++b) {
+        const chain::JointModel& other = joints_[static_cast<std::size_t>(joints[b].joint)];
+        const bool is_in = other.end > window.low && other.begin < window.high;
+        if (is_in && own[a] < (1.0 - kBreakTolerance) * own[b]) joints[a].cut = false;
+      }
+    }
+  }
 }
 
 double BreakWatch::nearest_limit(const Strains& strains, std::size_t joint) const {
@@ -345,22 +344,16 @@ std::vector<BrokenJoint> BreakWatch::broken(const std::vector<JointFlow>& angles
   if (excess(angles) <= 0.0) return joints;
   for_each_joint(angles, [&](std::size_t j, const Strains& strain) {
     const LimitUse use = use_of(strain, j);
-    if (use.of <= 1.0 - kBreakTolerance) return;
-    const std::size_t breaks = breaking_for(angles, j, use.worst);
+    if (use.of <= 1.0 - kBreakTolerance || !has_yielded(angles[j], j, use)) return;
     BrokenJoint broken;
-    broken.joint = static_cast<int>(breaks);
+    broken.joint = static_cast<int>(j);
     broken.cause = cause_of(strain, j, use.worst);
     broken.strain = held(strain, use.worst);
     broken.limit = joints_[j].limit[use.worst];
-    std::copy_n(angles[breaks].begin(), broken.angle.size(), broken.angle.begin());
-    const auto same = std::ranges::find(joints, broken.joint, &BrokenJoint::joint);
-    if (same == joints.end()) {
-      joints.push_back(broken);
-    } else if (same->strain * broken.limit < broken.strain * same->limit) {
-      *same = broken;
-    }
+    std::copy_n(angles[j].begin(), broken.angle.size(), broken.angle.begin());
+    joints.push_back(broken);
   });
-  std::ranges::sort(joints, {}, &BrokenJoint::joint);
+  mark_hinges(angles, joints);
   return joints;
 }
 

@@ -52,6 +52,9 @@ class NodeStrains {
 /// equilibrium.)
 inline constexpr double kBreakTolerance = 1e-4;
 
+/// What a joint must have of a strain over a window itself, to break by it.
+inline constexpr double kOwnPart = 0.01;
+
 /// Whether a scene limits the strains of any joint.
 bool has_break_limits(const Scene& scene);
 
@@ -82,9 +85,10 @@ Localization localization_of(const Scene& scene);
 ///   a lone hinge (theta_n = 0) both come out as in a fine chain.
 /// L_p = 0: theta_p over the joint's own length, as in Wendelius' report.
 ///
-/// What a window holds may be the hinge of a neighbour: then all joints whose windows hold it have
-/// its strain, and it is that one alone which breaks: of those in the window the one that is bent
-/// most, theta_p/l, or that is bent as much within `kBreakTolerance`.
+/// What a window holds may be the hinge of a neighbour: a joint that has hardly yielded itself, by
+/// less than `kOwnPart` of that strain over its own length, does not break by it. Of joints that
+/// are over their limits together those are cut that are bent most of all such in their windows,
+/// theta_p/l, or as much within `kBreakTolerance`.
 ///
 /// A permanent elongation is taken alike, over the hinge length of the axis that bends, and its
 /// strain adds to that of bending: the extreme fibre's (plane sections). Where both axes bend it is
@@ -107,8 +111,7 @@ class BreakWatch {
   // costs as much as there are joints, however many a hinge length holds.
 
   /// Largest strain over its limit minus 1, of all joints; negative: nothing breaks.
-  /// @param left_out  of each joint whether it does not count (joints), where it breaks for others
-  ///                  as well; empty: all do
+  /// @param left_out  of each joint whether it does not count (joints); empty: all do
   double excess(const std::vector<JointFlow>& angles, const std::vector<bool>& left_out = {});
 
   /// The angles that count, in the break measure.
@@ -130,7 +133,7 @@ class BreakWatch {
   double lone_strain(const JointFlow& angle, std::size_t joint) const;
 
   /// All joints over their limit, with cause, strain and limit; where one is, also those that are
-  /// below it by less than `kBreakTolerance`.
+  /// below it by less than `kBreakTolerance`. `cut` says which are to be cut, where all are.
   std::vector<BrokenJoint> broken(const std::vector<JointFlow>& angles);
 
  private:
@@ -146,9 +149,14 @@ class BreakWatch {
     std::size_t worst = 0;  ///< which strain
   };
   LimitUse use_of(const Strains& strain, std::size_t joint) const;
-  /// The joint that breaks where one is over its limit.
-  std::size_t breaking_for(const std::vector<JointFlow>& angles, std::size_t joint,
-                           std::size_t worst) const;
+  /// The strain nearest to its limit of what a joint has yielded itself, over its own length.
+  double own_strain(const JointFlow& flow, std::size_t joint) const {
+    return nearest_limit(strains_of(spread(flow, joint), joint), joint);
+  }
+  /// Whether a joint has yielded itself, where its strain is near its limit.
+  bool has_yielded(const JointFlow& flow, std::size_t joint, const LimitUse& use) const;
+  /// Of joints that are over their limits those that are to be cut.
+  void mark_hinges(const std::vector<JointFlow>& angles, std::vector<BrokenJoint>& joints) const;
   /// What a joint breaks by.
   BreakCause cause_of(const Strains& strain, std::size_t joint, std::size_t worst) const;
 

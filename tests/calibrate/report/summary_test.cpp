@@ -128,6 +128,20 @@ TEST(Groups, LeaveOutFixedAndUnidentifiedParameters) {
   EXPECT_EQ(find(group.parameters, "yield_stress")->statistic.n, 2U);
 }
 
+// A bound is where a search ended, not what a specimen has.
+TEST(Groups, LeaveOutParametersAtBounds) {
+  std::vector<FitRecord> records = {fitted_record("a", 280e6), fitted_record("b", 290e6),
+                                    fitted_record("c", 400e6)};
+  for (FittedParameter& p : records[2].result.parameters) {
+    p.at_upper = p.name() == "yield_stress";
+  }
+  const std::vector<GroupSummary> groups = summarize_groups(records);
+  const GroupStatistic* yield = find(groups[0].parameters, "yield_stress");
+  ASSERT_NE(yield, nullptr);
+  EXPECT_EQ(yield->statistic.n, 2U);
+  EXPECT_DOUBLE_EQ(yield->statistic.mean, 285e6);
+}
+
 TEST(Counts, AreOfAllRecords) {
   const std::vector<FitRecord> records = {fitted_record(), rejected_record("b", "x"),
                                           rejected_record("c", "y")};

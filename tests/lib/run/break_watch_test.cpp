@@ -243,6 +243,26 @@ TEST(BreakWatch, BreaksTheHingeAndNotTheJointsWhoseWindowsHoldIt) {
   }
 }
 
+/// Nor do they where they have a limit and the hinge has none, or are deeper.
+TEST(BreakWatch, BreaksNoElasticJointForANeighboursHinge) {
+  auto joints = joints_of(80, {0.01, kNone, kNone, kNone});
+  for (std::size_t j = 40; j < joints.size(); ++j) joints[j].limit[0] = kNone;
+  BreakWatch watch(ideal_scene(), joints);
+  EXPECT_LT(watch.excess(lone(80, 40, {0.9, 0.0, 0.0})), 0.0);
+  EXPECT_TRUE(watch.broken(lone(80, 40, {0.9, 0.0, 0.0})).empty());
+  EXPECT_GT(watch.excess(lone(80, 39, {0.9, 0.0, 0.0})), 0.0);
+}
+
+/// Of a hinge that spreads the middle is cut, though all that yield are over their limits.
+TEST(BreakWatch, CutsTheMiddleOfAHingeThatSpreads) {
+  BreakWatch watch = watch_of(ideal_scene(), 80, {0.01, kNone, kNone, kNone});
+  auto angles = lone(80, 40, {0.02, 0.0, 0.0});
+  angles[39] = angles[41] = {0.01, 0.0, 0.0};
+  const auto joints = watch.broken(angles);
+  ASSERT_EQ(joints.size(), 3U);
+  for (const BrokenJoint& joint : joints) EXPECT_EQ(joint.cut, joint.joint == 40);
+}
+
 /// One that was told of is not told of again by its neighbours.
 TEST(BreakWatch, LeavesOutWhatBreaksForOthers) {
   BreakWatch watch = watch_of(ideal_scene(), 80, {0.01, kNone, kNone, kNone});
