@@ -65,11 +65,41 @@ void take_values(const ParameterSet& set, std::span<const double> active, FitOpt
   }
 }
 
-void append(Solution&& further, FitResult& result) {
-  const auto add = [](auto&& from, auto& to) { to.insert(to.end(), from.begin(), from.end()); };
-  add(further.stages, result.stages);
-  add(further.trace.values, result.trace.values);
-  add(further.trace.costs, result.trace.costs);
+/// @param to  a Solution or a FitResult
+void append(const Solution& further, auto& to) {
+  const auto add = [](const auto& from, auto& all) {
+    all.insert(all.end(), from.begin(), from.end());
+  };
+  add(further.stages, to.stages);
+  add(further.trace.values, to.trace.values);
+  add(further.trace.costs, to.trace.costs);
+}
+
+/// A kink may part the solution from where stated priors want it, such as a yield stress that no
+/// sample reaches: another search begins there.
+void look_at_prior_means(const Target& target, FitOptions options, const WeighedPriors& priors,
+                         Misfit& misfit, const ParameterSet& set, Solution& solution) {
+  constexpr double kLess = 1e-9;
+  take_values(set, solution.active, options);
+  bool moves = false;
+  for (Parameter& p : options.parameters) {
+    if (p.role != ParameterRole::Free || !p.prior) continue;
+    const double mean = p.prior->mean;
+    p.value = std::clamp(mean, p.lower.value_or(mean), p.upper.value_or(mean));
+    moves = true;
+  }
+  if (!moves) return;
+  const double cost = misfit.search_cost(solution.active, {});
+  const ParameterSet at_means(target, options);
+  misfit.set_parameters(at_means);
+  misfit.set_priors(priors);
+  Solution other = descend_misfit(misfit, at_means, options);
+  if (other.usable && misfit.search_cost(other.active, {}) < (1.0 - kLess) * cost) {
+    solution.active = other.active;
+  }
+  append(other, solution);
+  misfit.set_parameters(set);
+  misfit.set_priors(priors);
 }
 
 /// Explains the fit whose values the options start with; its search began where it did.
@@ -176,6 +206,7 @@ void weigh_priors(const Target& target, const FitOptions& options, const FitPrio
     misfit.set_parameters(set);
     misfit.set_priors(priors);
     Solution solution = descend_misfit(misfit, set, from);
+    if (solution.usable) look_at_prior_means(target, from, priors, misfit, set, solution);
     if (!solution.usable) {
       misfit.set_priors({});
       explain_from(target, from_values_of(result, without_priors(options)), misfit, result);
@@ -186,7 +217,7 @@ void weigh_priors(const Target& target, const FitOptions& options, const FitPrio
     }
     squares = misfit.stress_cost(solution.active);
     take_values(set, solution.active, from);
-    append(std::move(solution), result);
+    append(solution, result);
   }
   if (slope) slope->variance = priors.variance;
   result.modulus_prior = slope;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <random>
 #include <string>
 #include <vector>
 
@@ -131,6 +132,40 @@ TEST(PriorFit, DeterminesWhatTheCurveDoesNot) {
   EXPECT_NEAR(result.intervals.profiles[1].low, 380e6 - 1.96 * 15e6, tolerance(0.1e6));
   EXPECT_NEAR(result.intervals.profiles[1].high, 380e6 + 1.96 * 15e6, tolerance(0.1e6));
   EXPECT_NEAR(result.intervals.residuals.intervals.at(1).standard_error, 15e6, tolerance(2e6));
+}
+
+/// Noise at the end of an elastic curve makes a minimum below the largest stress: what a search
+/// with a prior ends at must not cost more than the prior's mean, beside the elastic line of least
+/// squares.
+TEST(PriorFit, IsNoWorseThanThePriorsMean) {
+  constexpr double kNoise = 3e6, kMean = 1000e6, kDeviation = 50e6;
+  int at_mean = 0;
+  for (unsigned seed = 1; seed <= 20; ++seed) {
+    std::mt19937_64 random(seed);
+    std::normal_distribution<double> normal(0.0, kNoise);
+    const std::vector<double> strain = ramp(100, 4.5e-3);
+    std::vector<double> stress;
+    double xx = 0.0, xy = 0.0, yy = 0.0;
+    for (const double e : strain) {
+      stress.push_back(200e9 * e + normal(random));
+      xx += e * e;
+      xy += e * stress.back();
+      yy += stress.back() * stress.back();
+    }
+    FitOptions options = fit_of({free_parameter("youngs_modulus"),
+                                 with_prior(free_parameter("yield_stress"), kMean, kDeviation)});
+    options.objective = Objective::LeastSquares;
+    options.noise = kNoise;
+    options.modulus_prior = false;
+    const FitResult result = fit_target(target_of(strain, stress), options);
+    ASSERT_TRUE(result.stated_priors) << seed;
+    const double samples = static_cast<double>(strain.size());
+    const double found =
+        samples * std::pow(result.misfit_rms / kNoise, 2) + result.stated_priors->squared;
+    EXPECT_LE(found, (yy - xy * xy / xx) / (kNoise * kNoise) + tolerance(1e-6)) << seed;
+    at_mean += std::fabs(result.parameter("yield_stress").value - kMean) < 1e3 ? 1 : 0;
+  }
+  EXPECT_GT(at_mean, 10);
 }
 
 /// An exact curve leaves what it cannot tell to the prior as well.
