@@ -242,7 +242,7 @@ void warn_of_early_break(const Target& target, const BreakEvent& event, FitResul
 void warn_of_late_break(const Target& target, const BreakEvent& event, FitResult& result) {
   constexpr double kLate = 0.01;  // of the strain at break
   const auto& observed = target.characteristics.observed_break;
-  if (!observed) return;
+  if (!observed || event.sample < target.corrected.size()) return;
   const double late = std::fabs(event.strain) - std::fabs(observed->strain());
   if (late <= std::fabs(observed->half_interval()) + kLate * std::fabs(observed->strain())) return;
   result.warnings.push_back(

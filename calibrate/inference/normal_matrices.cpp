@@ -105,8 +105,14 @@ NormalMatrices keep_identified(const Misfit::Details& d, const std::vector<doubl
 
 bool NormalMatrices::determine(const std::vector<double>& gradient,
                                const std::vector<double>& size) const {
-  const auto moves = [&](std::size_t column) { return size[column] * gradient[column] != 0.0; };
-  if (std::ranges::any_of(blank, moves)) return false;
+  const auto squared = [&](const std::vector<std::size_t>& columns) {
+    double sum = 0.0;
+    for (const std::size_t k : columns) sum += std::pow(size[k] * gradient[k], 2);
+    return sum;
+  };
+  const double of_blank = squared(blank);
+  const double all = of_blank + squared(shown);
+  if (of_blank > kTakesPartInCurve * kTakesPartInCurve * all) return false;
   if (unseen.size() == 0) return true;
   VectorXd own(unseen.rows());
   for (Eigen::Index k = 0; k < own.size(); ++k) {

@@ -38,11 +38,11 @@ void take_test(const Target& target, Scene& scene);
 /// break do not enter. So a model that would break earlier or later meets no jump: breaks of
 /// model and specimen are compared by f_break alone. Whatever the other parameters are, it is zero
 /// at break_strain = p/k. So a free one is not searched but set to that, within its bounds, at each
-/// evaluation; the others are searched with the limit that is likely, p clamped to P/30 … 30 P, in
-/// place of k break_strain: a break limit that is at a bound, fixed or tied does not add to their
-/// gradient, but a model that does not yield at all, when the specimen broke with a plain permanent
-/// strain, costs. One of less than a tenth of the total strain may be the modulus's error, and says
-/// nothing of the yield stress: there p is clamped by no lower limit.
+/// evaluation; the others are searched with the limit that is likely, p clamped to at least P/30,
+/// in place of k break_strain: a break limit that is at a bound, fixed or tied does not add to
+/// their gradient, but a model that does not yield at all, when the specimen broke with a plain
+/// permanent strain, costs. One of less than a tenth of the total strain may be the modulus's
+/// error, and says nothing of the yield stress: there p is clamped by no lower limit.
 class Misfit {
  public:
   /// @throws InputError if the scene or a parameter does not suit the test

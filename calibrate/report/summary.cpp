@@ -135,6 +135,14 @@ std::vector<Group> groups_of(std::span<const FitRecord> records) {
   return groups;
 }
 
+/// Whether a parameter is where its search had to end, which says how far it may go and not what it
+/// is: not where it can be no larger, or smaller, at all.
+bool is_at_given_bound(const FittedParameter& parameter) {
+  const auto& range = find_field(parameter.path).range;
+  return (parameter.at_lower && parameter.lower > range.low) ||
+         (parameter.at_upper && parameter.upper < range.high);
+}
+
 GroupSummary summarize(std::span<const FitRecord> records, const std::vector<std::size_t>& members,
                        Group group, const SpecimenDraws& draws) {
   GroupSummary summary;
@@ -158,7 +166,7 @@ GroupSummary summarize(std::span<const FitRecord> records, const std::vector<std
     if (!is_usable(result)) continue;
     for (const FittedParameter& parameter : result.parameters) {
       if (parameter.role == ParameterRole::Fixed || !parameter.identified) continue;
-      if (parameter.at_bound()) continue;  // says how far it may go, not what it is
+      if (is_at_given_bound(parameter)) continue;
       parameters.add(i, parameter.name(), parameter.dimension, parameter.value,
                      std::sqrt(3.0) * parameter.sampling_error);
     }

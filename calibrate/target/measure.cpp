@@ -91,10 +91,10 @@ void drop_impossible(Target& target, const ElasticLine& line) {
         line.bend));
   } else if (line.bend < kRising) {
     target.warnings.push_back(fmt::format(
-        "the curve grows steeper where Young's modulus is measured, by {:.2g} % there, as where a "
+        "the curve grows steeper where Young's modulus is measured, by {:.3g} % there, as where a "
         "foot reaches into it: the modulus is too small by at least as much; name a window "
         "(characteristics.window), or the modulus",
-        100.0 * (1.0 / line.bend - 1.0)));
+        100.0 * (1.0 / std::max(line.bend, 0.1) - 1.0)));
   }
 }
 

@@ -12,8 +12,9 @@ namespace plastica::io {
 /// A 64-bit digest of content, fed piece by piece: identifies cases, runs and records.
 ///
 /// Texts and arrays carry their length, so that ("ab", "c") differs from ("a", "bc"). It finds
-/// accidents, not attacks. The same on every machine and in every version: journals depend on it.
-/// Source: FNV-1a, Fowler, Noll, Vo, "The FNV Non-Cryptographic Hash Algorithm", IETF draft.
+/// accidents, not attacks. The same on every machine whose bytes are in the same order; journals
+/// and runs depend on it. Source: FNV-1a, Fowler, Noll, Vo, "The FNV Non-Cryptographic Hash
+/// Algorithm", IETF draft.
 class Digest {
  public:
   /// Bytes as they are, without their number.

@@ -37,10 +37,10 @@ enum class EndRule {
 /// report), or the sum of all of it, so that bending to and fro wears out.
 enum class BreakMeasure { Net, Accumulated };
 
-/// What happens to joints over their limit: all are cut, or the worst of them (the first of the
-/// worst, in a tie), or the break is only recorded. What is cut carries nothing from then on and
-/// keeps the permanent strain that it broke with. Statics end there, dynamics go on in fragments. A
-/// `BreakListener` decides in the policy's place.
+/// What happens to joints over their limit: all are cut (of a hinge over several the one that bends
+/// most), or the worst of them (the first of the worst, in a tie), or the break is only recorded.
+/// What is cut carries nothing from then on and keeps the permanent strain that it broke with.
+/// Statics end there, dynamics go on in fragments. A `BreakListener` decides in the policy's place.
 enum class BreakPolicy { CutAll, CutWorst, RecordOnly };
 
 /// How much of the beam is modelled.

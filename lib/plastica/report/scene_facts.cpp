@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <set>
 
 #include <fmt/format.h>
 
@@ -64,19 +65,24 @@ double largest_entry(const io::SceneRecord& record) {
 /// "3 joints over their limit in 2 events from 80 ms on, 1 joint cut by the scene; 3 fragments".
 std::string events_line(const io::SceneRecord& record) {
   const ChainHistory& chain = record.response.chain;
-  std::size_t over = 0;
+  std::set<int> over_limit;  // one that was spared for another may be so again
   std::size_t by_scene = 0;
   std::size_t breaks = 0;
   std::optional<double> first;
   for (const ChainBreak& event : chain.events) {
-    const std::size_t before = over;
-    for (const BrokenJoint& joint : event.joints)
-      ++(joint.cause == BreakCause::Cut ? by_scene : over);
-    if (over == before) continue;
+    bool breaks_now = false;
+    for (const BrokenJoint& joint : event.joints) {
+      const bool is_cut = joint.cause == BreakCause::Cut;
+      if (is_cut) ++by_scene;
+      if (!is_cut) over_limit.insert(joint.joint);
+      breaks_now = breaks_now || !is_cut;
+    }
+    if (!breaks_now) continue;
     ++breaks;
     if (!first) first = event.time;
   }
   const double end = chain.time.empty() ? 0.0 : chain.time.back();
+  const std::size_t over = over_limit.size();
   std::string line;
   if (over > 0) {
     line =

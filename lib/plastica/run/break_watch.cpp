@@ -245,8 +245,8 @@ double BreakWatch::excess(const std::vector<JointFlow>& angles, const std::vecto
   double largest = 0.0;
   for_each_joint(angles, [&](std::size_t j, const Strains& strain) {
     if (!left_out.empty() && left_out[j]) return;
-    const LimitUse use = use_of(strain, j);
-    if (use.of > largest && has_yielded(angles[j], j, use)) largest = use.of;
+    if (use_of(strain, j).of <= largest) return;
+    largest = std::max(largest, own_use_of(strain, angles[j], j).of);
   });
   return largest - 1.0;
 }
@@ -260,9 +260,17 @@ BreakWatch::LimitUse BreakWatch::use_of(const Strains& strain, std::size_t joint
   return use;
 }
 
-bool BreakWatch::has_yielded(const JointFlow& flow, std::size_t joint, const LimitUse& use) const {
-  const double limit = joints_[joint].limit[use.worst];
-  return own_strain(flow, joint) >= kOwnPart * use.of * limit;
+BreakWatch::LimitUse BreakWatch::own_use_of(const Strains& strain, const JointFlow& flow,
+                                            std::size_t joint) const {
+  const Strains own = own_strains(flow, joint);
+  LimitUse use;
+  for (std::size_t k = 0; k < strain.of.size(); ++k) {
+    double counts = held(strain, k);
+    if (has_window_of(joint, k)) counts = std::min(counts, held(own, k) / kOwnPart);
+    const double of = over_limit(counts, joints_[joint].limit[k]);
+    if (of > use.of) use = {of, k};
+  }
+  return use;
 }
 
 void BreakWatch::mark_hinges(const std::vector<JointFlow>& angles,
@@ -270,18 +278,23 @@ void BreakWatch::mark_hinges(const std::vector<JointFlow>& angles,
   std::vector<double> own;
   for (const BrokenJoint& joint : joints) {
     const auto j = static_cast<std::size_t>(joint.joint);
-    own.push_back(own_strain(angles[j], j) / joint.limit);
+    own.push_back(use_of(own_strains(angles[j], j), j).of);
   }
   for (std::size_t a = 0; a < joints.size(); ++a) {
     const auto joint = static_cast<std::size_t>(joints[a].joint);
+    const auto of = [&](std::size_t b) -> const chain::JointModel& {
+      return joints_[static_cast<std::size_t>(joints[b].joint)];
+    };
+    const auto is_less = [&](std::size_t b) { return own[a] < (1.0 - kBreakTolerance) * own[b]; };
     joints[a].cut = true;
     for (const std::size_t axis : {std::size_t{0}, std::size_t{1}, std::size_t{2}}) {
       if (hinge_[joint][0] == 0.0 || !has_window(joint, axis)) continue;
       const Window window = window_of(joint, axis);
-      for (std::size_t b = 0; b < joints.size(); ++b) {
-        const chain::JointModel& other = joints_[static_cast<std::size_t>(joints[b].joint)];
-        const bool is_in = other.end > window.low && other.begin < window.high;
-        if (is_in && own[a] < (1.0 - kBreakTolerance) * own[b]) joints[a].cut = false;
+      for (std::size_t b = a; b > 0 && of(b - 1).end > window.low; --b) {
+        if (is_less(b - 1)) joints[a].cut = false;
+      }
+      for (std::size_t b = a + 1; b < joints.size() && of(b).begin < window.high; ++b) {
+        if (is_less(b)) joints[a].cut = false;
       }
     }
   }
@@ -343,8 +356,9 @@ std::vector<BrokenJoint> BreakWatch::broken(const std::vector<JointFlow>& angles
   std::vector<BrokenJoint> joints;
   if (excess(angles) <= 0.0) return joints;
   for_each_joint(angles, [&](std::size_t j, const Strains& strain) {
-    const LimitUse use = use_of(strain, j);
-    if (use.of <= 1.0 - kBreakTolerance || !has_yielded(angles[j], j, use)) return;
+    if (use_of(strain, j).of <= 1.0 - kBreakTolerance) return;
+    const LimitUse use = own_use_of(strain, angles[j], j);
+    if (use.of <= 1.0 - kBreakTolerance) return;
     BrokenJoint broken;
     broken.joint = static_cast<int>(j);
     broken.cause = cause_of(strain, j, use.worst);

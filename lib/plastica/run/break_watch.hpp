@@ -85,10 +85,11 @@ Localization localization_of(const Scene& scene);
 ///   a lone hinge (theta_n = 0) both come out as in a fine chain.
 /// L_p = 0: theta_p over the joint's own length, as in Wendelius' report.
 ///
-/// What a window holds may be the hinge of a neighbour: a joint that has hardly yielded itself, by
-/// less than `kOwnPart` of that strain over its own length, does not break by it. Of joints that
-/// are over their limits together those are cut that are bent most of all such in their windows,
-/// theta_p/l, or as much within `kBreakTolerance`.
+/// What a window holds may be the hinge of a neighbour. So a strain over a window counts for a
+/// joint up to 1/`kOwnPart` of its own, theta_p over its own length: one that has not yielded
+/// itself does not break. Of joints that are over their limits together those are cut that are
+/// nearest to them by their own strains of all such in their windows, or as near within
+/// `kBreakTolerance`.
 ///
 /// A permanent elongation is taken alike, over the hinge length of the axis that bends, and its
 /// strain adds to that of bending: the extreme fibre's (plane sections). Where both axes bend it is
@@ -108,7 +109,7 @@ class BreakWatch {
   std::size_t size() const { return joints_.size(); }
 
   // Each takes the flows of all joints, in the break measure, net or accumulated (joints), and
-  // costs as much as there are joints, however many a hinge length holds.
+  // costs as much as there are joints, however many a hinge length holds; but for what breaks.
 
   /// Largest strain over its limit minus 1, of all joints; negative: nothing breaks.
   /// @param left_out  of each joint whether it does not count (joints); empty: all do
@@ -149,12 +150,16 @@ class BreakWatch {
     std::size_t worst = 0;  ///< which strain
   };
   LimitUse use_of(const Strains& strain, std::size_t joint) const;
-  /// The strain nearest to its limit of what a joint has yielded itself, over its own length.
-  double own_strain(const JointFlow& flow, std::size_t joint) const {
-    return nearest_limit(strains_of(spread(flow, joint), joint), joint);
+  /// The same where a window's strain counts as far as the joint has yielded itself.
+  LimitUse own_use_of(const Strains& strain, const JointFlow& flow, std::size_t joint) const;
+  /// Strains of what a joint has yielded itself, over its own length.
+  Strains own_strains(const JointFlow& flow, std::size_t joint) const {
+    return strains_of(spread(flow, joint), joint);
   }
-  /// Whether a joint has yielded itself, where its strain is near its limit.
-  bool has_yielded(const JointFlow& flow, std::size_t joint, const LimitUse& use) const;
+  bool has_window_of(std::size_t joint, std::size_t strain) const {
+    if (hinge_[joint][0] == 0.0) return false;
+    return strain < 3 ? has_window(joint, strain) : has_window(joint, 0) || has_window(joint, 1);
+  }
   /// Of joints that are over their limits those that are to be cut.
   void mark_hinges(const std::vector<JointFlow>& angles, std::vector<BrokenJoint>& joints) const;
   /// What a joint breaks by.

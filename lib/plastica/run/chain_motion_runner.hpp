@@ -134,7 +134,7 @@ void ChainMotionRunner<L, kElastic>::break_joints(Step& step, const BreakListene
   for (std::size_t i = 0; i < angles.size(); ++i) {
     watched_[i] = cut_[i] ? JointFlow{} : angles[i];
   }
-  if (body_.watch.excess(watched_) <= 0.0) return;
+  if (body_.watch.excess(watched_, reported_) <= 0.0) return;
   ChainBreak event;
   for (const BrokenJoint& joint : body_.watch.broken(watched_)) {
     const auto node = static_cast<std::size_t>(joint.joint);
@@ -145,21 +145,22 @@ void ChainMotionRunner<L, kElastic>::break_joints(Step& step, const BreakListene
   if (event.joints.empty()) return;
   event.time = step.time();
   mark_cuts(body_.model.scene.on_break, event);
+  const std::vector<BrokenJoint> told = event.joints;
   if (listener) {
     event.factor = body_.record.factor_at(event.time);
     event.fragments = fragments();
-    const std::vector<BrokenJoint> told = event.joints;
     listener(event);
     if (!std::ranges::equal(told, event.joints, {}, &BrokenJoint::joint, &BrokenJoint::joint)) {
       throw std::invalid_argument(
           "plastica: a listener may set `cut` of the joints that it is told of, and no others");
     }
   }
-  // A joint that is spared for another is asked about again, one that the scene only records is
-  // not.
-  const bool once = listener || body_.model.scene.on_break == BreakPolicy::RecordOnly;
-  for (const BrokenJoint& joint : event.joints) {
-    if (once) reported_[static_cast<std::size_t>(joint.joint)] = true;
+  // A joint that is spared for another is asked about again; one that a listener spares, or that
+  // the scene only records, is not.
+  const bool once = body_.model.scene.on_break == BreakPolicy::RecordOnly;
+  for (std::size_t k = 0; k < told.size(); ++k) {
+    const bool is_spared = told[k].cut && !event.joints[k].cut;
+    if (once || is_spared) reported_[static_cast<std::size_t>(told[k].joint)] = true;
   }
   let_go(std::move(event), step, response);
 }

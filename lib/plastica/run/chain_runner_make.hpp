@@ -315,7 +315,6 @@ void ChainRunner<L, kElastic>::note_break(const Work& w) {
   std::erase_if(event.joints, [&](const BrokenJoint& joint) {
     return reported_[static_cast<std::size_t>(joint.joint)];
   });
-  if (event.joints.empty()) return;
   for (const BrokenJoint& joint : event.joints) {
     reported_[static_cast<std::size_t>(joint.joint)] = true;
   }

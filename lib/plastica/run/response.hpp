@@ -51,7 +51,8 @@ struct Fragment {
   friend bool operator==(const Fragment&, const Fragment&) = default;
 };
 
-/// All joints that broke, or were cut, at one time; statics end there.
+/// All joints that went over their limits, or were cut, at one time; statics end there. One that
+/// was spared for the hinge beside it may do so again.
 struct ChainBreak {
   double time = 0.0;    ///< [s]
   double factor = 0.0;  ///< as `ChainHistory::factor` there [1]

@@ -253,6 +253,46 @@ TEST(BreakWatch, BreaksNoElasticJointForANeighboursHinge) {
   EXPECT_GT(watch.excess(lone(80, 39, {0.9, 0.0, 0.0})), 0.0);
 }
 
+/// A joint that is far longer than its hinge holds it by itself.
+TEST(BreakWatch, BreaksAJointOfManyHingeLengths) {
+  Scene scene = ideal_scene();
+  scene.hinge_length = 2e-4;
+  BreakWatch watch = watch_of(scene, 20, {0.01, kNone, kNone, kNone});
+  const auto angles = lone(20, 10, {1e-4, 0.0, 0.0});  // h/2 theta/L_p = 0.05
+  EXPECT_GT(watch.excess(angles), 0.0);
+  ASSERT_EQ(watch.broken(angles).size(), 1U);
+  EXPECT_EQ(watch.broken(angles)[0].joint, 10);
+}
+
+/// A limit of torsion does not break what only bends, beside a hinge that is twisted.
+TEST(BreakWatch, HoldsEachLimitAgainstItsOwnStrain) {
+  BreakWatch watch = watch_of(ideal_scene(), 80, {kNone, kNone, 0.01, kNone});
+  auto angles = lone(80, 40, {0.0, 0.0, 0.05});
+  angles[41] = {0.5, 0.0, 0.0};
+  const auto joints = watch.broken(angles);
+  ASSERT_EQ(joints.size(), 1U);
+  EXPECT_EQ(joints[0].joint, 40);
+  EXPECT_TRUE(joints[0].cut);
+}
+
+/// What counts of a neighbour's hinge grows with the joint's own strain, without a jump that steps
+/// would have to meet.
+TEST(BreakWatch, CountsANeighboursHingeByWhatTheJointHasYieldedItself) {
+  auto joints = joints_of(80, {0.01, kNone, kNone, kNone});
+  for (std::size_t j = 40; j < joints.size(); ++j) joints[j].limit[0] = kNone;
+  BreakWatch watch(ideal_scene(), joints);
+  auto angles = lone(80, 40, {0.5, 0.0, 0.0});
+  double before = watch.excess(angles);
+  EXPECT_EQ(before, -1.0);
+  for (double own = 0.0; own < 2e-5; own += 1e-6) {
+    angles[39] = {own, 0.0, 0.0};
+    const double now = watch.excess(angles);
+    EXPECT_LT(now - before, 0.1) << own;
+    before = now;
+  }
+  EXPECT_GT(before, -1.0);
+}
+
 /// Of a hinge that spreads the middle is cut, though all that yield are over their limits.
 TEST(BreakWatch, CutsTheMiddleOfAHingeThatSpreads) {
   BreakWatch watch = watch_of(ideal_scene(), 80, {0.01, kNone, kNone, kNone});

@@ -9,6 +9,7 @@
 #include <string>
 
 #include "plastica/run/peak_warning.hpp"
+#include "plastica/run/plane_warning.hpp"
 #include "plastica/run/run_warnings.hpp"
 #include "plastica/run/simulate.hpp"
 #include "tests/lib/run/warnings_of.hpp"
@@ -219,31 +220,30 @@ TEST(PathWarnings, SayWhereARegionCoversAnother) {
   EXPECT_FALSE(warns(with(0.5), "lies over"));
 }
 
-/// An I-section of fibres in the level of space, bent about its strong axis, with a pull of 1 % of
-/// N_p that keeps the tangent positive: what rounding begins across its plane grows.
+/// A cantilever in the level of space with a force along y: at the end of its path it lies beside
+/// its plane by so much.
 TEST(PathWarnings, SayWhereOnlyRoundingTakesABeamOutOfItsPlane) {
-  const auto warned = [](const std::function<void(Scene&)>& change) {
+  const auto warned = [](double beside, const std::function<void(Scene&, Response&)>& change) {
     Scene scene = cantilever();
-    scene.material.youngs_modulus = 210e9;
-    scene.material.yield_stress = 355e6;
-    scene.beam.length = 1.0;
-    scene.beam.segments = 20;
-    scene.section.shape = SectionShape::ISection;
-    scene.section.width = scene.section.height = 0.02;
-    scene.section.flange_thickness = scene.section.web_thickness = 0.002;
-    scene.yield_model = YieldModel::Fibre;
-    scene.loads = {{.at = Place::end(), .force = {0.0, -600.0, 397.6}}};
-    change(scene);
-    SolverOptions options{.steps = 40};
-    options.translation = JointTranslation::Elastic;
+    scene.loads = {{.at = Place::end(), .force = {0.0, -300.0, 0.0}}};
+    Response response;
+    response.chain.position = {0.0, 0.0, 0.0, beside, -0.1, 0.9};
+    change(scene, response);
+    SolverOptions options;
     options.level = Level::Spatial;
-    const Model model = prepare(scene, options);
-    return warns(run_warnings(scene, options, model, simulate(scene, options)),
-                 "nothing acts across the plane");
+    return plane_warning(scene, options, Level::Spatial, response).has_value();
   };
-  EXPECT_TRUE(warned([](Scene&) {}));
-  EXPECT_FALSE(warned([](Scene& s) { s.loads[0].force[1] = -300.0; }));
-  EXPECT_FALSE(warned([](Scene& s) { s.loads[0].force[0] = 0.6; }));
+  const auto as_it_is = [](Scene&, Response&) {};
+  EXPECT_TRUE(warned(1e-3, as_it_is));
+  EXPECT_TRUE(warned(-1e-3, as_it_is));
+  EXPECT_FALSE(warned(1e-12, as_it_is));
+  EXPECT_FALSE(warned(1e-3, [](Scene& s, Response&) { s.loads[0].force[0] = 0.6; }));
+  EXPECT_FALSE(warned(1e-3, [](Scene&, Response& r) { r.critical.emplace(); }));
+  // Bent about the other axis, it leaves another plane.
+  EXPECT_FALSE(warned(1e-3, [](Scene& s, Response& r) {
+    s.loads[0].force = {-300.0, 0.0, 0.0};
+    r.chain.position[4] = 0.0;
+  }));
 }
 
 }  // namespace
