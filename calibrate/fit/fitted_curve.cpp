@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <utility>
 
 #include "calibrate/fit/fit_law.hpp"
 #include "calibrate/problem/misfit.hpp"
@@ -76,7 +77,7 @@ bool may_have_curve(const Target& target, const FitResult& result) {
 void count_alone(FitResult& result) {
   Curve counted;
   counted.aside.samples = result.fitted.samples();
-  result.fitted = counted;
+  result.fitted = std::move(counted);  // with its memory, which a copy would leave
 }
 
 }  // namespace plastica::calibrate

@@ -147,6 +147,10 @@ struct ElasticModel {
 void drop_unidentifiable_yield(Misfit& misfit, const ParameterSet& parameters, const Curve& curve,
                                std::span<const double> active, const FitOptions& options,
                                Misfit::Details& details) {
+  // No elastic line comes near a curve that is followed closely, half of it as permanent strain.
+  constexpr double kPlain = 0.5, kClose = 0.1;
+  const bool is_close = details.stress_cost < kClose * kClose * misfit.cost_unit();
+  if (is_close && std::fabs(details.permanent) > kPlain * largest_magnitude(curve.strain)) return;
   const std::size_t samples = details.residual.size();
   const std::span<const double> weights = misfit.weights();
   const auto of = [&](std::size_t k) -> const ResolvedParameter& {

@@ -71,10 +71,10 @@ std::string mending(const Target& target, const Ink& ink) {
   return text;
 }
 
-/// A break strain and how far the sampling leaves it open.
-std::string break_text(double strain, const std::optional<BreakObservation>& observed) {
-  if (!observed || !(observed->half_interval() > 0.0)) return significant(100.0 * strain, 4);
-  return with_error(100.0 * strain, 100.0 * observed->half_interval());
+/// A break strain and how far it is open.
+std::string break_text(double strain, double error) {
+  if (!(error > 0.0)) return significant(100.0 * strain, 4);
+  return with_error(100.0 * strain, 100.0 * error);
 }
 
 std::string proof_label(const Characteristics& all) {
@@ -134,11 +134,13 @@ std::string characteristics_text(const Target& target, const Ink& ink) {
       note += fmt::format("; last intact sample at {:.5g} %, by {}",
                           100.0 * observed->last_intact_strain, observed->rule);
     }
-    table.add({"break strain", break_text(*all.break_strain, observed), "%", note});
+    const double half = observed ? observed->half_interval() : 0.0;
+    table.add({"break strain", break_text(*all.break_strain, half), "%", note});
   }
   if (all.break_strain_plastic) {
     const bool below = all.break_strain.has_value();
-    table.add({below ? "" : "break strain", break_text(*all.break_strain_plastic, observed), "%",
+    table.add({below ? "" : "break strain",
+               break_text(*all.break_strain_plastic, all.permanent_strain_error()), "%",
                "permanent"});
   }
   if (table.rows() == 0) return {};

@@ -50,6 +50,14 @@ std::optional<double> Characteristics::sound_modulus() const {
   return vague ? std::nullopt : youngs_modulus;
 }
 
+double Characteristics::permanent_strain_error() const {
+  if (!observed_break) return 0.0;
+  const double half = observed_break->half_interval();
+  if (!youngs_modulus || !youngs_modulus_stderr) return half;
+  const double elastic = observed_break->last_intact_stress / *youngs_modulus;
+  return std::hypot(half, elastic * *youngs_modulus_stderr / *youngs_modulus);
+}
+
 std::optional<double> proof_stress(std::span<const double> strain, std::span<const double> stress,
                                    double modulus, double zero_strain, double offset) {
   const auto above = [&](std::size_t i) {

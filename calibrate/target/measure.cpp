@@ -69,7 +69,8 @@ void drop_impossible(Target& target, const ElasticLine& line) {
     c.proof_stress.reset();
     target.warnings.emplace_back("no proof stress: it would lie below the window of the modulus");
   }
-  if (c.break_strain_plastic && *c.break_strain_plastic < 0.0) {
+  // One that may be none is no sign of a wrong modulus: without it means would be too large.
+  if (c.break_strain_plastic && *c.break_strain_plastic < -2.0 * c.permanent_strain_error()) {
     c.break_strain_plastic.reset();
     target.warnings.emplace_back(
         "no permanent strain at the break: it would be negative, as Young's modulus is too small");

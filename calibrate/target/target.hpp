@@ -61,6 +61,8 @@ struct Characteristics {
   /// Young's modulus, if its standard error is at most 5 %. One that is known worse stays in the
   /// file with its error, but is neither shown as a number nor averaged.
   std::optional<double> sound_modulus() const;
+  /// How far the sampling of the break and the modulus's error leave the permanent strain open [1].
+  double permanent_strain_error() const;
 };
 
 /// What became of a specimen on its way from the file to the fit.

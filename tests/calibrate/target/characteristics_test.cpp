@@ -240,5 +240,35 @@ TEST(Characteristics, ACyclicCurveThatStartsInCompressionHasAModulus) {
   EXPECT_NEAR(target.characteristics.youngs_modulus.value(), 70e9, 1e3);
 }
 
+/// Of bars that are elastic until they break: the mean of what is measured is none, and its errors
+/// are those of the modulus, too.
+TEST(Characteristics, OfElasticBarsHaveNoPermanentStrainInTheMean) {
+  constexpr int kBars = 60;
+  double sum = 0.0, squares = 0.0, counted = 0.0;
+  for (unsigned seed = 1; seed <= kBars; ++seed) {
+    std::mt19937_64 random(seed);
+    std::normal_distribution<double> noise(0.0, 3e6);
+    Curve curve;
+    for (int i = 0; i < 100; ++i) {
+      const double strain = 4.5e-3 * i / 99.0;
+      curve.strain.push_back(strain);
+      curve.stress.push_back(200e9 * strain + noise(random));
+    }
+    curve.strain.push_back(4.51e-3);
+    curve.stress.push_back(0.0);
+    const Characteristics c = make_target("bar", curve).characteristics;
+    if (!c.break_strain_plastic) continue;
+    const double error = c.permanent_strain_error();
+    EXPECT_GT(error, c.observed_break->half_interval());
+    sum += *c.break_strain_plastic;
+    squares += std::pow(*c.break_strain_plastic / error, 2);
+    counted += 1.0;
+  }
+  EXPECT_GE(counted, 0.9 * kBars);
+  // 5e-6, half the last step, is how the break's middle lies above the last sample.
+  EXPECT_NEAR(sum / counted, 5e-6, 2e-5);
+  EXPECT_LT(squares / counted, 2.0);
+}
+
 }  // namespace
 }  // namespace plastica::calibrate
