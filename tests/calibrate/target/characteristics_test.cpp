@@ -244,19 +244,16 @@ TEST(Characteristics, ACyclicCurveThatStartsInCompressionHasAModulus) {
 /// are those of the modulus, too.
 TEST(Characteristics, OfElasticBarsHaveNoPermanentStrainInTheMean) {
   constexpr int kBars = 60;
+  const plastica::testing::IdealPlastic brittle{.modulus = 200e9,
+                                                .yield_stress = 900e6,
+                                                .permanent_break = 5e-6,
+                                                .elastic = 99,
+                                                .plateau = 0,
+                                                .broken = 1,
+                                                .noise = 1.0 / 300.0};
   double sum = 0.0, squares = 0.0, counted = 0.0;
   for (unsigned seed = 1; seed <= kBars; ++seed) {
-    std::mt19937_64 random(seed);
-    std::normal_distribution<double> noise(0.0, 3e6);
-    Curve curve;
-    for (int i = 0; i < 100; ++i) {
-      const double strain = 4.5e-3 * i / 99.0;
-      curve.strain.push_back(strain);
-      curve.stress.push_back(200e9 * strain + noise(random));
-    }
-    curve.strain.push_back(4.51e-3);
-    curve.stress.push_back(0.0);
-    const Characteristics c = make_target("bar", curve).characteristics;
+    const Characteristics c = make_target("bar", brittle.curve(seed)).characteristics;
     if (!c.break_strain_plastic) continue;
     const double error = c.permanent_strain_error();
     EXPECT_GT(error, c.observed_break->half_interval());

@@ -83,7 +83,7 @@ TEST(MotionCut, LeavesTheWorkOfAMovingClampThatOfItsMirrorImage) {
     const Energies& of_end = end.chain.energy.back();
     EXPECT_GT(of_start.external, 1.0);
     EXPECT_NEAR(of_start.external / of_end.external, 1.0, 1e-5) << step;
-    EXPECT_NEAR(of_start.external / other.chain.energy.back().external, 1.0, 2e-3) << step;
+    EXPECT_NEAR(of_start.external / other.chain.energy.back().external, 1.0, 1e-3) << step;
     EXPECT_LT(std::fabs(of_start.residual), 2e-4 * of_start.external) << step;
   }
 }
