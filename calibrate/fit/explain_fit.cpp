@@ -20,17 +20,18 @@ namespace {
 double largest_stress(const Curve& curve) { return largest_magnitude(curve.stress); }
 
 /// @return the residuals that enter [Pa]
-std::vector<double> describe_misfit(const Misfit::Details& details, const Target& target,
+std::vector<double> describe_misfit(const Misfit::Parts& parts, const Target& target,
                                     FitResult& result) {
   const double stress = largest_stress(target.corrected);
-  result.misfit_rms = std::sqrt(std::max(0.0, details.stress_cost));
+  result.misfit_rms = std::sqrt(std::max(0.0, parts.stress_cost));
   result.misfit_fraction = stress > 0.0 ? result.misfit_rms / stress : 0.0;
   std::vector<double> residual;
-  for (std::size_t i = 0; i < details.residual.size(); ++i) {
-    if (details.weight[i] > 0.0) residual.push_back(details.residual[i]);
+  residual.reserve(parts.residual.size());
+  for (std::size_t i = 0; i < parts.residual.size(); ++i) {
+    if (parts.weight[i] > 0.0) residual.push_back(parts.residual[i]);
   }
   result.autocorrelation = autocorrelation(residual);
-  result.effective_samples = effective_samples(details.weight);
+  result.effective_samples = effective_samples(parts.weight);
   return residual;
 }
 
@@ -261,22 +262,22 @@ void add_fitted_curve(const Target& target, const FitOptions& options, FitResult
   warn_of_late_break(target, *fitted.event, result);
 }
 
-/// The solution's details, for a result that says nothing of any other.
-Misfit::Details begin_result(Misfit& misfit, std::span<const double> active, FitResult& result) {
+/// A result that says nothing of any other solution.
+void begin_result(const Misfit::Parts& parts, FitResult& result) {
   result.status = FitStatus::Fitted;
   result.parameters.clear();
   result.warnings.clear();
   result.break_strain_total.reset();
-  Misfit::Details details = misfit.details(active);
-  result.cost = details.stress_cost + details.break_cost;
-  return details;
+  result.cost = parts.stress_cost + parts.break_cost;
 }
 
 }  // namespace
 
 void describe_fit(const Target& target, const ParameterSet& set, Misfit& misfit,
                   std::span<const double> active, FitResult& result) {
-  describe_misfit(begin_result(misfit, active, result), target, result);
+  const Misfit::Parts parts = misfit.parts(active);
+  begin_result(parts, result);
+  describe_misfit(parts, target, result);
   std::vector<double> values(set.size());
   set.expand(active, values);
   for (std::size_t i = 0; i < set.size(); ++i) {
@@ -286,7 +287,8 @@ void describe_fit(const Target& target, const ParameterSet& set, Misfit& misfit,
 
 void explain_fit(const Target& target, const FitOptions& options, const ParameterSet& set,
                  Misfit& misfit, std::span<const double> active, FitResult& result) {
-  Misfit::Details details = begin_result(misfit, active, result);
+  Misfit::Details details = misfit.details(active);
+  begin_result(details, result);
   drop_unidentifiable_yield(misfit, set, target.corrected, active, options, details);
   details.by_shift = shift_slopes(target, options, set, active);
   const Uncertainty u = uncertainty(details, active, set, target, options, misfit.break_factor());

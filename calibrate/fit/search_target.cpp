@@ -35,8 +35,9 @@ std::string defect_of(const Curve& curve) {
       !std::all_of(curve.stress.begin(), curve.stress.end(), finite)) {
     return "the corrected curve holds numbers that are not finite";
   }
-  const auto [low, high] = std::minmax_element(curve.strain.begin(), curve.strain.end());
-  if (*low == *high) return "the strain of the corrected curve never changes";
+  const auto is_first = [&](double strain) { return strain == curve.strain.front(); };
+  if (std::all_of(curve.strain.begin(), curve.strain.end(), is_first))
+    return "the strain of the corrected curve never changes";
   if (largest_magnitude(curve.stress) == 0.0) return "the corrected curve never carries a stress";
   return "";
 }

@@ -24,8 +24,6 @@ NormalMatrices normal_matrices(const Misfit::Details& d, const std::vector<std::
   const auto m = static_cast<Eigen::Index>(columns.size());
   const MatrixXd none = MatrixXd::Zero(m, m);
   NormalMatrices normal{none, none, none, none, VectorXd::Zero(m), {}, {}, {}, {}, {}};
-  std::vector<double> squared_weight(d.weight);
-  for (double& w : squared_weight) w *= w;
   const std::size_t samples = d.residual.size();
   const auto column = [&](Eigen::Index k) {
     const std::size_t begin = columns[static_cast<std::size_t>(k)] * samples;
@@ -35,8 +33,9 @@ NormalMatrices normal_matrices(const Misfit::Details& d, const std::vector<std::
   for (Eigen::Index j = 0; j < m; ++j) {
     for (Eigen::Index i = j; i < m; ++i) {
       const double unit = size_of(i) * size_of(j);
-      normal.a(i, j) = unit * weighted_product(d.weight, column(i), column(j));
-      normal.b(i, j) = unit * weighted_product(squared_weight, column(i), column(j));
+      const TwiceWeighted sums = twice_weighted_product(d.weight, column(i), column(j));
+      normal.a(i, j) = unit * sums.once;
+      normal.b(i, j) = unit * sums.twice;
     }
   }
   const double total = std::accumulate(d.weight.begin(), d.weight.end(), 0.0);
@@ -64,6 +63,7 @@ NormalMatrices keep_identified(const Misfit::Details& d, const std::vector<doubl
   for (const double w : d.weight) total += w;
   NormalMatrices normal = normal_matrices(d, columns, size);
   const auto keep = [&](const std::vector<Eigen::Index>& kept) {
+    if (kept.size() == columns.size()) return;
     std::vector<std::size_t> left;
     left.reserve(kept.size());
     for (const Eigen::Index k : kept) left.push_back(columns[static_cast<std::size_t>(k)]);

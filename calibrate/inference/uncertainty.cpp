@@ -56,34 +56,70 @@ VectorXd shift_effect(const Misfit::Details& d, double error, const StressErrors
   return -error * sizes.cwiseProduct(product(of_stress.inverse, pull).col(0));
 }
 
+/// Those samples whose weight is above 0.
+class EnteredSamples {
+ public:
+  explicit EnteredSamples(std::span<const double> weight) {
+    entered_.reserve(weight.size());
+    for (std::size_t s = 0; s < weight.size(); ++s) {
+      if (weight[s] > 0.0) entered_.push_back(s);
+    }
+  }
+  Eigen::Index count() const { return static_cast<Eigen::Index>(entered_.size()); }
+  /// @param all  a number for each sample
+  /// @param to  a column (count)
+  void take(std::span<const double> all, Eigen::Ref<VectorXd> to) const {
+    double* next = to.data();
+    for (const std::size_t s : entered_) *next++ = all[s];
+  }
+  VectorXd of(std::span<const double> all) const {
+    VectorXd taken(count());
+    take(all, taken);
+    return taken;
+  }
+
+ private:
+  std::vector<std::size_t> entered_;
+};
+
 /// The fit about its solution, its parameters over their sizes.
 FitInfluence influence_of(const Misfit::Details& d, const StressErrors& of_stress) {
-  std::vector<Eigen::Index> entered;
-  for (std::size_t s = 0; s < d.residual.size(); ++s) {
-    if (d.weight[s] > 0.0) entered.push_back(static_cast<Eigen::Index>(s));
-  }
-  const auto samples = static_cast<Eigen::Index>(d.residual.size());
+  const std::size_t samples = d.residual.size();
+  const EnteredSamples entered(d.weight);
   const auto m = static_cast<Eigen::Index>(of_stress.columns.size());
-  MatrixXd slopes(static_cast<Eigen::Index>(entered.size()), m);
+  MatrixXd slopes(entered.count(), m);
   for (Eigen::Index k = 0; k < m; ++k) {
     const std::size_t column = of_stress.columns[static_cast<std::size_t>(k)];
-    const Eigen::Map<const VectorXd> all(d.jacobian.data() + column * d.residual.size(), samples);
-    slopes.col(k) = of_stress.size[column] * all(entered);
+    entered.take(std::span(d.jacobian).subspan(column * samples, samples), slopes.col(k));
+    slopes.col(k) *= of_stress.size[column];
   }
-  const VectorXd weight = Eigen::Map<const VectorXd>(d.weight.data(), samples)(entered);
+  const VectorXd weight = entered.of(d.weight);
   FitInfluence fit;
-  const MatrixXd along = product(slopes, of_stress.inverse);  // (n x m)
-  fit.influence = (weight.asDiagonal() * along).transpose();
-  fit.leverage = weight.cwiseProduct(along.cwiseProduct(slopes).rowwise().sum());
-  const MatrixXd squares = product(along, of_stress.weighted);
-  fit.left =
-      (1.0 - 2.0 * fit.leverage.array()).matrix() + squares.cwiseProduct(along).rowwise().sum();
-  fit.residual = Eigen::Map<const VectorXd>(d.residual.data(), samples)(entered);
+  // By columns, of which there are a few: their samples stand in a row.
+  MatrixXd along(slopes.rows(), m);  // J A^-1
+  fit.influence.resize(slopes.rows(), m);
+  VectorXd own = VectorXd::Zero(slopes.rows());      // j A^-1 j^T of each sample
+  VectorXd squared = VectorXd::Zero(slopes.rows());  // j A^-1 J^T W^2 J A^-1 j^T
+  for (Eigen::Index k = 0; k < m; ++k) {
+    along.col(k) = of_stress.inverse(0, k) * slopes.col(0);
+    for (Eigen::Index i = 1; i < m; ++i) along.col(k) += of_stress.inverse(i, k) * slopes.col(i);
+    fit.influence.col(k) = weight.cwiseProduct(along.col(k));
+    own += along.col(k).cwiseProduct(slopes.col(k));
+  }
+  for (Eigen::Index k = 0; k < m; ++k) {
+    for (Eigen::Index i = 0; i <= k; ++i) {
+      const double times = (i < k ? 2.0 : 1.0) * of_stress.weighted(i, k);
+      squared += times * along.col(i).cwiseProduct(along.col(k));
+    }
+  }
+  fit.leverage = weight.cwiseProduct(own);
+  fit.left = (1.0 - 2.0 * fit.leverage.array() + squared.array()).matrix();
+  fit.residual = entered.of(d.residual);
   if (d.by_shift.empty()) return fit;
   // What the strain's shift is off is no noise of the samples, and counted by itself: it is taken
   // out as a parameter more would.
-  const VectorXd shift = Eigen::Map<const VectorXd>(d.by_shift.data(), samples)(entered);
-  const VectorXd beside = shift - product(slopes, product(fit.influence, shift));
+  const VectorXd shift = entered.of(d.by_shift);
+  const VectorXd beside = shift - product(slopes, product(fit.influence.transpose(), shift));
   const VectorXd weighted = weight.cwiseProduct(beside);
   const double size = weighted.dot(beside);
   if (size > 0.0) fit.residual -= weighted.dot(fit.residual) / size * beside;
@@ -148,7 +184,7 @@ StressErrors stress_errors(const Misfit::Details& d, std::span<const double> act
     // The cheap question first: hardly a curve says yes.
     if (is_noise_unequal(fit) && are_noise(fit.residual, stress)) {
       of_stress.own = own_variances(fit);
-      of_stress.influence = sizes.asDiagonal() * fit.influence;
+      of_stress.influence = sizes.asDiagonal() * fit.influence.transpose();
       of_stress.covariance = mapped(of_stress.influence, of_stress.own);
     }
   }

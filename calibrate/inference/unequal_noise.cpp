@@ -16,10 +16,15 @@ ArrayXd unit_squares(const FitInfluence& fit) {
   return fit.residual.array().square() / fit.left.array().max(kLeast);
 }
 
-/// Degrees of freedom of a mean of squares with these weights.
-double degrees_of_mean(const ArrayXd& weight) {
-  return std::pow(weight.sum(), 2) / weight.square().sum();
-}
+/// A mean of squares with weights, and its degrees of freedom.
+struct WeighedMean {
+  double sum = 0.0, squared = 0.0, value = 0.0;
+
+  template <typename Weight>
+  WeighedMean(const Weight& weight, const ArrayXd& squares)
+      : sum(weight.sum()), squared(weight.square().sum()), value((weight * squares).sum() / sum) {}
+  double degrees() const { return sum * sum / squared; }
+};
 
 /// Probability that a ratio of two variances is further from one on either side.
 double probability_of(double ratio, double above, double below) {
@@ -34,20 +39,18 @@ double probability_of(double ratio, double above, double below) {
 bool is_noise_unequal(const FitInfluence& fit) {
   constexpr double kChance = 0.01;
   constexpr Index kFew = 10;  // residuals to compare, beyond those that the parameters took
-  const Index parameters = fit.influence.rows();
+  const Index parameters = fit.influence.cols();
   if (parameters == 0 || fit.residual.size() < parameters + kFew) return false;
   const ArrayXd squares = unit_squares(fit);
   for (Index k = 0; k < parameters; ++k) {
-    ArrayXd decide = fit.influence.row(k).transpose().array().square();
-    const double largest = decide.maxCoeff();
+    const auto influence = fit.influence.col(k).array();
+    const double largest = influence.abs().maxCoeff();
     if (!(largest > 0.0)) continue;
-    decide /= largest;
-    const ArrayXd others = 1.0 - decide;
-    const double inside = (decide * squares).sum() / decide.sum();
-    const double outside = (others * squares).sum() / others.sum();
-    if (!(inside > 0.0 && outside > 0.0)) continue;
+    const ArrayXd decide = (influence / largest).square();
+    const WeighedMean inside(decide, squares), outside(1.0 - decide, squares);
+    if (!(inside.value > 0.0 && outside.value > 0.0)) continue;
     const double p =
-        probability_of(inside / outside, degrees_of_mean(decide), degrees_of_mean(others));
+        probability_of(inside.value / outside.value, inside.degrees(), outside.degrees());
     if (p * static_cast<double>(parameters) < kChance) return true;
   }
   return false;

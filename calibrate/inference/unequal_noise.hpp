@@ -9,7 +9,7 @@ namespace plastica::calibrate {
 /// determine (m). With the residuals' Jacobian J, weights W and A = J^T W J (a prior's curvature
 /// included) the parameters move by -A^-1 J^T W e with errors e of the samples.
 struct FitInfluence {
-  Eigen::MatrixXd influence;  ///< A^-1 J^T W (m x n)
+  Eigen::MatrixXd influence;  ///< W J A^-1, a row for each sample (n x m)
   Eigen::VectorXd leverage;   ///< h_i = w_i j_i^T A^-1 j_i (n)
   /// m_i = 1 - 2 h_i + j_i^T A^-1 J^T W^2 J A^-1 j_i, what the fit leaves of the variance of a
   /// residual where that of all samples is one (n); 1 - h_i of equal weights.
@@ -29,7 +29,7 @@ struct FitInfluence {
 bool is_noise_unequal(const FitInfluence& fit);
 
 /// What the residuals say of the variance of each sample, r_i^2/(m_i (1 - h_i)) (n): with it the
-/// covariance of the parameters is the sandwich influence diag(v) influence^T. Of equal weights it
+/// covariance of the parameters is the sandwich influence^T diag(v) influence. Of equal weights it
 /// is HC3 of MacKinnon & White, J. Econometrics 29 (1985) 305.
 Eigen::VectorXd own_variances(const FitInfluence& fit);
 

@@ -50,17 +50,39 @@ class LogChoices {
   const std::vector<double>& log_factorial_;
 };
 
-/// Of all orders of so many of each sign the fraction with no more runs: of 2 k runs there are k of
-/// each sign, which C(above - 1, k - 1) C(below - 1, k - 1) ways make, and either may be first.
+/// Of all orders of so many of each sign the fraction with no more runs.
+///
+/// Of 2 k runs there are k of each sign, which C(a - 1, k - 1) C(b - 1, k - 1) ways make with a
+/// above and b below, and either may be first: 2 w_k. Of 2 k + 1 there is one more of either sign,
+/// which w_k ((a - k)/k + (b - k)/k) ways make. w_k rises up to k = a b/(a + b) and falls beyond,
+/// by the ratio w_(k+1)/w_k = (a - k)(b - k)/k^2: the sum begins there, or at its last term, and
+/// ends to both sides where what follows is nothing.
 double as_few_runs(int runs, int above, int below) {
+  constexpr double kNothing = 1e-18;
   if (above == 0 || below == 0) return 1.0;
+  if (runs < 2) return 0.0;
+  const double a = above, b = below, all = a + b;
+  const int last = runs / 2;
+  const int first = std::clamp(static_cast<int>(a * b / all), 1, last);
   const LogChoices log_choices(above + below);
-  const double all = log_choices(above + below, above);
+  const double ways =
+      std::exp(log_choices(above - 1, first - 1) + log_choices(below - 1, first - 1) -
+               log_choices(above + below, above));
   double sum = 0.0;
-  for (int r = 2; r <= runs; ++r) {
-    const int more = (r + 1) / 2 - 1, less = r / 2 - 1;
-    sum += std::exp(log_choices(above - 1, more) + log_choices(below - 1, less) - all) +
-           std::exp(log_choices(above - 1, less) + log_choices(below - 1, more) - all);
+  const auto add = [&](int at, double ways_of_each) {
+    const double k = at;
+    const bool odd = at < last || runs % 2 == 1;  // 2 k + 1 are no more runs either
+    const double term = ways_of_each * (2.0 + (odd ? (all - 2.0 * k) / k : 0.0));
+    sum += term;
+    return term > kNothing * sum;
+  };
+  double of_each = ways;
+  for (int k = first; add(k, of_each) && k < last; ++k)
+    of_each *= (a - k) * (b - k) / (1.0 * k * k);
+  of_each = ways;
+  for (int k = first - 1; k >= 1; --k) {
+    of_each *= 1.0 * k * k / ((a - k) * (b - k));
+    if (!add(k, of_each)) break;
   }
   return std::min(sum, 1.0);
 }

@@ -109,12 +109,17 @@ class Misfit {
   /// 2 sum w_i (dr_i/da)^2 / sum w_i (n_active) [Pa^2 / SI^2].
   std::vector<double> curvature(std::span<const double> active);
 
-  /// The parts of a cost and what an uncertainty needs, at a solution.
-  struct Details {
+  /// The parts of a cost at a solution.
+  struct Parts {
     double stress_cost = 0.0;      ///< f_stress [Pa^2]
     double break_cost = 0.0;       ///< f_break [Pa^2]
     std::vector<double> residual;  ///< (n_samples) [Pa]
     std::vector<double> weight;    ///< w_i, unscaled (n_samples)
+  };
+  Parts parts(std::span<const double> active);
+
+  /// These, and what an uncertainty needs.
+  struct Details : Parts {
     /// d model stress / d active, of each parameter all samples in a row (n_active x n_samples).
     std::vector<double> jacobian;
     /// d residual / d shift of the strain [Pa] (n_samples); empty where the target was not shifted.

@@ -37,21 +37,31 @@ double Misfit::stress_cost(std::span<const double> active) {
   return total - break_cost(limit(), {}, true);
 }
 
+Misfit::Parts Misfit::parts(std::span<const double> active) {
+  Parts p;
+  const double total = cost(active, {});
+  need_samples(false);
+  p.break_cost = break_cost(limit(), {}, true);
+  p.stress_cost = total - p.break_cost;
+  p.residual.reserve(samples_);
+  const double* stress = response_.probes[0].data();
+  for (std::size_t s = 0; s < samples_; ++s) {
+    p.residual.push_back(stress[s] - target_.corrected.stress[s]);
+  }
+  p.weight = raw_weight_;
+  return p;
+}
+
 Misfit::Details Misfit::details(std::span<const double> active) {
-  Details d;
-  d.stress_cost = stress_cost(active);
+  std::vector<double> gradient(active.size());
+  cost(active, gradient);  // runs the model with its slopes
   need_samples(true);
-  d.break_cost = break_cost(limit(), {}, true);
-  d.residual.resize(samples_);
-  d.weight = raw_weight_;
+  Details d;
+  static_cast<Parts&>(d) = parts(active);
   d.jacobian.resize(samples_ * active.size());
   const std::size_t n = active.size();
   const std::size_t width = model_index_.size();
   const std::vector<double> map = model_by_active(n);
-  const double* stress = response_.probes[0].data();
-  for (std::size_t s = 0; s < samples_; ++s) {
-    d.residual[s] = stress[s] - target_.corrected.stress[s];
-  }
   for (std::size_t k = 0; k < n; ++k) {
     stress_slopes(map, k, std::span(d.jacobian).subspan(k * samples_, samples_));
   }

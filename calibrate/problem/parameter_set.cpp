@@ -60,11 +60,15 @@ ResolvedParameter resolve(const Parameter& p, const CurveSizes& sizes, const Tar
 
 ParameterSet::ParameterSet(const Target& target, const FitOptions& options) {
   const CurveSizes sizes = curve_sizes(target, options);
+  all_.reserve(options.parameters.size());
   for (const Parameter& p : options.parameters) {
     all_.push_back(resolve(p, sizes, target, options));
   }
   resolve_ties(options);
   find_break_parameter(target, options);
+  active_of_.reserve(all_.size());
+  active_.reserve(all_.size());
+  coordinates_.reserve(all_.size());
   for (std::size_t i = 0; i < all_.size(); ++i) {
     ResolvedParameter& r = all_[i];
     const bool decides = break_parameter_ && break_parameter_->index == i;

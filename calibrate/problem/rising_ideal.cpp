@@ -18,7 +18,8 @@ std::optional<RisingIdeal> RisingIdeal::of(std::span<const double> strain,
   made.strain_.assign(strain.begin(), strain.begin() + static_cast<std::ptrdiff_t>(n));
   made.last_ = strain.back();
   made.elastic_.resize(n + 1);
-  for (std::size_t i = 0; i < n; ++i) {
+  made.plateau_.resize(n + 1);
+  const auto add_elastic = [&](std::size_t i) {
     const Term& before = made.elastic_[i];
     const double off = stress[i] - before.best * strain[i];
     Term& now = made.elastic_[i + 1];
@@ -29,17 +30,21 @@ std::optional<RisingIdeal> RisingIdeal::of(std::span<const double> strain,
     now.best = before.best + weight[i] * strain[i] * inverse * off;
     now.residual =
         before.residual + weight[i] * off * off * (has_slope ? before.weight * inverse : 1.0);
-  }
-  made.plateau_.resize(n + 1);
-  for (std::size_t i = n; i-- > 0;) {
+  };
+  const auto add_plateau = [&](std::size_t i) {
     const Term& behind = made.plateau_[i + 1];
     const double off = stress[i] - behind.best;
     Term& now = made.plateau_[i];
     now.weight = behind.weight + weight[i];
-    if (!(now.weight > 0.0)) continue;
+    if (!(now.weight > 0.0)) return;
     const double inverse = 1.0 / now.weight;
     now.best = behind.best + weight[i] * inverse * off;
     now.residual = behind.residual + weight[i] * off * off * (behind.weight * inverse);
+  };
+  // Each waits for its own sample before: side by side they wait together.
+  for (std::size_t i = 0; i < n; ++i) {
+    add_elastic(i);
+    add_plateau(n - 1 - i);
   }
   return made;
 }

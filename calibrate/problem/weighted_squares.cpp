@@ -109,6 +109,22 @@ double weighted_product(std::span<const double> weight, std::span<const double> 
   return (sum[0] + sum[1]) + (sum[2] + sum[3]);
 }
 
+TwiceWeighted twice_weighted_product(std::span<const double> weight, std::span<const double> a,
+                                     std::span<const double> b) {
+  std::array<double, kChains> once{}, twice{};
+  const auto add = [&](std::size_t i, std::size_t chain) {
+    const double term = weight[i] * (a[i] * b[i]);
+    once[chain] += term;
+    twice[chain] += weight[i] * term;
+  };
+  std::size_t i = 0;
+  for (; i + kChains <= weight.size(); i += kChains) {
+    for (std::size_t j = 0; j < kChains; ++j) add(i + j, j);
+  }
+  for (; i < weight.size(); ++i) add(i, 0);
+  return {(once[0] + once[1]) + (once[2] + once[3]), (twice[0] + twice[1]) + (twice[2] + twice[3])};
+}
+
 double weighted_squares(std::span<const double> model, std::span<const double> target,
                         std::span<const double> weight, std::span<const double> slopes,
                         std::span<double> gradient) {

@@ -26,4 +26,12 @@ void weighted_normal(std::span<const double> weight, std::span<const double> slo
 double weighted_product(std::span<const double> weight, std::span<const double> a,
                         std::span<const double> b);
 
+/// sum w_i a_i b_i and sum w_i^2 a_i b_i.
+struct TwiceWeighted {
+  double once = 0.0, twice = 0.0;
+};
+/// Both of these (n); sums of a fixed order, as above.
+TwiceWeighted twice_weighted_product(std::span<const double> weight, std::span<const double> a,
+                                     std::span<const double> b);
+
 }  // namespace plastica::calibrate

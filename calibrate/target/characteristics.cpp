@@ -2,8 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <vector>
+
+#include "plastica/base/median.hpp"
 
 namespace plastica::calibrate {
 
@@ -11,36 +12,46 @@ bool sees_offset(double modulus, double offset, double noise) {
   return 6.0 * noise < modulus * offset;
 }
 
-double noise_of(std::span<const double> strain, std::span<const double> stress) {
-  if (stress.size() < 5) return 0.0;
+namespace {
+
+/// See `noise_of`.
+/// @param fraction  of the way from the sample before to the one behind that a sample has gone, of
+///                  its index
+template <typename Fraction>
+double noise_between(std::span<const double> values, const Fraction& fraction) {
+  if (values.size() < 5) return 0.0;
   // Enough for a median, and a curve of many thousand samples costs no more than a short one.
-  const std::size_t stride = std::max<std::size_t>(1, stress.size() / 2000);
+  const std::size_t stride = std::max<std::size_t>(1, values.size() / 2000);
   std::vector<double> bends;
-  bends.reserve(stress.size() / stride + 1);
-  for (std::size_t i = 1; i + 1 < stress.size(); i += stride) {
-    const double gap = strain[i + 1] - strain[i - 1];
-    const double fraction = gap != 0.0 ? (strain[i] - strain[i - 1]) / gap : 0.5;
-    const double a = std::clamp(fraction, 0.0, 1.0);
-    const double bend = stress[i] - (1.0 - a) * stress[i - 1] - a * stress[i + 1];
-    bends.push_back(std::abs(bend) / std::sqrt(1.0 + a * a + (1.0 - a) * (1.0 - a)));
-  }
+  bends.reserve(values.size() / stride + 1);
   // A load cell at its limit has no noise there, and a coarse one repeats itself.
-  const double nothing = 1e-12 * largest_magnitude(stress);  // but for rounding
-  const auto begin =
-      std::partition(bends.begin(), bends.end(), [&](double bend) { return bend <= nothing; });
-  const auto left = bends.end() - begin;
+  const double nothing = 1e-12 * largest_magnitude(values);  // but for rounding
+  std::size_t left = 0;
+  for (std::size_t i = 1; i + 1 < values.size(); i += stride) {
+    const double a = fraction(i);
+    const double off = values[i] - (1.0 - a) * values[i - 1] - a * values[i + 1];
+    const double bend = std::abs(off) / std::sqrt(1.0 + a * a + (1.0 - a) * (1.0 - a));
+    bends.push_back(bend);
+    left += bend <= nothing ? 0 : 1;
+  }
   // Fewer are corners of a curve that has no noise at all.
-  const bool is_still =
-      2 * left <= std::ssize(bends) && 10 * left >= std::ssize(bends) && left >= 20;
-  const auto middle = is_still ? begin + left / 2 : bends.begin() + std::ssize(bends) / 2;
-  std::nth_element(is_still ? begin : bends.begin(), middle, bends.end());
-  return *middle / 0.6745;
+  const std::size_t all = bends.size();
+  const bool is_still = 2 * left <= all && 10 * left >= all && left >= 20;
+  // What is still stands before all that moves.
+  return value_of_rank(bends, is_still ? all - left + left / 2 : all / 2) / 0.6745;
+}
+
+}  // namespace
+
+double noise_of(std::span<const double> strain, std::span<const double> stress) {
+  return noise_between(stress, [&](std::size_t i) {
+    const double gap = strain[i + 1] - strain[i - 1];
+    return gap != 0.0 ? std::clamp((strain[i] - strain[i - 1]) / gap, 0.0, 1.0) : 0.5;
+  });
 }
 
 double noise_over_rows(std::span<const double> values) {
-  std::vector<double> rows(values.size());
-  std::iota(rows.begin(), rows.end(), 0.0);
-  return noise_of(rows, values);
+  return noise_between(values, [](std::size_t) { return 0.5; });
 }
 
 std::optional<double> Characteristics::sound_modulus() const {

@@ -14,9 +14,11 @@ class CurveSpool;
 
 /// Where the samples of a curve lie that is put aside (curve_spool.hpp).
 struct PlaceOfCurve {
-  std::uint64_t offset = 0;  ///< of its first number, in numbers
-  std::size_t samples = 0;   ///< 0: it is not put aside
-  std::uint64_t digest = 0;  ///< `digest_of` the curve
+  std::uint64_t offset = 0;   ///< of its first strain, in numbers
+  std::size_t samples = 0;    ///< 0: it is not put aside
+  std::uint64_t digest = 0;   ///< `digest_of` the curve
+  std::size_t to_stress = 0;  ///< from the first strain to the first stress, in numbers
+  double shift = 0.0;         ///< is subtracted from the strains that lie there [1]
 };
 
 /// A stress-strain curve in SI: strain [1], stress [Pa], both (n).

@@ -6,9 +6,11 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cerrno>
 #include <cstdlib>
 #include <cstring>
+#include <optional>
 #include <stdexcept>
 #include <utility>
 #include <vector>
@@ -33,6 +35,35 @@ int open_nameless(const std::string& folder) {
   return named;
 }
 
+bool are_same_bits(double a, double b) {
+  return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b);
+}
+
+/// Where the corrected curve lies in the raw one, if it is some samples of it in a row, to the last
+/// bit but for a shift of the strain: most are, and then need no place of their own.
+std::optional<PlaceOfCurve> part_of_raw(const Target& target) {
+  const Curve &raw = target.raw, &part = target.corrected;
+  if (part.strain.empty() || part.size() > raw.size()) return std::nullopt;
+  double shift = 0.0;
+  for (const Correction& correction : target.corrections) {
+    if (correction.applied && correction.unit == "1") shift += correction.amount;
+  }
+  // `get` gives a shift of 0 back as it is, and else the difference.
+  const auto shifted = [&](double strain) { return shift == 0.0 ? strain : strain - shift; };
+  const auto begins = [&](double strain) { return are_same_bits(shifted(strain), part.strain[0]); };
+  const auto found = std::ranges::find_if(raw.strain, begins);
+  const auto first = static_cast<std::size_t>(found - raw.strain.begin());
+  if (first + part.size() > raw.size()) return std::nullopt;
+  for (std::size_t i = 0; i < part.size(); ++i) {
+    if (!are_same_bits(shifted(raw.strain[first + i]), part.strain[i]) ||
+        !are_same_bits(raw.stress[first + i], part.stress[i])) {
+      return std::nullopt;
+    }
+  }
+  return PlaceOfCurve{
+      .offset = first, .samples = part.size(), .to_stress = raw.size(), .shift = shift};
+}
+
 }  // namespace
 
 std::string spool_folder(const std::string& output) {
@@ -54,13 +85,16 @@ PlaceOfCurve CurveSpool::put(std::span<const double> strain, std::span<const dou
   if (strain.size() != stress.size()) {
     throw std::logic_error("CurveSpool: strain and stress must be equally long");
   }
-  PlaceOfCurve place{0, strain.size()};
+  PlaceOfCurve place{.samples = strain.size(), .to_stress = strain.size()};
   int descriptor = -1;
   {
     const std::lock_guard lock(mutex_);
     place.offset = end_;
-    end_ += 2 * strain.size();
-    if (end_ > room_) descriptor = file();
+    if (end_ + 2 * strain.size() > room_) {
+      place.offset = std::max<std::uint64_t>(end_, room_);  // none lies in both
+      descriptor = file();
+    }
+    end_ = place.offset + 2 * strain.size();
   }
   if (descriptor < 0) {
     std::ranges::copy(strain, memory_.get() + place.offset);
@@ -89,12 +123,21 @@ void CurveSpool::get(const PlaceOfCurve& place, std::span<double> strain,
   if (strain.size() != n || stress.size() != n) {
     throw std::logic_error("CurveSpool: the curve has another number of samples");
   }
-  if (place.offset + 2 * n <= room_) {
+  if (place.offset < room_) {
     std::copy_n(memory_.get() + place.offset, n, strain.begin());
-    std::copy_n(memory_.get() + place.offset + n, n, stress.begin());
-    return;
+    std::copy_n(memory_.get() + place.offset + place.to_stress, n, stress.begin());
+  } else {
+    read(place, strain, stress);
   }
-  std::array<iovec, 2> parts{iovec{strain.data(), strain.size_bytes()},
+  if (place.shift == 0.0) return;
+  for (double& one : strain) one -= place.shift;
+}
+
+void CurveSpool::read(const PlaceOfCurve& place, std::span<double> strain,
+                      std::span<double> stress) const {
+  std::vector<double> between(place.to_stress - place.samples);
+  std::array<iovec, 3> parts{iovec{strain.data(), strain.size_bytes()},
+                             iovec{between.data(), between.size() * sizeof(double)},
                              iovec{stress.data(), stress.size_bytes()}};
   auto at = static_cast<off_t>(place.offset * sizeof(double));
   for (std::size_t k = 0; k < parts.size();) {
@@ -136,8 +179,14 @@ void put_aside(Curve& curve, const std::shared_ptr<CurveSpool>& spool) {
 }
 
 void put_aside(Target& target, const std::shared_ptr<CurveSpool>& spool) {
+  const std::optional<PlaceOfCurve> part = part_of_raw(target);
   put_aside(target.raw, spool);
-  put_aside(target.corrected, spool);
+  if (!part) return put_aside(target.corrected, spool);
+  Curve& curve = target.corrected;
+  curve.aside = *part;
+  curve.aside.offset += target.raw.aside.offset;
+  curve.aside.digest = digest_of({std::move(curve.strain), std::move(curve.stress)});
+  curve.spool = spool;
 }
 
 std::uint64_t digest_of(const Curve& curve) {

@@ -32,6 +32,8 @@ class CurveSpool {
   void get(const PlaceOfCurve& place, std::span<double> strain, std::span<double> stress) const;
 
  private:
+  /// Of a place in the file.
+  void read(const PlaceOfCurve& place, std::span<double> strain, std::span<double> stress) const;
   int file();
   [[noreturn]] void fail_to_take(int error) const;
   [[noreturn]] void fail(const char* action, int error) const;
@@ -51,7 +53,8 @@ std::string spool_folder(const std::string& output);
 /// Moves the samples of a curve into a spool, unless they are there already; `samples` still counts
 /// them. @throws io::StorageError
 void put_aside(Curve& curve, const std::shared_ptr<CurveSpool>& spool);
-/// The same with both curves of a target.
+/// The same with both curves of a target; what of the corrected one is the raw one's lies there
+/// once.
 void put_aside(Target& target, const std::shared_ptr<CurveSpool>& spool);
 
 /// Digest of the bits of a curve's samples, wherever these are: it is kept with those that are put

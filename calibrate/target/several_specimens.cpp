@@ -13,6 +13,7 @@ namespace {
 /// Numbers that are not finite are as the one before.
 std::vector<double> sizes_of(std::span<const double> values) {
   std::vector<double> sizes;
+  sizes.reserve(values.size());
   double last = 0.0;
   for (const double value : values) {
     if (std::isfinite(value)) last = std::abs(value);
@@ -23,8 +24,15 @@ std::vector<double> sizes_of(std::span<const double> values) {
 
 double median_step(const std::vector<double>& sizes) {
   std::vector<double> steps;
+  steps.reserve(sizes.size());
   for (std::size_t i = 1; i < sizes.size(); ++i) steps.push_back(std::abs(sizes[i] - sizes[i - 1]));
   return median_of(std::move(steps));
+}
+
+/// The largest value from each on.
+std::vector<double> largest_after(std::vector<double> values) {
+  for (std::size_t i = values.size() - 1; i-- > 0;) values[i] = std::max(values[i], values[i + 1]);
+  return values;
 }
 
 }  // namespace
@@ -38,11 +46,7 @@ std::optional<std::size_t> find_next_specimen(std::span<const double> deformatio
   const double most_load = *std::ranges::max_element(size);
   const double far = 10.0 * median_step(way);
   const double most_way = *std::ranges::max_element(way);
-  std::vector<double> way_after = way, load_after = size;  // largest from each sample on
-  for (std::size_t i = way.size() - 1; i-- > 0;) {
-    way_after[i] = std::max(way_after[i], way_after[i + 1]);
-    load_after[i] = std::max(load_after[i], load_after[i + 1]);
-  }
+  std::vector<double> way_after, load_after;  // largest from each sample on; made once asked for
   // Where a sensor drops out the curve is back where it was, in as long a step.
   const auto comes_back = [&](std::size_t from) {
     constexpr std::size_t kSoon = 20;
@@ -58,6 +62,10 @@ std::optional<std::size_t> find_next_specimen(std::span<const double> deformatio
     const bool jumps = way[i - 1] - way[i] > far && way[i] <= 0.05 * reached &&
                        way[i - 1] >= 0.5 * reached && reached > 0.1 * most_way;
     if (!jumps || size[i] > 0.1 * most_load || loaded < 0.3 * most_load) continue;
+    if (way_after.empty()) {
+      way_after = largest_after(way);
+      load_after = largest_after(size);
+    }
     const bool goes_on = way_after[i] > 0.1 * reached && load_after[i] > 0.5 * most_load;
     if (goes_on && !comes_back(i)) return i;
   }

@@ -1,33 +1,42 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numeric>
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "calibrate/target/characteristics.hpp"
 #include "calibrate/target/samples.hpp"
+#include "plastica/base/median.hpp"
 
 namespace plastica::calibrate {
 namespace {
 
 constexpr std::size_t kLongest = 5;
+constexpr double kSpikeLeast = 0.2;  // of the largest
 
 /// The value below which a share of the sizes of some numbers are.
 double quantile_of_sizes(std::span<const double> values, double share) {
   std::vector<double> sizes;
+  sizes.reserve(values.size());
   for (const double value : values) sizes.push_back(std::abs(value));
-  const auto at = static_cast<std::ptrdiff_t>(share * static_cast<double>(sizes.size() - 1));
-  std::ranges::nth_element(sizes, sizes.begin() + at);
-  return sizes[static_cast<std::size_t>(at)];
+  return value_of_rank(sizes,
+                       static_cast<std::size_t>(share * static_cast<double>(sizes.size() - 1)));
 }
 
-/// 0, 1, 2, …
-std::vector<double> numbered(std::size_t n) {
-  std::vector<double> rows(n);
-  std::iota(rows.begin(), rows.end(), 0.0);
-  return rows;
-}
+/// A noise that most curves are not asked for.
+class LazyNoise {
+ public:
+  LazyNoise(std::span<const double> x, std::span<const double> y) : x_(x), y_(y) {}
+  double operator()() {
+    if (!noise_) noise_ = noise_of(x_, y_);
+    return *noise_;
+  }
+
+ private:
+  std::span<const double> x_, y_;
+  std::optional<double> noise_;
+};
 
 /// The noise about a sample: where the strain has noise it is more on an elastic part.
 double noise_about(std::span<const double> x, std::span<const double> y, std::size_t sample) {
@@ -56,19 +65,30 @@ bool is_off_the_line(std::span<const double> x, std::span<const double> y, std::
   const auto off = [&](std::size_t k) {
     return std::abs(y[k] - mean_y - sxy / sxx * (x[k] - mean_x));
   };
-  double largest = threshold;
-  for (const std::size_t k : near) largest = std::max(largest, kTimes * off(k));
-  return off(i) > largest;
+  const double own = off(i);
+  return own > threshold &&
+         std::ranges::all_of(near, [&](std::size_t k) { return own > kTimes * off(k); });
 }
 
 /// A dropout or a spike on a rise, where it may be between its neighbours' values or far below the
 /// largest one: off both the curve and the record, whose strain may have noise. Neither the corner
 /// at a yield stress nor an upper yield point is.
-bool is_off_a_rise(std::span<const double> x, std::span<const double> rows,
-                   std::span<const double> y, std::size_t i, double threshold) {
-  constexpr double kNoises = 8.0;
-  if (i < 2 || i + 2 >= y.size() || !is_off_the_line(x, y, i, threshold)) return false;
-  return is_off_the_line(rows, y, i, std::max(threshold, kNoises * noise_about(x, y, i)));
+bool is_off_a_rise(std::span<const double> x, std::span<const double> y, std::size_t i,
+                   double least, LazyNoise& noise) {
+  constexpr std::array<double, 5> kRows{-2.0, -1.0, 0.0, 1.0, 2.0};
+  if (i < 2 || i + 2 >= y.size() || !is_off_the_line(x, y, i, least)) return false;
+  const double threshold = std::max(least, kNoises * noise());
+  return is_off_the_line(x, y, i, threshold) &&
+         is_off_the_line(kRows, y.subspan(i - 2, kRows.size()), 2,
+                         std::max(threshold, kNoises * noise_about(x, y, i)));
+}
+
+/// Whether any value is further than that from the one before, as all that is marked is.
+bool jumps(std::span<const double> v, double by) {
+  for (std::size_t i = 1; i + 1 < v.size(); ++i) {
+    if (std::abs(v[i] - v[i - 1]) > by) return true;
+  }
+  return false;
 }
 
 /// Marks runs of `shortest` to 5 values whose sizes are above those before and behind, which are
@@ -128,19 +148,17 @@ void drop_outliers(const Samples& samples) {
   const std::vector<double> medians = medians_of_three(y);
   const double largest = largest_magnitude(std::span(medians).subspan(1, n - 2));
   if (!(largest > 0.0)) return;
-  const double noise = 8.0 * noise_of(samples.abscissa, y);
-  const double threshold = std::max(0.2 * largest, noise);
   constexpr double kSmall = 0.03;  // of the largest: less is no matter, or a step of the sensor
   const std::vector<double> x = samples.abscissa;
-  const std::vector<double> rows = numbered(n);
-  const double small = std::max(kSmall * largest, noise);
+  LazyNoise noise(x, y);
   const std::size_t dropped = filter(samples, [&](std::size_t i) {
     if (i == 0 || i + 1 == n) return true;
-    if (is_off_a_rise(x, rows, y, i, small)) return false;
+    if (is_off_a_rise(x, y, i, kSmall * largest, noise)) return false;
     const double a = y[i] - y[i - 1];
     const double b = y[i] - y[i + 1];
     const double least = std::min(std::abs(a), std::abs(b));
-    return a * b <= 0.0 || least <= threshold || std::abs(a - b) >= 0.25 * least;
+    return a * b <= 0.0 || least <= kSpikeLeast * largest || std::abs(a - b) >= 0.25 * least ||
+           least <= kNoises * noise();
   });
   note_repair(samples.repairs, "outliers", dropped, "lone samples far off both neighbours dropped");
 }
@@ -154,14 +172,19 @@ void drop_spikes(const Samples& samples) {
   const double usual = quantile_of_sizes(y, kMost);
   if (!(usual > 0.0)) return;
   std::vector<bool> keep(n, true);
-  mark_runs(y, std::max(0.2 * usual, 8.0 * noise_of(x, y)), 2, keep);
+  if (jumps(y, kSpikeLeast * usual)) {
+    mark_runs(y, std::max(kSpikeLeast * usual, kNoises * noise_of(x, y)), 2, keep);
+  }
   double step = 0.0;
   for (std::size_t i = 1; i < n; ++i) {
     step += std::abs(x[i] - x[i - 1]) / static_cast<double>(n - 1);
   }
-  mark_runs(x,
-            std::max({20.0 * step, 0.01 * quantile_of_sizes(x, kMost), 8.0 * noise_over_rows(x)}),
-            1, keep);
+  const double long_step = 20.0 * step;
+  if (jumps(x, long_step)) {
+    mark_runs(
+        x, std::max({long_step, 0.01 * quantile_of_sizes(x, kMost), kNoises * noise_over_rows(x)}),
+        1, keep);
+  }
   mark_end(y, keep);
   const std::size_t dropped = filter(samples, [&](std::size_t i) { return keep[i]; });
   note_repair(samples.repairs, "spikes", dropped, "samples far off their neighbours dropped");

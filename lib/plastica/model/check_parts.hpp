@@ -90,7 +90,7 @@ struct ChainRule {
 std::span<const ChainRule> chain_rules();
 
 /// Rules of chains that the scene of a coupon sets.
-void check_coupon_rules(const Scene& scene);
+void check_coupon_rules(const Setup& setup);
 
 /// Rules of a chain that contradict each other.
 void check_rules(const Scene& scene);

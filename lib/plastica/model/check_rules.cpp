@@ -133,13 +133,24 @@ std::span<const ChainRule> chain_rules() {
   return kRules;
 }
 
-void check_coupon_rules(const Scene& scene) {
-  const Setup plain;
-  const Setup setup{scene, {}};
-  for (const ChainRule& rule : chain_rules()) {
-    const Field& field = find_field(rule.path);
+void check_coupon_rules(const Setup& setup) {
+  struct Left {
+    const ChainRule& rule;
+    const Field& field;
+    FieldValue value;
+  };
+  static const std::vector<Left> kAllLeft = [] {
+    const Setup plain;
+    std::vector<Left> all;
+    for (const ChainRule& rule : chain_rules()) {
+      const Field& field = find_field(rule.path);
+      all.push_back({rule, field, field.get(plain)});
+    }
+    return all;
+  }();
+  for (const auto& [rule, field, left] : kAllLeft) {
     const FieldValue value = field.get(setup);
-    if (value == field.get(plain)) continue;
+    if (value == left) continue;
     const auto* word = std::get_if<std::string>(&value);
     const auto* number = std::get_if<double>(&value);
     throw refusal(rule.path, word != nullptr ? *word : number_text(*number), rule.why);

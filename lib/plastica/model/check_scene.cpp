@@ -14,12 +14,18 @@ namespace {
 
 /// The ranges of the field table. Materials and sections have checks of their own, which know what
 /// a law or a shape leaves out.
-void check_ranges(const Scene& scene, const SolverOptions& options) {
-  const Setup setup{scene, options};
-  for (const Field& field : fields()) {
-    if (field.path.starts_with("material.") || field.path.starts_with("section.")) continue;
-    const FieldValue value = field.get(setup);
-    if (const double* number = std::get_if<double>(&value)) check_field(field, *number);
+void check_ranges(const Setup& setup) {
+  static const std::vector<const Field*> kOthers = [] {
+    std::vector<const Field*> others;
+    for (const Field& field : fields()) {
+      if (field.path.starts_with("material.") || field.path.starts_with("section.")) continue;
+      others.push_back(&field);
+    }
+    return others;
+  }();
+  for (const Field* field : kOthers) {
+    const FieldValue value = field->get(setup);
+    if (const double* number = std::get_if<double>(&value)) check_field(*field, *number);
   }
 }
 
@@ -83,7 +89,8 @@ void check_rates(const Scene& scene, const SolverOptions& options) {
   }
 }
 
-void check_coupon(const Scene& scene, const SolverOptions& options) {
+void check_coupon(const Setup& setup) {
+  const auto& [scene, options] = setup;
   if (scene.beam.shape != BeamShape::Straight) {
     throw InputError({}, "beam.shape", "", "must be straight in a scene with a drive");
   }
@@ -99,7 +106,7 @@ void check_coupon(const Scene& scene, const SolverOptions& options) {
                      "does not go with supports, loads, masses, regions, gravity, initial motions "
                      "or cuts: a scene is a coupon or a chain");
   }
-  model_detail::check_coupon_rules(scene);
+  model_detail::check_coupon_rules(setup);
   if (options.analysis == Analysis::Dynamics) {
     throw InputError({}, "solver.analysis", "dynamics",
                      "must be statics in a scene with a drive, which is at rest at each strain");
@@ -135,13 +142,14 @@ model_detail::CheckedScene model_detail::checked_scene(const Scene& scene,
                                                        const SolverOptions& options) {
   check_material(scene.material);
   check_section(scene.section);
-  check_ranges(scene, options);
+  const Setup setup{scene, options};
+  check_ranges(setup);
   check_report(scene);
   check_known(scene, options);
   check_rates(scene, options);
   std::vector<double> ends;
   if (scene.is_coupon()) {
-    check_coupon(scene, options);
+    check_coupon(setup);
   } else {
     ends = check_chain(scene, options);
   }

@@ -38,10 +38,10 @@ TwoLevels two_levels(Index few, Index many, double noise_of_few, std::uint64_t s
 FitInfluence fit_to(const MatrixXd& slopes, const VectorXd& values) {
   const MatrixXd inverse = (slopes.transpose() * slopes).inverse();
   FitInfluence fit;
-  fit.influence = inverse * slopes.transpose();
+  fit.influence = slopes * inverse;
   fit.leverage = (slopes * inverse).cwiseProduct(slopes).rowwise().sum();
   fit.left = 1.0 - fit.leverage.array();
-  fit.residual = slopes * (fit.influence * values) - values;
+  fit.residual = slopes * (fit.influence.transpose() * values) - values;
   return fit;
 }
 
@@ -51,8 +51,8 @@ TEST(UnequalNoise, IsWhatLeavingOutEachSampleMoves) {
   const TwoLevels levels = two_levels(6, 20, 5.0, 3);
   const FitInfluence fit = fit_to(levels.slopes, levels.values);
   const MatrixXd covariance =
-      fit.influence * own_variances(fit).asDiagonal() * fit.influence.transpose();
-  const VectorXd all = fit.influence * levels.values;
+      fit.influence.transpose() * own_variances(fit).asDiagonal() * fit.influence;
+  const VectorXd all = fit.influence.transpose() * levels.values;
   MatrixXd moved = MatrixXd::Zero(2, 2);
   const Index n = levels.values.size();
   for (Index out = 0; out < n; ++out) {

@@ -100,6 +100,36 @@ TEST(CurveSpool, TargetsOutliveTheirBatch) {
   expect_same(with_samples(target.raw), before.raw);
 }
 
+/// A corrected curve that is samples of the raw one in a row, shifted, takes no room of its own,
+/// wherever the memory ends; one that is not comes back as well.
+TEST(CurveSpool, TakesWhatTheRawCurveHasOnce) {
+  const io::ScratchFolder folder;
+  constexpr std::size_t kNumbers = 40;  // of the raw curve
+  for (const std::size_t numbers : {0U, 30U, 39U, 40U, 41U, 79U, 100U}) {
+    const auto spool = std::make_shared<CurveSpool>(folder.file(""), numbers * sizeof(double));
+    for (const double shift : {0.0, 0.1}) {
+      for (const std::size_t changed : {30U, 5U}) {  // one beyond all changes none
+        Target target;
+        target.raw = numbered_curve(kNumbers / 2, 1.0 / 3.0);
+        target.corrections.push_back({"toe", shift != 0.0, shift, "1", ""});
+        for (std::size_t i = 3; i < 15; ++i) {
+          target.corrected.strain.push_back(target.raw.strain[i] - shift);
+          target.corrected.stress.push_back(target.raw.stress[i] *
+                                            (i == changed ? 1.0 + 1e-15 : 1.0));
+        }
+        const Target before = target;
+        put_aside(target, spool);
+        const std::uint64_t behind = target.raw.aside.offset + kNumbers;
+        EXPECT_EQ(target.corrected.aside.offset < behind, changed == 30U);
+        EXPECT_EQ(target.corrected.samples(), 12U);
+        EXPECT_EQ(digest_of(target.corrected), digest_of(before.corrected));
+        expect_same(with_samples(target.corrected), before.corrected);
+        expect_same(with_samples(target.raw), before.raw);
+      }
+    }
+  }
+}
+
 TEST(CurveSpool, TakesTheCurvesOfAnImport) {
   const testing::CurveFiles files("spool");
   const TargetSource source = testing::CurveFiles::source(
