@@ -30,11 +30,6 @@ std::size_t memory_of(const FitOptions& options) {
   return kTarget + sizeof(double) * evaluations * (options.parameters.size() + 1);
 }
 
-/// Of its curves, as read and corrected: fitted ones are made again when they are written.
-std::size_t curves_of(const Target& target) {
-  return 2 * 2 * sizeof(double) * target.raw.samples();
-}
-
 /// Of the largest of their files, as text and in cells, while it is read.
 std::size_t largest_table(std::span<const Target> targets) {
   constexpr std::size_t kRow = 200;
@@ -107,7 +102,8 @@ void print_dry_run(std::span<const Target> targets, const FitOptions& options,
   for (const Target& target : targets) {
     ready += target.status == TargetStatus::Ready ? 1 : 0;
     bytes += memory_of(options) * std::max<std::size_t>(options.laws.size(), 1);
-    curves += curves_of(target);
+    // Fitted ones are made again when they are written.
+    curves += calibrate::bytes_of_curves(target);
     say("{:<32} {:>6} samples  {}\n", target.name, target.corrected.samples(),
         target.status == TargetStatus::Ready ? "ready" : target.reason);
   }

@@ -1,9 +1,12 @@
 #include "calibrate/config/fit_file.hpp"
 
 #include <algorithm>
+#include <cstdint>
 #include <filesystem>
 #include <map>
+#include <span>
 #include <string>
+#include <unordered_map>
 #include <utility>
 
 #include "calibrate/config/read_fit_options.hpp"
@@ -11,6 +14,7 @@
 #include "calibrate/config/read_target.hpp"
 #include "calibrate/config/target_files.hpp"
 #include "calibrate/config/unique_names.hpp"
+#include "calibrate/target/curve_spool.hpp"
 #include "calibrate/target/group_values.hpp"
 #include "calibrate/target/plausibility.hpp"
 #include "plastica/io/csv.hpp"
@@ -166,6 +170,19 @@ void warn_of_same_curve(const Target& first, Target& target) {
                             ", too: two [[target]] blocks read it, and it counts twice");
 }
 
+/// A copy under another name counts twice as well.
+void warn_of_copies(std::span<Target> targets) {
+  std::unordered_map<std::uint64_t, const Target*> first_of;  // by the digest of its curve
+  first_of.reserve(targets.size());
+  for (Target& target : targets) {
+    if (target.status != TargetStatus::Ready) continue;
+    const auto [first, is_new] = first_of.emplace(digest_of(target.raw), &target);
+    if (is_new || first->second->file == target.file) continue;
+    target.warnings.push_back("its curve is that of " + first->second->name +
+                              ", too, in another file: a copy counts twice");
+  }
+}
+
 }  // namespace
 
 std::vector<Target> import_all(const FitFile& file, int threads,
@@ -186,6 +203,7 @@ std::vector<Target> import_all(const FitFile& file, int threads,
       targets.push_back(std::move(target));
     }
   }
+  warn_of_copies(targets);
   return targets;
 }
 

@@ -162,10 +162,16 @@ void add_tied_errors(const ParameterSet& set, FitResult& result) {
 constexpr double kMinor = 0.01;
 
 /// A record that ends near its largest load may have ended with the break, or before it.
-std::string why_no_break(const Curve& curve) {
+std::string why_no_break(const Target& target) {
+  const Curve& curve = target.corrected;
+  const std::string where = fmt::format("at {:.3g} % strain", 100.0 * curve.strain.back());
+  const auto is_removal = [](const Repair& one) { return one.kind == "extensometer-removed"; };
+  if (std::ranges::any_of(target.repairs, is_removal)) {
+    return "the extensometer was taken off before, " + where;
+  }
+  if (target.ends_at_neck) return "true strain is known no further than Rm, " + where;
   const double rm = *std::ranges::max_element(curve.stress);
   const double end = curve.stress.back() / rm;
-  const std::string where = fmt::format("at {:.3g} % strain", 100.0 * curve.strain.back());
   if (end < 0.5) return "the specimen did not break; the record ends " + where;
   return fmt::format(
       "the record ends under load {}, at {:.0f} % of the largest stress; if the specimen broke "
@@ -197,7 +203,7 @@ void add_warnings(const Target& target, FitResult& result) {
     const bool no_break =
         p.role == ParameterRole::Free && !target.characteristics.observed_break && p.is_break();
     if (no_break) {
-      result.warnings.push_back(p.name() + " is not identified: " + why_no_break(target.corrected));
+      result.warnings.push_back(p.name() + " is not identified: " + why_no_break(target));
     } else if (p.judgement) {
       const Judgement& judgement = *p.judgement;
       const bool minor =

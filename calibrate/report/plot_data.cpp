@@ -90,17 +90,20 @@ Curve thinned(const Curve& curve, std::size_t spots) {
 
 Curve mean_curve(const std::vector<const Curve*>& curves) {
   if (curves.size() < 2) return {};
+  double begin = curves.front()->strain.front();
   double end = curves.front()->strain.back();
   for (const Curve* curve : curves) {
     if (!grows(*curve)) return {};
+    begin = std::max(begin, curve->strain.front());
     end = std::min(end, *std::max_element(curve->strain.begin(), curve->strain.end()));
   }
+  if (begin >= end) return {};
   std::vector<std::size_t> from(curves.size(), 0);
   Curve mean;
   for (std::size_t k = 0; k < kMeanPoints; ++k) {
     // Denser at the start, where the curves are steep.
     const double fraction = static_cast<double>(k) / static_cast<double>(kMeanPoints - 1);
-    const double strain = end * fraction * fraction;
+    const double strain = begin + (end - begin) * fraction * fraction;
     double sum = 0.0;
     for (std::size_t c = 0; c < curves.size(); ++c) {
       sum += stress_at(*curves[c], strain, from[c]);

@@ -34,9 +34,9 @@ double noise_between(std::span<const double> values, const Fraction& fraction) {
     bends.push_back(bend);
     left += bend <= nothing ? 0 : 1;
   }
-  // Fewer are corners of a curve that has no noise at all.
+  // Noise is nowhere still by chance. Fewer that move are corners of a curve without any noise.
   const std::size_t all = bends.size();
-  const bool is_still = 2 * left <= all && 10 * left >= all && left >= 20;
+  const bool is_still = 20 * (all - left) >= all && 10 * left >= all && left >= 20;
   // What is still stands before all that moves.
   return value_of_rank(bends, is_still ? all - left + left / 2 : all / 2) / 0.6745;
 }

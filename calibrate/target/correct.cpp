@@ -258,6 +258,7 @@ bool convert_to_true(Target& target, const TargetOptions& options) {
       curve.strain.resize(keep);
       curve.stress.resize(keep);
       broken.reset();
+      target.ends_at_neck = true;
     }
   }
   // Both by the strain as it was, which shortens a specimen in compression.

@@ -189,6 +189,14 @@ void put_aside(Target& target, const std::shared_ptr<CurveSpool>& spool) {
   curve.spool = spool;
 }
 
+std::size_t bytes_of_curves(const Target& target) {
+  const Curve &raw = target.raw, &corrected = target.corrected;
+  const bool is_part = raw.is_aside() && corrected.is_aside() &&
+                       corrected.aside.offset >= raw.aside.offset &&
+                       corrected.aside.offset < raw.aside.offset + 2 * raw.samples();
+  return 2 * sizeof(double) * (raw.samples() + (is_part ? 0 : corrected.samples()));
+}
+
 std::uint64_t digest_of(const Curve& curve) {
   if (curve.is_aside() && !curve.spool)
     throw std::logic_error("digest_of: they were counted alone");

@@ -57,6 +57,9 @@ void put_aside(Curve& curve, const std::shared_ptr<CurveSpool>& spool);
 /// once.
 void put_aside(Target& target, const std::shared_ptr<CurveSpool>& spool);
 
+/// What the curves of a target take, here or aside [bytes].
+std::size_t bytes_of_curves(const Target& target);
+
 /// Digest of the bits of a curve's samples, wherever these are: it is kept with those that are put
 /// aside.
 /// @throws std::logic_error if they were counted, but not read (`FitSamples`)

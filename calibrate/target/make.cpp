@@ -74,6 +74,16 @@ void warn_of_followed_noise(Target& target) {
                   noise, reversed, samples.size()));
 }
 
+/// Where a strain has stood still for long before a break, that may not be measured.
+void warn_of_still_strain(Target& target, const RawFacts& facts) {
+  const auto& observed = target.characteristics.observed_break;
+  if (facts.still == 0 || !observed) return;
+  target.warnings.push_back(fmt::format(
+      "the strain stands still at {:.4g} % over {} rows before the break: if the extensometer was "
+      "taken off, or at its limit, the strain at break is not the specimen's",
+      100.0 * observed->last_intact_strain, facts.still));
+}
+
 /// The rule of TargetOptions::min_samples.
 void check_sampling(Target& target, double noise, const TargetOptions& options) {
   const Characteristics& c = target.characteristics;
@@ -150,6 +160,7 @@ void process_target(Target& target, const TargetOptions& options) {
     goes_on = drop_unloading(target, line->modulus, options) || goes_on;
   }
   trim_at_break(target, line->modulus, goes_on, options);
+  if (monotonic) warn_of_still_strain(target, facts);
   if (monotonic) mend_reversals(samples_of(target), options.reversal_tolerance, "strain");
   shift_strain(target, *line, options);
   if (!convert_to_true(target, options)) return;

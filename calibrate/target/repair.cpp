@@ -12,78 +12,19 @@
 
 #include "calibrate/target/characteristics.hpp"
 #include "calibrate/target/samples.hpp"
+#include "calibrate/target/strain_end.hpp"
 
 namespace plastica::calibrate {
-
-namespace {
-
-/// The first row of an end in which the strain stands still (or is noise about zero) while the load
-/// goes on: the extensometer was taken off, set to zero or clamped, and its value was recorded on.
-/// A break is no such end: its load falls within few rows. The number of rows if there is none.
-std::size_t strain_ends(const Curve& raw) {
-  constexpr double kStill = 1e-4, kLoaded = 0.2, kOn = 0.5, kMoves = 0.02;
-  constexpr std::size_t kFewest = 8;
-  const std::size_t n = raw.size();
-  double span = 0.0, largest = 0.0;
-  for (std::size_t i = 0; i < n; ++i) {
-    if (std::isfinite(raw.strain[i])) span = std::max(span, std::abs(raw.strain[i]));
-    if (std::isfinite(raw.stress[i])) largest = std::max(largest, std::abs(raw.stress[i]));
-  }
-  if (n < 2 * kFewest) return n;
-  // The noise of the end, by its last rows.
-  constexpr std::size_t kLast = 30;
-  const std::size_t last = std::min(n, kLast);
-  std::vector<double> end(raw.strain.end() - static_cast<std::ptrdiff_t>(last), raw.strain.end());
-  if (!std::ranges::all_of(end, [](double strain) { return std::isfinite(strain); })) return n;
-  const double noise = noise_over_rows(end);
-  std::ranges::nth_element(end, end.begin() + static_cast<std::ptrdiff_t>(last / 2));
-  const double still = end[last / 2];
-  const double near = std::max(kStill * span, 6.0 * noise);
-  std::size_t begin = n;
-  while (begin > 0 && std::abs(raw.strain[begin - 1] - still) <= near) --begin;
-  // The row before has the last strain that was measured, or the same value.
-  if (begin == 0 || n - begin < kFewest) return n;
-  const double start = std::abs(raw.stress[begin]);
-  if (!(start >= kLoaded * largest)) return n;
-  Curve on;  // the rows in which the load goes on
-  for (std::size_t i = begin; i < n; ++i) {
-    if (std::abs(raw.stress[i]) < kOn * start) continue;
-    on.strain.push_back(raw.strain[i]);
-    on.stress.push_back(std::abs(raw.stress[i]));
-  }
-  if (on.size() < kFewest) return n;
-  const auto mean_of = [](const std::vector<double>& values, std::size_t from, std::size_t count) {
-    double mean = 0.0;
-    for (std::size_t i = from; i < from + count; ++i)
-      mean += values[i] / static_cast<double>(count);
-    return mean;
-  };
-  // The load moves from quarter to quarter, not by its noise.
-  const std::size_t quarter = on.size() / 4;
-  double low = largest, high = 0.0;
-  for (std::size_t q = 0; q < 4; ++q) {
-    const double mean = mean_of(on.stress, q * quarter, quarter);
-    low = std::min(low, mean);
-    high = std::max(high, mean);
-  }
-  if (high - low <= kMoves * largest) return n;
-  // It stands still if its second half has gone no further than the first: four standard errors.
-  const std::size_t half = on.size() / 2;
-  const double gone = mean_of(on.strain, on.size() - half, half) - mean_of(on.strain, 0, half);
-  const double error = noise * std::sqrt(2.0 / static_cast<double>(half));
-  return std::abs(gone) <= std::max(kStill * span, 4.0 * error) ? begin + 1 : n;
-}
-
-}  // namespace
 
 RawFacts drop_missing(Target& target) {
   target.corrected = target.raw;
   Curve& curve = target.corrected;
   const std::size_t n = curve.size();
-  const std::size_t still = strain_ends(curve);
-  std::fill(curve.strain.begin() + static_cast<std::ptrdiff_t>(still), curve.strain.end(),
+  const StrainEnd end = strain_end(curve);
+  std::fill(curve.strain.begin() + static_cast<std::ptrdiff_t>(end.measured), curve.strain.end(),
             std::numeric_limits<double>::quiet_NaN());
   RawFacts facts;
+  facts.still = end.unclear;
   facts.largest_stress = -std::numeric_limits<double>::infinity();
   std::size_t end_of_strain = 0;  // one past the last row with a strain
   bool all_finite = true;
@@ -106,9 +47,10 @@ RawFacts drop_missing(Target& target) {
     if (!facts.extensometer_removed) removed = 0;
     drop_missing(samples_of(target), removed);
     note_repair(target.repairs, "extensometer-removed", removed,
-                still < n ? "rows at the end have a strain that stands still while the load goes "
-                            "on; Rm is taken from them too"
-                          : "rows at the end have stress but no strain; Rm is taken from them too");
+                end.measured < n
+                    ? "rows at the end have a strain that stands still while the load goes "
+                      "on; Rm is taken from them too"
+                    : "rows at the end have stress but no strain; Rm is taken from them too");
   }
   drop_duplicates(samples_of(target));
   return facts;

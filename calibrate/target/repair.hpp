@@ -12,10 +12,11 @@ struct RawFacts {
   double largest_stress = 0.0;        ///< [Pa] over all rows, also those without strain
   bool largest_has_strain = true;     ///< it is among the samples of the repaired curve
   bool extensometer_removed = false;  ///< rows with stress but no strain follow the last strain
+  std::size_t still = 0;              ///< see `StrainEnd::unclear`
 };
 
 /// Samples with finite strain and stress, each once: fills target.corrected from target.raw. A
-/// strain that stands still to the end while the load goes on, for 8 rows at least, is none.
+/// strain that stands still to the end while the load goes on is none (`strain_end`).
 /// Repairs "nan-rows", "extensometer-removed", "duplicates" are added to the target.
 RawFacts drop_missing(Target& target);
 

@@ -97,6 +97,8 @@ struct Target {
   Characteristics characteristics;
   /// Standard error of the shift of the strain, where the elastic line decided it [1]; not stored.
   double shift_error = 0.0;
+  bool ends_at_neck =
+      false;  ///< samples beyond Rm have no true strain, and were left out; not stored
 };
 
 }  // namespace plastica::calibrate

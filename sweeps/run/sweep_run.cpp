@@ -107,7 +107,9 @@ void SweepRun::take_earlier() {
         !results_[i] && earlier != options_.earlier.end() && wanted(earlier->second, i)) {
       results_[i] = earlier->second;
     }
-    if (results_[i]) resumed_ += shared_by_[i];
+    if (!results_[i]) continue;
+    if (!watched_[i]) results_[i]->warnings.reset();  // as in a run of its own
+    resumed_ += shared_by_[i];
   }
 }
 

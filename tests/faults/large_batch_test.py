@@ -19,7 +19,7 @@ import h5py
 import numpy
 
 SPECIMENS = 60
-ROWS = 3000
+ROWS = 6000
 FIT = """[[target]]
 files = "{files}"
 strain = "e"

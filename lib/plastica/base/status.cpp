@@ -39,7 +39,8 @@ std::string_view advice(Status status, bool in_motion) {
     case Status::Unstable:
       return "stay below the critical factor, hold the beam where it gives way, or add the "
              "imperfection that it has, at a level that holds it";
-    case Status::NotBalanced: return "take smaller steps, or scheme = energy_momentum";
+    case Status::NotBalanced:
+      return "take smaller steps; of the schemes energy_momentum balances best";
     case Status::Completed:
     case Status::Broken:
     case Status::LimitLoad: return "";

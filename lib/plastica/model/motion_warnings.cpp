@@ -183,11 +183,14 @@ std::optional<std::string> noisy_forces(const Facts& facts) {
 /// Implicit Euler takes a vibration to 1/sqrt(1 + a^2) of its amplitude in a step of the phase
 /// a = omega dt, so in a period of 2 pi/a steps to exp(-pi a) for a small a.
 std::optional<std::string> first_order(const Facts& facts) {
-  if (facts.options.scheme != Scheme::LinearlyImplicitEuler || !facts.first) return std::nullopt;
+  const bool articulated = facts.options.scheme == Scheme::ArticulatedEuler;
+  if (!articulated && facts.options.scheme != Scheme::LinearlyImplicitEuler) return std::nullopt;
+  if (!facts.first) return std::nullopt;
   const double lost = 1.0 - std::exp(-pi * omega_of(*facts.first) * facts.step);
-  return "solver.scheme = \"linearly_implicit_euler\" is of first order: it takes about " +
+  const std::string kind = articulated ? "articulated_" : "linearly_implicit_";
+  return "solver.scheme = \"" + kind + "euler\" is of first order: it takes about " +
          figure(100.0 * lost) + " % of the amplitude in each period of the beam's " +
-         frequency_text(*facts.first) + "; \"linearly_implicit_midpoint\" costs the same";
+         frequency_text(*facts.first) + "; \"" + kind + "midpoint\" costs the same";
 }
 
 std::optional<std::string> undamped_alpha(const Facts& facts) {
@@ -331,7 +334,9 @@ std::vector<std::string> motion_warnings(const Scene& scene, const SolverOptions
                                          std::span<const double> ends) {
   Facts facts{scene, options, level, section};
   facts.duration = options.duration > 0.0 ? options.duration : last_time(scene);
-  facts.step = std::min(options.time_step, facts.duration / options.steps);
+  // Steps are of one length from sample to sample.
+  const double sampled = facts.duration / options.steps;
+  facts.step = sampled / std::max(1.0, std::ceil(sampled / options.time_step - 1e-9));
   if (options.step_error == 0.0) facts.first = first_frequency(scene, level, section, ends);
   std::vector<std::string> warnings;
   for (const auto find :

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <limits>
+#include <set>
 
 #include <fmt/format.h>
 
@@ -192,18 +193,24 @@ FigureCurve curve_of_record(std::size_t number, std::size_t count, const std::st
 std::vector<std::vector<double>> thinned(const std::vector<std::vector<double>>& points) {
   constexpr std::size_t kStretches = 1500;
   if (points.size() <= 4 * kStretches) return points;
+  const auto less_along = [](const auto& a, const auto& b) { return a.front() < b.front(); };
+  const bool turns = !std::ranges::is_sorted(points, less_along);
   std::vector<std::vector<double>> kept{points.front()};
   for (std::size_t k = 0; k < kStretches; ++k) {
     const std::size_t first = 1 + k * (points.size() - 2) / kStretches;
     const std::size_t behind = 1 + (k + 1) * (points.size() - 2) / kStretches;
-    std::size_t low = first;
-    std::size_t high = first;
-    for (std::size_t i = first; i < behind; ++i) {
-      if (points[i].back() < points[low].back()) low = i;
-      if (points[i].back() > points[high].back()) high = i;
-    }
-    kept.push_back(points[std::min(low, high)]);
-    if (low != high) kept.push_back(points[std::max(low, high)]);
+    std::set<std::size_t> ends;
+    const auto take_ends = [&](const auto& value_of) {
+      std::size_t low = first, high = first;
+      for (std::size_t i = first; i < behind; ++i) {
+        if (value_of(points[i]) < value_of(points[low])) low = i;
+        if (value_of(points[i]) > value_of(points[high])) high = i;
+      }
+      ends.insert({low, high});
+    };
+    take_ends([](const auto& point) { return point.back(); });
+    if (turns) take_ends([](const auto& point) { return point.front(); });
+    for (const std::size_t i : ends) kept.push_back(points[i]);
   }
   kept.push_back(points.back());
   return kept;

@@ -63,7 +63,8 @@ std::string dash_type(int dashes);
 FigureCurve curve_of_record(std::size_t number, std::size_t count, const std::string& name);
 
 /// A curve of so many points that a page cannot show them all, thinned: of each stretch that it
-/// shows as one, the lowest and the highest point.
+/// shows as one, the lowest and the highest point, and of one that turns back the first and the
+/// last along the abscissa, too.
 std::vector<std::vector<double>> thinned(const std::vector<std::vector<double>>& points);
 
 PlotScript figure_page(const Figure& figure, const Sheet& sheet = {});

@@ -72,9 +72,11 @@ std::optional<std::string> hinge_warning(const Facts& facts) {
   const double over = longest->times();
   if (over <= 1.0 + 1e-9) return std::nullopt;
   const std::string cost =
-      is_ideal(scene) ? "under an even moment their strain is " + figure(over) + " times too large"
-                      : "where less than such a length yields, its strain is up to " +
-                            figure(over) + " times too small";
+      is_ideal(scene)
+          ? "where one of them yields alone under an even moment, its strain is up to " +
+                figure(over) + " times too large"
+          : "where less than such a length yields, its strain is up to " + figure(over) +
+                " times too small";
   return "joints that can break stand for " + figure(longest->length) +
          " m, more than the hinge length of " + figure(longest->hinge) + " m: " + cost + "; " +
          figure(segments_for(longest->hinge, facts)) + " equal segments would do";

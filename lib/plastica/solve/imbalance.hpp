@@ -114,9 +114,13 @@ typename L::Scalar relative_imbalance(const chain::Chain<L>& chain, NewtonWork<L
   // Moments are forces on levers: a bar under axial force alone is no beam out of balance.
   const S lever = constant<S>(1e-2) * chain.length;
   const S tiny = constant<S>(std::numeric_limits<real_t<S>>::min());
-  const S floor_moment = w.force_floor * chain.length;
+  // Nor is what no step can solve. Before the first one nobody knows: a twist that translations'
+  // rounding would hide is solved like any other.
+  const S unit_of_floor = constant<S>(std::numeric_limits<real_t<S>>::epsilon());
+  const S floor_force = max(w.stepped, unit_of_floor) * w.force_floor;
+  const S floor_moment = floor_force * chain.length;
   const S moment_scale = max(max(w.moment_scale, lever * w.force_scale), floor_moment);
-  const S force_scale = max(max(w.force_scale, w.moment_scale / chain.length), w.force_floor);
+  const S force_scale = max(max(w.force_scale, w.moment_scale / chain.length), floor_force);
   Rounding<S> rounding = rounding_of(chain, w);
   if constexpr (kIsDouble<S>) {
     // Where loads go straight into supports and nothing strains the beam, there is but their

@@ -68,7 +68,20 @@ void MotionStep<L, kElastic>::predict_joint(std::size_t i, const S& h,
   }
 }
 
+/// What a second order scheme foretells the next step by: see `error`.
+template <class L, bool kElastic>
+void MotionStep<L, kElastic>::note_accelerations() {
+  const S rate = constant<S>(1.0 / h_);
+  for (std::size_t i = 0; i < chain_.size(); ++i) {
+    acceleration_[i] = rate * (motion_now_[i].velocity - motion_[i].velocity);
+    if constexpr (kTwists<L>) {
+      twist_rate_[i] = rate * (twist_of<L>(motion_now_[i].spin) - twist_of<L>(motion_[i].spin));
+    }
+  }
+}
+
 /// The displacement of a segment less what its velocity and acceleration before the step foretell.
+/// A twist displaces no axis: it counts by itself, times the beam's length.
 ///
 /// With a jerk j, a step h after one of h0 differs by j h^3 (1/6 + h0/(4 h)), of which a second
 /// order midpoint scheme makes j h^3/12 of error; an Euler step of acceleration a differs from its
@@ -83,17 +96,21 @@ double MotionStep<L, kElastic>::error() const {
     const S h = constant<S>(h_);
     typename L::Point off = step_[i].displacement - h * motion_[i].velocity;
     if (known) off -= constant<S>(0.5 * h_ * h_) * acceleration_[i];
-    double size = size_of(off);
-    if constexpr (L::kTranslations == 0) {
-      size = chain_.length * size_of(step_[i].spin - h * motion_[i].spin);
+    largest = std::max(largest, double(size_of(off)));
+    if constexpr (kTwists<L>) {
+      const typename L::Spin spin = transposed_times(L::axes(begin_.frame[i]), step_[i].spin);
+      S turned = twist_of<L>(spin) - h * twist_of<L>(motion_[i].spin);
+      if (known) turned -= constant<S>(0.5 * h_ * h_) * twist_rate_[i];
+      largest = std::max(largest, chain_.length * double(abs(turned)));
     }
-    largest = std::max(largest, size);
   }
   return largest * (known ? 1.0 / (2.0 + 3.0 * h_before_ / h_) : 0.5);
 }
 
-/// Newton's method can tell no force from nothing that is below the rounding of positions, times
-/// the mass over the square of the step.
+/// A step of Newton's method can leave forces that are below the rounding of positions, times the
+/// mass over the square of the step: no further one brings them down. What acts before the first
+/// may be smaller, and moves the beam all the same: moments that twist it come from rotations
+/// alone, and what is small adds up over the steps.
 template <class L, bool kElastic>
 void MotionStep<L, kElastic>::set_force_floor() {
   // Times the least tolerance, four times the rounding.

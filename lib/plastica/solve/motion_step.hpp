@@ -52,6 +52,7 @@ class MotionStep {
     inertia_now_.resize(n);
     step_.resize(n);
     acceleration_.resize(n);
+    if constexpr (kTwists<L>) twist_rate_.resize(n);
     const std::size_t constraints = chain.constraints.size();
     rates_.acts.resize(constraints);
     rates_.rate.resize(constraints);
@@ -258,16 +259,11 @@ class MotionStep {
       to.multiplier[k] = select(mask, from.multiplier[k], to.multiplier[k]);
     }
   }
-  void note_accelerations() {
-    for (std::size_t i = 0; i < chain_.size(); ++i) {
-      acceleration_[i] = constant<S>(1.0 / h_) * (motion_now_[i].velocity - motion_[i].velocity);
-    }
-  }
-
   // motion_predict.hpp
   void predict(double h);
   void predict_joint(std::size_t i, const S& h, const typename L::Spin& inner_spin,
                      const typename L::Point& inner_velocity);
+  void note_accelerations();
   void set_force_floor();
   // motion_forces.hpp
   void set_length(double h);
@@ -366,6 +362,7 @@ class MotionStep {
   chain::Coordinates<L> q_found_;  ///< of lanes, while others seek once more
   Motions motion_;
   std::vector<typename L::Point> acceleration_;  ///< accelerations over the step before
+  std::vector<S> twist_rate_;                    ///< of `twist_of` the spins, where there are any
   double h_before_ = 0.0;                        ///< its length; 0: none, or a jump since
   std::vector<CenterForce<L>> inertia_;
   std::conditional_t<kHasLanes<S>, NoContacts, Contacts> contacts_;

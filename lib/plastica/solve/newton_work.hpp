@@ -67,7 +67,8 @@ struct NewtonWork {
   mask_t<S> settled{};
   /// 1 once the unknowns come from a step of Newton's method: what is left may be rounding then.
   S stepped{};
-  /// Below this a force is nothing, whatever the others are [N]; see solve/motion_step.hpp.
+  /// Below this a force that a step of Newton's method has left is nothing, whatever the others are
+  /// [N]; see MotionStep::set_force_floor.
   S force_floor{};
 
   /// A step was taken: its scales stay, those of steps before fade.

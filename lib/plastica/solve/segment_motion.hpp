@@ -20,6 +20,14 @@ struct SegmentMotion {
   typename L::Spin spin_rate{}, resisting_spin_rate{};  ///< [rad/s^2]
 };
 
+/// Whether segments turn about the beam's own axis, and by how much of a spin in their own axes.
+template <class L>
+inline constexpr bool kTwists = L::kTranslations != 2;
+template <class L>
+typename L::Scalar twist_of(const typename L::Spin& spin) {
+  return spin[L::kRotations - 1];
+}
+
 /// A force at a segment's center of mass, and a moment about it, in world axes.
 template <class L>
 struct CenterForce {

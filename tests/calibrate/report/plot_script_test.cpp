@@ -236,6 +236,17 @@ TEST(MeanCurve, EndsWhereTheFirstCurveEnds) {
   EXPECT_DOUBLE_EQ(mean.stress.front(), 0.0);
 }
 
+TEST(MeanCurve, BeginsWhereAllCurvesHaveBegun) {
+  const Curve preloaded = {{0.005, 0.01, 0.02}, {50.0, 100.0, 200.0}};
+  const Curve whole = {{0.0, 0.01, 0.02}, {0.0, 100.0, 200.0}};
+  const Curve mean = report::mean_curve({&whole, &preloaded});
+  ASSERT_GT(mean.size(), 10U);
+  EXPECT_DOUBLE_EQ(mean.strain.front(), 0.005);
+  for (std::size_t i = 0; i < mean.size(); ++i) {
+    EXPECT_NEAR(mean.stress[i], 1e4 * mean.strain[i], 1e-9);  // both lie on it
+  }
+}
+
 TEST(MeanCurve, IsNoneForOneCurveAndForCycles) {
   const Curve a = {{0.0, 0.01, 0.02}, {0.0, 100.0, 100.0}};
   const Curve cycle = {{0.0, 0.01, -0.01}, {0.0, 100.0, -100.0}};

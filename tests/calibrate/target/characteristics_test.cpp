@@ -217,6 +217,31 @@ TEST(Characteristics, ADropWithinTheNoiseIsNoYieldPoint) {
   EXPECT_FALSE(find_yield_point(stress, 1.0, 0.003).has_value());
 }
 
+/// A load cell's steps are noise wherever the curve is not steep, though it stands still between
+/// them: a fall by one is no yield point.
+TEST(Characteristics, AStepOfACoarseLoadCellIsNoYieldPoint) {
+  int called = 0;
+  for (unsigned seed = 0; seed < 50; ++seed) {
+    std::mt19937_64 random(seed);
+    std::normal_distribution<double> normal(0.0, 0.5e6);
+    Curve curve = smooth_curve(220, 0.06);
+    for (double& stress : curve.stress) stress = 2e6 * std::round((stress + normal(random)) / 2e6);
+    called += make_target("coarse", curve).characteristics.reh ? 1 : 0;
+  }
+  EXPECT_EQ(called, 0);
+}
+
+/// What is clipped at a load cell's limit says nothing of the noise before it.
+TEST(Characteristics, NoiseIsThatOfWhatMoves) {
+  std::mt19937_64 random(2);
+  std::normal_distribution<double> normal(0.0, 2e6);
+  Curve curve = smooth_curve(400, 0.06);
+  for (std::size_t i = 0; i < curve.size(); ++i) {
+    curve.stress[i] = i < 240 ? curve.stress[i] + normal(random) : curve.stress[239];
+  }
+  EXPECT_NEAR(noise_of(curve.strain, curve.stress), 2e6, 0.3e6);
+}
+
 TEST(Characteristics, TheBreakStrainIsTheMiddleOfItsIntervalTotalAndPermanent) {
   IdealPlastic test;
   test.plateau = 99;

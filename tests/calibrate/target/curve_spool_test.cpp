@@ -122,6 +122,7 @@ TEST(CurveSpool, TakesWhatTheRawCurveHasOnce) {
         const std::uint64_t behind = target.raw.aside.offset + kNumbers;
         EXPECT_EQ(target.corrected.aside.offset < behind, changed == 30U);
         EXPECT_EQ(target.corrected.samples(), 12U);
+        EXPECT_EQ(bytes_of_curves(target), (kNumbers + (changed == 30U ? 0 : 24)) * sizeof(double));
         EXPECT_EQ(digest_of(target.corrected), digest_of(before.corrected));
         expect_same(with_samples(target.corrected), before.corrected);
         expect_same(with_samples(target.raw), before.raw);

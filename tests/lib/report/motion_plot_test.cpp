@@ -197,5 +197,24 @@ TEST(LongCurves, KeepTheirExtremesWhereTheyAreThinned) {
   EXPECT_EQ(thinned(points), points);
 }
 
+/// On a plateau the ordinate says nothing of where a cycle turns.
+TEST(LongCurves, KeepWhereTheyTurnBack) {
+  std::vector<std::vector<double>> points;
+  for (int cycle = 0; cycle < 2000; ++cycle) {
+    for (const double side : {1.0, -1.0}) {
+      for (int k = 1; k <= 4; ++k) points.push_back({0.25 * k * side, k < 2 ? 0.0 : side});
+    }
+  }
+  const auto kept = thinned(points);
+  EXPECT_LT(kept.size(), 7000U);
+  double least = 0.0, largest = 0.0;
+  for (const auto& point : kept) {
+    least = std::min(least, point[0]);
+    largest = std::max(largest, point[0]);
+  }
+  EXPECT_EQ(least, -1.0);
+  EXPECT_EQ(largest, 1.0);
+}
+
 }  // namespace
 }  // namespace plastica::report

@@ -79,8 +79,8 @@ TEST(SceneWarnings, SayWhatJointsLongerThanTheHingeDoToABreak) {
   EXPECT_TRUE(
       warns(warnings_of(breaking(YieldModel::Interaction)),
             "joints that can break stand for 0.1 m, more than the hinge length of 0.02 m: "
-            "under an even moment their strain is 5 times too large; 50 equal segments would "
-            "do"));
+            "where one of them yields alone under an even moment, its strain is up to 5 times too "
+            "large; 50 equal segments would do"));
   EXPECT_TRUE(warns(warnings_of(breaking(YieldModel::Fibre)),
                     "where less than such a length yields, its strain is up to 5 times too small"));
   EXPECT_FALSE(warns(warnings_of([](Scene& s) {

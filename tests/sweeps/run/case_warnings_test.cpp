@@ -116,6 +116,18 @@ TEST(CaseWarnings, OfResumedCasesAreThoseOfAFreshRun) {
   EXPECT_EQ(warnings_after(resumed, second), warnings);
 }
 
+// A wider sweep watches fewer of the cases that it takes over.
+TEST(CaseWarnings, OfResumedCasesThatAreNotWatchedNowAreNone) {
+  const Sweep narrow = sweep_of(kPropped, many_loads(41, 2));
+  SweepRun first(narrow, {});
+  const auto narrow_results = first.run();
+  const Sweep wide = sweep_of(kPropped, many_loads(41, 1));
+  const auto fresh = SweepRun(wide, {}).run();
+  const auto resumed = SweepRun(wide, {.earlier = earlier_of(first, narrow_results)}).run();
+  ASSERT_EQ(resumed.size(), fresh.size());
+  for (std::size_t i = 0; i < fresh.size(); ++i) EXPECT_EQ(resumed[i].warnings, fresh[i].warnings);
+}
+
 // Modes have none of a run; a load beyond 1.42 kN has no equilibrium.
 TEST(CaseWarnings, KeepNoCaseFromBeingResumed) {
   for (const std::string rest :

@@ -1,0 +1,115 @@
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <string>
+
+#include "tests/support/motion_scene.hpp"
+#include "tests/support/tolerance.hpp"
+
+// Loads that short steps leave far below m L/h^2, the force that moves a beam by its length in a
+// step: they move it as large ones do, for all of this is linear.
+
+namespace plastica {
+namespace {
+
+using testing::add_probe;
+using testing::cantilever_scene;
+using testing::last_of;
+using testing::motion_options;
+
+constexpr std::array kImplicit{Scheme::LinearlyImplicitEuler, Scheme::LinearlyImplicitMidpoint,
+                               Scheme::GeneralizedAlpha, Scheme::EnergyMomentum};
+
+/// A steel bar that a load at its end moves from rest.
+Scene loaded_bar(std::array<double, 3> force, std::array<double, 3> moment, History history) {
+  Scene scene = cantilever_scene(12);
+  scene.material.density = 7850.0;
+  scene.yield_model = YieldModel::Elastic;
+  Load load;
+  load.force = force;
+  load.moment = moment;
+  load.history = history;
+  scene.loads = {load};
+  return scene;
+}
+
+History ramp_over(double time) {
+  History ramp;
+  ramp.time = {0.0, time};
+  ramp.factor = {0.0, 1.0};
+  return ramp;
+}
+
+double last_twist(double moment, Level level, SolverOptions options, const History& history) {
+  Scene scene = loaded_bar({}, {0.0, 0.0, moment}, history);
+  add_probe(scene, ProbeQuantity::Rotation, {1.0, {}}, Component::Z);
+  options.level = level;
+  const Response response = simulate(scene, options);
+  EXPECT_EQ(response.status, Status::Completed);
+  return last_of(response, 0);
+}
+
+/// What translations' rounding would hide: the twist of a bar in space is that of one that knows
+/// nothing but twist.
+TEST(SmallLoads, TwistABarInSpaceAsAShaft) {
+  for (const Scheme scheme : kImplicit) {
+    const SolverOptions options = motion_options(scheme, 1e-6, 200);
+    for (const History& history : {History::constant(), ramp_over(1e-4)}) {
+      for (const double moment : {1.0, 0.03, 1e-6}) {
+        const double shaft = last_twist(moment, Level::Twist, options, history);
+        const double bar = last_twist(moment, Level::Spatial, options, history);
+        EXPECT_GT(shaft, 0.0);
+        EXPECT_NEAR(bar / shaft, 1.0, testing::tolerance(1e-7)) << int(scheme) << ' ' << moment;
+      }
+    }
+  }
+}
+
+/// A hundredth of a load bends by a hundredth, as far as the rounding of places over the square of
+/// the step lets it.
+TEST(SmallLoads, BendInProportion) {
+  for (const Scheme scheme : kImplicit) {
+    for (const History& history : {History::constant(), ramp_over(1e-4)}) {
+      const auto tip = [&](double force) {
+        Scene scene = loaded_bar({0.0, force, 0.0}, {}, history);
+        add_probe(scene, ProbeQuantity::Displacement, {1.0, {}}, Component::Y);
+        return last_of(simulate(scene, motion_options(scheme, 1e-6, 200)), 0);
+      };
+      EXPECT_NEAR(tip(0.02) / tip(2.0), 0.01, testing::tolerance(1e-5)) << int(scheme);
+    }
+  }
+}
+
+/// A free bar takes up the impulse of what pushes it.
+TEST(SmallLoads, PushAFreeBar) {
+  for (const Scheme scheme : kImplicit) {
+    Scene scene = loaded_bar({0.0, 0.02, 0.0}, {}, History::constant());
+    scene.supports.clear();
+    add_probe(scene, ProbeQuantity::Momentum, {}, Component::Y);
+    const SolverOptions options = motion_options(scheme, 1e-6, 200);
+    const double impulse = 0.02 * options.duration;
+    EXPECT_NEAR(last_of(simulate(scene, options), 0) / impulse, 1.0, 1e-4) << int(scheme);
+  }
+}
+
+/// A twist moves no axis: steps that follow an error see it all the same, as those of a shaft.
+TEST(SmallLoads, TwistIsSeenByTheErrorOfASteps) {
+  SolverOptions options = motion_options(Scheme::GeneralizedAlpha, 1e-4, 20);
+  const double exact = last_twist(10.0, Level::Twist, motion_options(options.scheme, 1e-6, 2000),
+                                  History::constant());
+  double before = 1.0;
+  for (const double error : {1e-4, 1e-6, 1e-8}) {
+    options.step_error = error;
+    const double bar = last_twist(10.0, Level::Spatial, options, History::constant());
+    EXPECT_NEAR(bar, last_twist(10.0, Level::Twist, options, History::constant()),
+                1e-6 * std::fabs(exact));
+    const double off = std::fabs(bar / exact - 1.0);
+    EXPECT_LT(off, 0.5 * before) << error;
+    before = off;
+  }
+  EXPECT_LT(before, 0.005);
+}
+
+}  // namespace
+}  // namespace plastica
