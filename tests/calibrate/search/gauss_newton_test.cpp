@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "calibrate/search/gauss_newton.hpp"
+#include "calibrate/search/marquardt_steps.hpp"
 #include "calibrate/search/optimizer.hpp"
 
 namespace plastica::calibrate {
@@ -117,6 +118,35 @@ TEST(GaussNewton, EndsEarlyOnAKinkAndSaysWhatItsSlopesPromise) {
   EXPECT_EQ(found.outcome, "stalled");
   EXPECT_LT(found.evaluations, 50);
   EXPECT_GT(found.promised, 0.5);
+}
+
+/// Beside one more unknown that nothing moves, which is solved another way, steps are the same.
+TEST(MarquardtSteps, OfOneAndTwoUnknownsAreThoseOfMore) {
+  const auto step_of = [](const Eigen::VectorXd& gradient, const Eigen::MatrixXd& normal,
+                          Eigen::Index more) {
+    const Eigen::Index n = gradient.size(), all = n + more;
+    SquaresModel model{1.0, Eigen::VectorXd::Zero(all), Eigen::MatrixXd::Identity(all, all)};
+    model.gradient.head(n) = gradient;
+    model.normal.topLeftCorner(n, n) = normal;
+    const Eigen::VectorXd far = Eigen::VectorXd::Constant(all, 1e9);
+    MarquardtSteps steps(-far, far, {});
+    EXPECT_FALSE(steps.propose(Eigen::VectorXd::Zero(all), model));
+    return Eigen::VectorXd(steps.step().head(n));
+  };
+  const auto expect_alike = [&](const Eigen::VectorXd& gradient, const Eigen::MatrixXd& normal) {
+    const Eigen::VectorXd own = step_of(gradient, normal, 0), more = step_of(gradient, normal, 2);
+    EXPECT_LT((own - more).norm(), 1e-12 * more.norm()) << own << " and " << more;
+  };
+  expect_alike(Eigen::VectorXd::Constant(1, 0.3), Eigen::MatrixXd::Constant(1, 1, 4.0));
+  const Eigen::VectorXd gradient{{0.3, -0.2}};
+  for (const double size : {1e-3, 1.0, 1e3}) {  // either pivot is the larger one
+    expect_alike(gradient, Eigen::MatrixXd{{4.0, 1.9 * size}, {1.9 * size, size * size}});
+  }
+  // Of two alike Marquardt's damping makes one step of both.
+  const Eigen::VectorXd both =
+      step_of(Eigen::VectorXd::Constant(2, 0.3), Eigen::MatrixXd::Constant(2, 2, 1.0), 0);
+  EXPECT_NEAR(both[0], -0.3 / 2.001, 1e-12);
+  EXPECT_NEAR(both[1], both[0], 1e-12);
 }
 
 TEST(GaussNewton, CarriesAnExceptionOut) {
