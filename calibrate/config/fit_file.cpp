@@ -160,14 +160,15 @@ std::vector<io::InputText> input_texts(const FitFile& file) {
 
 namespace {
 
+constexpr const char* kReadTwice = ", too: two [[target]] blocks read it, and it counts twice";
+
 /// Columns of one file may be two curves; one that is read twice counts twice in its group.
 void warn_of_same_curve(const Target& first, Target& target) {
   const Characteristics& a = first.characteristics;
   const Characteristics& b = target.characteristics;
   const bool is_same = a.rm && a.rm == b.rm && a.strain_at_rm == b.strain_at_rm;
   if (first.file != target.file || !is_same) return;
-  target.warnings.push_back("its curve is that of " + first.name +
-                            ", too: two [[target]] blocks read it, and it counts twice");
+  target.warnings.push_back("its curve is that of " + first.name + kReadTwice);
 }
 
 /// A copy under another name counts twice as well.
@@ -178,8 +179,11 @@ void warn_of_copies(std::span<Target> targets) {
     if (target.status != TargetStatus::Ready) continue;
     const auto [first, is_new] = first_of.emplace(digest_of(target.raw), &target);
     if (is_new || first->second->file == target.file) continue;
-    target.warnings.push_back("its curve is that of " + first->second->name +
-                              ", too, in another file: a copy counts twice");
+    const auto path = [](const Target& of) { return std::filesystem::weakly_canonical(of.file); };
+    const bool is_same = path(*first->second) == path(target);
+    target.warnings.push_back(
+        "its curve is that of " + first->second->name +
+        (is_same ? kReadTwice : ", too, in another file: a copy counts twice"));
   }
 }
 

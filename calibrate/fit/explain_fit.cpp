@@ -165,11 +165,12 @@ constexpr double kMinor = 0.01;
 std::string why_no_break(const Target& target) {
   const Curve& curve = target.corrected;
   const std::string where = fmt::format("at {:.3g} % strain", 100.0 * curve.strain.back());
+  if (target.ends_at_neck) return "true strain is known no further than Rm, " + where;
   const auto is_removal = [](const Repair& one) { return one.kind == "extensometer-removed"; };
   if (std::ranges::any_of(target.repairs, is_removal)) {
-    return "the extensometer was taken off before, " + where;
+    return "the load goes on where the strain ends, " + where;
   }
-  if (target.ends_at_neck) return "true strain is known no further than Rm, " + where;
+  if (target.ran_back) return "the strain ran back before, beyond " + where.substr(3);
   const double rm = *std::ranges::max_element(curve.stress);
   const double end = curve.stress.back() / rm;
   if (end < 0.5) return "the specimen did not break; the record ends " + where;

@@ -114,7 +114,7 @@ void add_residuals(PlotScript& script, const FitRecord& record) {
   script.command("set xzeroaxis linecolor rgb '#B8B8B8'");
   script.set_y_label("residual [MPa]");
   script.begin_panel({});
-  script.add_series(script.add_points(plastica::report::thinned(points)),
+  script.add_series(script.add_points(plastica::report::thinned_dots(points)),
                     with_color("using 1:2 with points pointtype 7 pointsize 0.3", kDark),
                     "measured - fitted");
   script.end_panel();

@@ -19,10 +19,9 @@ constexpr double kMinLambda = 1e-12;
 constexpr double kMaxLambda = 1e12;
 
 /// Solves a x = b by LDL^T, the larger pivot first; a direction that nothing decides stays at 0.
-/// Most systems are of one or two unknowns, and Eigen's way through the heap is longer than all the
-/// rest.
+/// Most systems are of one or two unknowns, for which Eigen's way takes ten times as long.
 VectorXd solved_by(const MatrixXd& a, const VectorXd& b) {
-  if (b.size() > 2) return a.ldlt().solve(b);
+  if (b.size() != 1 && b.size() != 2) return a.ldlt().solve(b);
   const auto over = [](double sum, double pivot) {
     return std::abs(pivot) > std::numeric_limits<double>::min() ? sum / pivot : 0.0;
   };

@@ -34,9 +34,11 @@ double noise_between(std::span<const double> values, const Fraction& fraction) {
     bends.push_back(bend);
     left += bend <= nothing ? 0 : 1;
   }
-  // Noise is nowhere still by chance. Fewer that move are corners of a curve without any noise.
+  // Noise is nowhere still by chance. Fewer that move are corners of a curve without any noise, and
+  // of a short one what moves may be its bends.
   const std::size_t all = bends.size();
-  const bool is_still = 20 * (all - left) >= all && 10 * left >= all && left >= 20;
+  const std::size_t few = 2 * left <= all ? 20 : 100;
+  const bool is_still = 20 * (all - left) >= all && 10 * left >= all && left >= few;
   // What is still stands before all that moves.
   return value_of_rank(bends, is_still ? all - left + left / 2 : all / 2) / 0.6745;
 }
@@ -130,7 +132,7 @@ std::optional<YieldPoint> find_yield_point(std::span<const double> stress, doubl
 
 void leave_out_transient(std::span<const double> strain, std::span<const double> stress,
                          double noise, double yield_drop, YieldPoint& point) {
-  constexpr double kLongest = 0.0025, kStays = 3.0, kHigher = 0.05, kNoises = 3.0;
+  constexpr double kLongest = 0.0025, kStays = 3.0, kHigher = 0.05, kTimes = 3.0;
   const double least = std::max(yield_drop * point.upper, 8.0 * noise);
   const auto lowest_from = [&](std::size_t i) {
     const auto begin = stress.begin() + static_cast<std::ptrdiff_t>(i);
@@ -148,7 +150,7 @@ void leave_out_transient(std::span<const double> strain, std::span<const double>
     while (stays < point.until && strain[stays] < from + kStays * length) ++stays;
     if (stays == point.until) return;
     const double higher = stress[lowest_from(stays)] - stress[lowest];
-    if (higher > std::max(kHigher * depth, kNoises * noise)) continue;
+    if (higher > std::max(kHigher * depth, kTimes * noise)) continue;
     if (point.upper - stress[lowest] <= least) return;  // a pause on a plateau
     point.lower = stress[lowest];
     point.lower_at = lowest;

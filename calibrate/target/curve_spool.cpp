@@ -1,11 +1,9 @@
 #include "calibrate/target/curve_spool.hpp"
 
 #include <fcntl.h>
-#include <sys/uio.h>
 #include <unistd.h>
 
 #include <algorithm>
-#include <array>
 #include <bit>
 #include <cerrno>
 #include <cstdlib>
@@ -49,16 +47,16 @@ std::optional<PlaceOfCurve> part_of_raw(const Target& target) {
     if (correction.applied && correction.unit == "1") shift += correction.amount;
   }
   // `get` gives a shift of 0 back as it is, and else the difference.
-  const auto shifted = [&](double strain) { return shift == 0.0 ? strain : strain - shift; };
-  const auto begins = [&](double strain) { return are_same_bits(shifted(strain), part.strain[0]); };
-  const auto found = std::ranges::find_if(raw.strain, begins);
-  const auto first = static_cast<std::size_t>(found - raw.strain.begin());
+  const auto is_at = [&](std::size_t i, std::size_t of_raw) {
+    const double strain = shift == 0.0 ? raw.strain[of_raw] : raw.strain[of_raw] - shift;
+    return are_same_bits(strain, part.strain[i]) &&
+           are_same_bits(raw.stress[of_raw], part.stress[i]);
+  };
+  std::size_t first = 0;
+  while (first + part.size() <= raw.size() && !is_at(0, first)) ++first;
   if (first + part.size() > raw.size()) return std::nullopt;
   for (std::size_t i = 0; i < part.size(); ++i) {
-    if (!are_same_bits(shifted(raw.strain[first + i]), part.strain[i]) ||
-        !are_same_bits(raw.stress[first + i], part.stress[i])) {
-      return std::nullopt;
-    }
+    if (!is_at(i, first + i)) return std::nullopt;
   }
   return PlaceOfCurve{
       .offset = first, .samples = part.size(), .to_stress = raw.size(), .shift = shift};
@@ -127,30 +125,24 @@ void CurveSpool::get(const PlaceOfCurve& place, std::span<double> strain,
     std::copy_n(memory_.get() + place.offset, n, strain.begin());
     std::copy_n(memory_.get() + place.offset + place.to_stress, n, stress.begin());
   } else {
-    read(place, strain, stress);
+    read(place.offset, strain);
+    read(place.offset + place.to_stress, stress);
   }
   if (place.shift == 0.0) return;
   for (double& one : strain) one -= place.shift;
 }
 
-void CurveSpool::read(const PlaceOfCurve& place, std::span<double> strain,
-                      std::span<double> stress) const {
-  std::vector<double> between(place.to_stress - place.samples);
-  std::array<iovec, 3> parts{iovec{strain.data(), strain.size_bytes()},
-                             iovec{between.data(), between.size() * sizeof(double)},
-                             iovec{stress.data(), stress.size_bytes()}};
-  auto at = static_cast<off_t>(place.offset * sizeof(double));
-  for (std::size_t k = 0; k < parts.size();) {
-    const auto left = static_cast<int>(parts.size() - k);
-    const ssize_t got = ::preadv(descriptor_, parts.data() + k, left, at);
+void CurveSpool::read(std::uint64_t offset, std::span<double> numbers) const {
+  auto* to = reinterpret_cast<char*>(numbers.data());
+  std::size_t left = numbers.size_bytes();
+  auto at = static_cast<off_t>(offset * sizeof(double));
+  while (left > 0) {
+    const ssize_t got = ::pread(descriptor_, to, left, at);
     if (got < 0 && errno == EINTR) continue;
     if (got <= 0) fail("cannot give back the curves of the run", got < 0 ? errno : EIO);
+    to += got;
     at += got;
-    auto taken = static_cast<std::size_t>(got);
-    for (; k < parts.size() && taken >= parts[k].iov_len; ++k) taken -= parts[k].iov_len;
-    if (k == parts.size()) break;
-    parts[k].iov_base = static_cast<char*>(parts[k].iov_base) + taken;
-    parts[k].iov_len -= taken;
+    left -= static_cast<std::size_t>(got);
   }
 }
 

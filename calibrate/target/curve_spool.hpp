@@ -32,8 +32,8 @@ class CurveSpool {
   void get(const PlaceOfCurve& place, std::span<double> strain, std::span<double> stress) const;
 
  private:
-  /// Of a place in the file.
-  void read(const PlaceOfCurve& place, std::span<double> strain, std::span<double> stress) const;
+  /// From the file. @param offset  of the first number
+  void read(std::uint64_t offset, std::span<double> numbers) const;
   int file();
   [[noreturn]] void fail_to_take(int error) const;
   [[noreturn]] void fail(const char* action, int error) const;

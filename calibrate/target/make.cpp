@@ -74,14 +74,57 @@ void warn_of_followed_noise(Target& target) {
                   noise, reversed, samples.size()));
 }
 
+/// Drops where the strain runs back, as what was measured there is no strain of the specimen; a
+/// break behind such rows has none either.
+void mend_strain(Target& target, const TargetOptions& options) {
+  constexpr std::size_t kFew = 5;
+  constexpr double kUnderLoad = 0.9;  // of where it turned back; else it is the break that ran back
+  const Curve& curve = target.corrected;
+  const bool runs_back = curve.size() > 0 && curve.strain.back() < std::ranges::max(curve.strain);
+  const Curve before = runs_back ? curve : Curve();
+  mend_reversals(samples_of(target), options.reversal_tolerance, "strain");
+  auto& observed = target.characteristics.observed_break;
+  if (!runs_back || !observed || curve.size() == 0) return;
+  const auto last = std::find(before.strain.rbegin(), before.strain.rend(), curve.strain.back());
+  const auto lost = static_cast<std::size_t>(last - before.strain.rbegin());
+  if (lost < kFew || lost == before.size()) return;
+  const double turned = before.stress[before.size() - 1 - lost];
+  if (before.stress.back() < kUnderLoad * turned) return;
+  observed.reset();
+  target.ran_back = true;
+  target.warnings.push_back(fmt::format(
+      "the strain runs back from {:.4g} % for {} samples before the break, under load: where the "
+      "specimen broke is not measured",
+      100.0 * curve.strain.back(), lost));
+}
+
 /// Where a strain has stood still for long before a break, that may not be measured.
 void warn_of_still_strain(Target& target, const RawFacts& facts) {
   const auto& observed = target.characteristics.observed_break;
-  if (facts.still == 0 || !observed) return;
+  const StrainEnd& end = facts.strain_end;
+  if (end.unclear == 0 || !observed) return;
+  if (std::abs(observed->last_intact_strain - end.still) > end.within) return;  // it broke before
   target.warnings.push_back(fmt::format(
       "the strain stands still at {:.4g} % over {} rows before the break: if the extensometer was "
       "taken off, or at its limit, the strain at break is not the specimen's",
-      100.0 * observed->last_intact_strain, facts.still));
+      100.0 * end.still, end.unclear));
+}
+
+/// Samples of a strain with coarse steps are not as many as they look.
+void warn_of_coarse_strain(Target& target, const ElasticLine& line) {
+  constexpr std::size_t kFewSteps = 10, kRowsEach = 3;
+  const Curve& curve = target.corrected;
+  std::size_t rows = 0, steps = 0;
+  for (std::size_t i = 1; i < curve.size() && std::abs(curve.stress[i]) <= line.high; ++i) {
+    if (std::abs(curve.stress[i]) < line.low) continue;
+    ++rows;
+    steps += curve.strain[i] != curve.strain[i - 1] ? 1 : 0;
+  }
+  if (steps >= kFewSteps || rows < kRowsEach * std::max<std::size_t>(steps, 1)) return;
+  target.warnings.push_back(fmt::format(
+      "the strain has {} values in the {} samples of the modulus: by its steps Young's modulus may "
+      "be off by more than its error says",
+      steps, rows));
 }
 
 /// The rule of TargetOptions::min_samples.
@@ -161,8 +204,9 @@ void process_target(Target& target, const TargetOptions& options) {
   }
   trim_at_break(target, line->modulus, goes_on, options);
   if (monotonic) warn_of_still_strain(target, facts);
-  if (monotonic) mend_reversals(samples_of(target), options.reversal_tolerance, "strain");
+  if (monotonic) mend_strain(target, options);
   shift_strain(target, *line, options);
+  if (line->samples > 0) warn_of_coarse_strain(target, *line);
   if (!convert_to_true(target, options)) return;
   measure_characteristics(target, *line, facts, noise, options);
   if (std::string many = too_many_dropped(target); !many.empty()) {

@@ -12,7 +12,6 @@
 
 #include "calibrate/target/characteristics.hpp"
 #include "calibrate/target/samples.hpp"
-#include "calibrate/target/strain_end.hpp"
 
 namespace plastica::calibrate {
 
@@ -24,7 +23,7 @@ RawFacts drop_missing(Target& target) {
   std::fill(curve.strain.begin() + static_cast<std::ptrdiff_t>(end.measured), curve.strain.end(),
             std::numeric_limits<double>::quiet_NaN());
   RawFacts facts;
-  facts.still = end.unclear;
+  facts.strain_end = end;
   facts.largest_stress = -std::numeric_limits<double>::infinity();
   std::size_t end_of_strain = 0;  // one past the last row with a strain
   bool all_finite = true;
@@ -39,11 +38,14 @@ RawFacts drop_missing(Target& target) {
     }
   }
   if (!all_finite) {
+    constexpr double kLoaded = 0.2;  // of the largest: what is left after a break is no load
     std::size_t removed = 0;
+    bool is_loaded = false;
     for (std::size_t i = end_of_strain; i < n; ++i) {
       removed += std::isfinite(curve.stress[i]) ? 1 : 0;
+      is_loaded = is_loaded || curve.stress[i] >= kLoaded * facts.largest_stress;
     }
-    facts.extensometer_removed = end_of_strain > 0 && removed > 0;
+    facts.extensometer_removed = end_of_strain > 0 && is_loaded;
     if (!facts.extensometer_removed) removed = 0;
     drop_missing(samples_of(target), removed);
     note_repair(target.repairs, "extensometer-removed", removed,

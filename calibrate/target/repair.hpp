@@ -3,6 +3,7 @@
 #include <cstddef>
 
 #include "calibrate/target/options.hpp"
+#include "calibrate/target/strain_end.hpp"
 #include "calibrate/target/target.hpp"
 
 namespace plastica::calibrate {
@@ -12,7 +13,7 @@ struct RawFacts {
   double largest_stress = 0.0;        ///< [Pa] over all rows, also those without strain
   bool largest_has_strain = true;     ///< it is among the samples of the repaired curve
   bool extensometer_removed = false;  ///< rows with stress but no strain follow the last strain
-  std::size_t still = 0;              ///< see `StrainEnd::unclear`
+  StrainEnd strain_end;               ///< of the record
 };
 
 /// Samples with finite strain and stress, each once: fills target.corrected from target.raw. A

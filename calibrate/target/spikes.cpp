@@ -13,7 +13,7 @@ namespace plastica::calibrate {
 namespace {
 
 constexpr std::size_t kLongest = 5;
-constexpr double kSpikeLeast = 0.2;  // of the largest
+constexpr double kSpikeLeast = 0.2;  // of the largest, or of what all but a few are below
 
 /// The value below which a share of the sizes of some numbers are.
 double quantile_of_sizes(std::span<const double> values, double share) {

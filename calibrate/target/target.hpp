@@ -97,8 +97,9 @@ struct Target {
   Characteristics characteristics;
   /// Standard error of the shift of the strain, where the elastic line decided it [1]; not stored.
   double shift_error = 0.0;
-  bool ends_at_neck =
-      false;  ///< samples beyond Rm have no true strain, and were left out; not stored
+  /// Whether samples beyond Rm, which have no true strain, were left out; not stored.
+  bool ends_at_neck = false;
+  bool ran_back = false;  ///< whether the strain was lost under load before the break; not stored
 };
 
 }  // namespace plastica::calibrate

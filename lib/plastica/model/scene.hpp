@@ -71,8 +71,8 @@ struct SolverOptions {
   int frames = 0;
   Scheme scheme = Scheme::GeneralizedAlpha;  ///< dynamics, like all below up to `control`
   double time_step = 1e-3;                   ///< [s], > 0; adaptive: the largest one
-  /// Adaptive steps: largest error of a segment's end in one step, over the beam's length [1],
-  /// >= 0; 0: fixed steps.
+  /// Adaptive steps: largest error of a segment's place in one step, or of its twist times the
+  /// beam's length, over that length [1], >= 0; 0: fixed steps.
   double step_error = 0.0;
   /// Generalized-alpha: how much of the highest frequencies is left after a step [1], 0 … 1.
   double rho_infinity = 0.8;

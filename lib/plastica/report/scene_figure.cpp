@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <limits>
 #include <set>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -216,6 +217,40 @@ std::vector<std::vector<double>> thinned(const std::vector<std::vector<double>>&
   return kept;
 }
 
+std::vector<std::vector<double>> thinned_dots(const std::vector<std::vector<double>>& points) {
+  constexpr std::size_t kAlways = 6000;
+  constexpr double kAcross = 600.0, kUp = 60.0;  // cells, about as large as a dot
+  if (points.size() <= kAlways) return points;
+  const auto [left, right] = std::ranges::minmax_element(
+      points, {}, [](const std::vector<double>& point) { return point.front(); });
+  const auto [low, high] = std::ranges::minmax_element(
+      points, {}, [](const std::vector<double>& point) { return point.back(); });
+  const auto cell = [](double at, double from, double to, double cells) {
+    return to > from ? std::floor(cells * (at - from) / (to - from)) : 0.0;
+  };
+  std::set<std::pair<double, double>> taken;
+  std::vector<std::vector<double>> kept;
+  for (const auto& point : points) {
+    const bool is_end = &point == &*low || &point == &*high;
+    const bool is_new = taken
+                            .emplace(cell(point.front(), left->front(), right->front(), kAcross),
+                                     cell(point.back(), low->back(), high->back(), kUp))
+                            .second;
+    if (is_new || is_end) kept.push_back(point);
+  }
+  return kept;
+}
+
+namespace {
+
+/// As a curve is drawn.
+std::vector<std::vector<double>> shown_points(const FigureCurve& curve) {
+  if (curve.stroke == Stroke::Bars) return curve.points;
+  return curve.stroke == Stroke::Points ? thinned_dots(curve.points) : thinned(curve.points);
+}
+
+}  // namespace
+
 PlotScript figure_page(const Figure& figure, const Sheet& sheet) {
   PlotScript script(sheet);
   const bool single = figure.panels.size() == 1 || figure.strip;
@@ -238,7 +273,7 @@ PlotScript figure_page(const Figure& figure, const Sheet& sheet) {
                        : single ? std::vector{figure.title, panel.title}
                                 : std::vector{panel.title});
     for (const FigureCurve& curve : panel.curves) {
-      script.add_series(script.add_points(thinned(curve.points)), style_of(curve), curve.name);
+      script.add_series(script.add_points(shown_points(curve)), style_of(curve), curve.name);
     }
     if (!panel.marks.empty()) {
       script.add_entry("with lines " + std::string(kMarkStyle), panel.mark_name);

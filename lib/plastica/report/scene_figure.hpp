@@ -67,6 +67,10 @@ FigureCurve curve_of_record(std::size_t number, std::size_t count, const std::st
 /// last along the abscissa, too.
 std::vector<std::vector<double>> thinned(const std::vector<std::vector<double>>& points);
 
+/// Points without a line, so thinned that a page looks the same: of those that lie on each other
+/// one.
+std::vector<std::vector<double>> thinned_dots(const std::vector<std::vector<double>>& points);
+
 PlotScript figure_page(const Figure& figure, const Sheet& sheet = {});
 /// The same as characters, a letter a curve, the panels one below the other.
 PlotScript figure_terminal(const Figure& figure);

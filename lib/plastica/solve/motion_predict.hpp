@@ -126,7 +126,12 @@ void MotionStep<L, kElastic>::set_force_floor() {
   } else {
     E rotational = constant<E>(0.0);
     for (const auto& inertia : chain_.inertias) rotational += inertia.rotational(0, 0);
-    w_.force_floor = S(fraction * rotational / (square * far));
+    E turned =
+        constant<E>(1.0);  // angles of a shaft grow with its turns, and their rounding with them
+    for (const std::size_t i : {std::size_t{0}, chain_.size() - 1}) {
+      turned = max(turned, E(abs(begin_.frame[i].angle)));
+    }
+    w_.force_floor = S(fraction * rotational * turned / (square * far));
   }
 }
 

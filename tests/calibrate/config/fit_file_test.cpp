@@ -1,5 +1,9 @@
 #include "calibrate/config/fit_file.hpp"
 
+#include <algorithm>
+#include <string>
+#include <vector>
+
 #include "calibrate/config/templates.hpp"
 #include "calibrate/fit/fit.hpp"
 #include "tests/calibrate/config/config_folder.hpp"
@@ -218,6 +222,40 @@ TEST_F(FitFileTest, SaysThatTwoBlocksReadOneCurve) {
   EXPECT_EQ(twice[1].warnings.back(), "its curve is that of " + twice[0].name +
                                           ", too: two [[target]] blocks read it, and it counts "
                                           "twice");
+}
+
+/// A copy in another file, and one file by two paths.
+TEST_F(FitFileTest, SaysThatACurveIsACopy) {
+  const auto warnings_of = [&](const std::vector<std::string>& blocks) {
+    std::string text;
+    for (const std::string& files : blocks) {
+      text +=
+          "[[target]]\nstrain = 1\nstress = { column = 2, unit = 'MPa' }\nfiles = " + files + "\n";
+    }
+    const auto targets = import_all(parse(text));
+    Names warnings;
+    for (const Target& target : targets) {
+      for (const std::string& warning : target.warnings) {
+        if (warning.starts_with("its curve is")) warnings.push_back(target.name + ": " + warning);
+      }
+    }
+    return warnings;
+  };
+  std::string curve = "e,s\n", other = "e,s\n";
+  for (int i = 0; i < 60; ++i) {
+    const std::string strain = std::to_string(1e-4 * i) + ',';
+    curve += strain + std::to_string(std::min(20.0 * i, 400.0)) + '\n';
+    other += strain + std::to_string(std::min(20.0 * i, 401.0)) + '\n';
+  }
+  write("x/a.csv", curve);
+  write("x/b.csv", other);
+  write("x/c.csv", curve);
+  EXPECT_EQ(warnings_of({"['x/*.csv']"}),
+            Names{"c: its curve is that of a, too, in another file: a copy counts twice"});
+  const Names again = warnings_of({"['x/a.csv', 'x/b.csv']", "'x/../x/a.csv'"});
+  ASSERT_EQ(again.size(), 1U);
+  EXPECT_TRUE(again[0].ends_with("too: two [[target]] blocks read it, and it counts twice"));
+  EXPECT_EQ(warnings_of({"['x/a.csv', 'x/b.csv']"}), Names{});
 }
 
 TEST_F(FitFileTest, GroupsSpecimensOfBlocksByTheSameNumber) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -45,6 +46,28 @@ TEST(Fit, SaysWhenTheSpecimenDidNotBreak) {
           "break_strain is not identified: the record ends under load at 2 % strain, at 100 % "
           "of the largest stress; if the specimen broke there, say so by "
           "corrections.end_fraction = \"100 %\""});
+}
+
+/// Not what its end would be advised to be, which has no use there.
+TEST(Fit, SaysWhyABreakWasNotSeen) {
+  const FitOptions options = fit_with(HardeningLaw::Ideal, {free_parameter("break_strain")});
+  const auto why = [&](const std::function<void(Target&)>& change) {
+    Target target = target_like(options, Deformation::Tension, ramp(90, 0.02));
+    change(target);
+    return fit_target(target, options).warnings.at(0);
+  };
+  const std::string is_not = "break_strain is not identified: ";
+  EXPECT_EQ(why([](Target& t) {
+              t.repairs.push_back({"extensometer-removed", 9, ""});
+            }),
+            is_not + "the load goes on where the strain ends, at 2 % strain");
+  EXPECT_EQ(why([](Target& t) {
+              t.repairs.push_back({"extensometer-removed", 9, ""});
+              t.ends_at_neck = true;
+            }),
+            is_not + "true strain is known no further than Rm, at 2 % strain");
+  EXPECT_EQ(why([](Target& t) { t.ran_back = true; }),
+            is_not + "the strain ran back before, beyond 2 % strain");
 }
 
 TEST(Fit, SaysWhenTheModelCannotFollow) {

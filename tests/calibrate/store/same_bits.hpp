@@ -36,11 +36,13 @@ inline auto members(const Characteristics& v) {
   const auto& [a, b, c, d, e, f, g, h, i, j, k, l, m, n, o] = v;
   return std::tie(a, b, c, d, e, f, g, h, i, j, k, l, m, n, o);
 }
-/// All but the last two, which files do not have.
+/// All but the last three, which files do not have.
 inline auto members(const Target& v) {
-  const auto& [a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, shift_error, ends_at_neck] = v;
+  const auto& [a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, shift_error, ends_at_neck, ran_back] =
+      v;
   static_cast<void>(shift_error);
   static_cast<void>(ends_at_neck);
+  static_cast<void>(ran_back);
   return std::tie(a, b, c, d, e, f, g, h, i, j, k, l, m, n, o);
 }
 inline auto members(const Judgement& v) {

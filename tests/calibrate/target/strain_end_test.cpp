@@ -85,7 +85,95 @@ TEST(StrainEnd, SaysThatABreakAtALongStandingStrainMayNotBeMeasured) {
   EXPECT_FALSE(says(10));
 }
 
-/// A record whose strain has steps of ten rows ends like any other.
+/// Rows that are dense on the elastic part stand still no more than others, by whatever the strain
+/// jumps to, and with noise: an extensometer that was taken off later is seen.
+TEST(StrainEnd, IsSeenBehindADenseElasticPart) {
+  for (const double noise : {0.0, 3e-5}) {
+    for (const double at : {0.1, 0.3, 1.4, 10.0, 0.0}) {
+      std::mt19937_64 random(7);
+      std::normal_distribution<double> normal(0.0, 1.0);
+      const Curve sparse = stands_at(at, 60, 0.5e6, rises_by_ten);
+      Curve dense;
+      for (int i = 0; i < 1000; ++i) {
+        dense.strain.push_back(2e-6 * i);
+        dense.stress.push_back(200e9 * 2e-6 * i * 0.9);
+      }
+      for (std::size_t i = 3; i < sparse.size(); ++i) {
+        dense.strain.push_back(sparse.strain[i]);
+        dense.stress.push_back(sparse.stress[i]);
+      }
+      for (double& strain : dense.strain) strain += noise * normal(random);
+      EXPECT_NEAR(static_cast<double>(strain_end(dense).measured), 1000.0 + kMeasured - 3.0, 1.0)
+          << at << ' ' << noise;
+    }
+  }
+}
+
+/// Nor does a row without a number, a glitch, or the shock of the break hide it.
+TEST(StrainEnd, IsSeenPastWhatIsNoStrain) {
+  const auto breaks = [](double fraction) { return fraction > 0.9 ? -480e6 : 50e6 * fraction; };
+  const Curve whole = stands_at(0.3, 100, 0.5e6, breaks);
+  for (const int kind : {0, 1, 2, 3}) {
+    Curve curve = whole;
+    if (kind == 0) curve.strain[kMeasured + 40] = NAN;
+    if (kind == 1) curve.strain[kMeasured + 40] += 0.01;
+    if (kind == 2) curve.stress[kMeasured + 2] = NAN;
+    if (kind == 3) {
+      for (std::size_t i = kMeasured + 91; i < curve.size(); ++i) curve.strain[i] += 0.003;
+    }
+    EXPECT_EQ(strain_end(curve).measured, kMeasured) << kind;
+    EXPECT_FALSE(make_target("past", curve).characteristics.observed_break) << kind;
+  }
+}
+
+/// A pause at a strain whose load is but noise is no step of a coarse strain.
+TEST(StrainEnd, IsSeenAfterAPauseUnderANoisyLoad) {
+  const Curve sparse = stands_at(0.3, 100, 2e6, rises_by_ten);
+  Curve curve;
+  std::mt19937_64 random(3);
+  std::normal_distribution<double> normal(0.0, 2e6);
+  for (std::size_t i = 0; i < sparse.size(); ++i) {
+    curve.strain.push_back(sparse.strain[i]);
+    curve.stress.push_back(sparse.stress[i]);
+    for (int k = 0; i == 30 && k < 300; ++k) {
+      curve.strain.push_back(sparse.strain[i]);
+      curve.stress.push_back(sparse.stress[i] + normal(random));
+    }
+  }
+  EXPECT_EQ(strain_end(curve).measured, kMeasured + 300);
+}
+
+/// A break at which the strain stands behind the specimen's, or that falls in near rows, is a
+/// break.
+TEST(StrainEnd, LeavesBreaksAlone) {
+  Curve curve = stands_at(0.106, 90, 0.5e6, [](double) { return -315e6; });
+  Target target = make_target("after", curve);
+  EXPECT_TRUE(target.characteristics.observed_break);
+  EXPECT_FALSE(std::ranges::any_of(target.warnings, [](const std::string& warning) {
+    return warning.starts_with("the strain stands still");
+  }));
+  curve = stands_at(0.1007, 32, 0.5e6, [](double fraction) { return -485e6 * fraction; });
+  EXPECT_EQ(strain_end(curve).measured, curve.size());
+  EXPECT_TRUE(make_target("fast", curve).characteristics.observed_break);
+}
+
+/// What runs back under load up to the break hides it.
+TEST(StrainEnd, OfAStrainThatFallsUnderLoadIsNoBreak) {
+  Curve curve = stands_at(0.0, 0, 0.5e6, rises_by_ten);
+  for (int i = 0; i < 25; ++i) {
+    curve.strain.push_back(0.07 - 2e-4 * i);
+    curve.stress.push_back(490e6);
+  }
+  curve.strain.push_back(0.065);
+  curve.stress.push_back(0.0);
+  const Target target = make_target("falls", curve);
+  EXPECT_FALSE(target.characteristics.observed_break);
+  EXPECT_TRUE(std::ranges::any_of(target.warnings, [](const std::string& warning) {
+    return warning.starts_with("the strain runs back from 10 % for 25 samples before the break");
+  }));
+}
+
+/// A record whose strain has steps of thirty rows ends like any other.
 TEST(StrainEnd, IsNoStepOfACoarseStrain) {
   Curve curve = stands_at(0.1, 0, 0.0, rises_by_ten);
   for (std::size_t i = 0; i < curve.size(); ++i) {

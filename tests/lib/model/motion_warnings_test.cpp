@@ -302,6 +302,47 @@ TEST(MotionWarnings, SayThatForcesOfSinglePrecisionAreNoisy) {
   }
 }
 
+/// Rounding of places over the square of the step, beside what acts.
+TEST(MotionWarnings, SayThatForcesOfTheShortestStepsAreNoisy) {
+  const auto at = [](double step, double force) {
+    return warnings_of([&](Scene& s, SolverOptions& o) {
+      o.time_step = step;
+      o.duration = 100.0 * step;
+      o.steps = 1;
+      s.gravity = {};
+      s.loads = {{}};
+      s.loads[0].force = {0.0, force, 0.0};
+      s.probes.push_back({"f", ProbeQuantity::Reaction, Place::start()});
+    });
+  };
+  EXPECT_TRUE(has(at(1e-8, 10.0), "s: f may have noise of some "));
+  EXPECT_FALSE(has(at(1e-5, 10.0), "noise of some"));
+  EXPECT_FALSE(has(at(1e-8, 1e9), "noise of some"));
+}
+
+TEST(MotionWarnings, KnowArticulatedEulerAndTheStepsThatAreTaken) {
+  const auto lost = [](Scheme scheme, double step) {
+    const auto warnings = warnings_of([&](Scene&, SolverOptions& o) {
+      o.scheme = scheme;
+      o.time_step = step;
+      o.duration = 0.01;
+      o.steps = 100;
+    });
+    for (const std::string& warning : warnings) {
+      const auto at = warning.find("it takes about ");
+      if (at != std::string::npos) return warning.substr(at);
+    }
+    return std::string();
+  };
+  const std::string whole = lost(Scheme::ArticulatedEuler, 1e-4);
+  EXPECT_NE(whole.find("articulated_midpoint"), std::string::npos) << whole;
+  // 0.1 ms from sample to sample takes two steps of 50 us, be they 60 or 99 us at most.
+  const std::string half = lost(Scheme::LinearlyImplicitEuler, 5e-5);
+  EXPECT_EQ(lost(Scheme::LinearlyImplicitEuler, 6e-5), half);
+  EXPECT_EQ(lost(Scheme::LinearlyImplicitEuler, 9.9e-5), half);
+  EXPECT_NE(lost(Scheme::LinearlyImplicitEuler, 1e-4), half);
+}
+
 TEST(MotionWarnings, SayThatARampOfGravityGrows) {
   const auto heavy = [](const History& history) {
     return warnings_of([&](Scene& s, SolverOptions& o) {

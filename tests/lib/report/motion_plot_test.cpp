@@ -1,5 +1,10 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+#include <random>
+#include <vector>
+
 #include "plastica/base/check.hpp"
 #include "plastica/report/scene_figure.hpp"
 #include "plastica/report/scene_plot.hpp"
@@ -206,14 +211,38 @@ TEST(LongCurves, KeepWhereTheyTurnBack) {
     }
   }
   const auto kept = thinned(points);
-  EXPECT_LT(kept.size(), 7000U);
-  double least = 0.0, largest = 0.0;
-  for (const auto& point : kept) {
-    least = std::min(least, point[0]);
-    largest = std::max(largest, point[0]);
-  }
-  EXPECT_EQ(least, -1.0);
-  EXPECT_EQ(largest, 1.0);
+  EXPECT_LT(kept.size(), points.size() / 2);
+  // Each stretch holds a cycle and more, and turns at both sides.
+  EXPECT_GT(std::ranges::count_if(kept, [](const auto& point) { return point[0] == 1.0; }), 1000);
+  EXPECT_GT(std::ranges::count_if(kept, [](const auto& point) { return point[0] == -1.0; }), 1000);
+}
+
+/// Where each point stands by itself, one of those that lie on each other is enough.
+TEST(LongCurves, KeepDotsWhereverThereAreAny) {
+  std::mt19937_64 random(1);
+  std::normal_distribution<double> normal;
+  std::vector<std::vector<double>> points;
+  for (int i = 0; i < 60000; ++i) points.push_back({1.0 * i, normal(random)});
+  points[777][1] = 9.0;
+  const auto kept = thinned_dots(points);
+  EXPECT_LT(kept.size(), 20000U);
+  EXPECT_NE(std::find(kept.begin(), kept.end(), points[777]), kept.end());
+  // Of those within two deviations a quarter is within half of one where all cells are taken, and
+  // 40 % of all are.
+  const auto within = [&](double size) {
+    return static_cast<double>(std::ranges::count_if(
+        kept, [size](const auto& point) { return std::abs(point[1]) < size; }));
+  };
+  EXPECT_GT(within(0.5) / within(2.0), 0.2);
+  const auto page = [&](Stroke stroke) {
+    Figure figure;
+    figure.panels = {{"", "x", "y", {{points, "all", kBlue, stroke}}}};
+    return std::ranges::count(figure_page(figure).text(), '\n');
+  };
+  EXPECT_GT(page(Stroke::Points), static_cast<std::ptrdiff_t>(kept.size()));
+  EXPECT_LT(page(Stroke::Line), 4000);
+  points.resize(6000);
+  EXPECT_EQ(thinned_dots(points), points);
 }
 
 }  // namespace
