@@ -205,6 +205,8 @@ PlotScript residuals_picture(const FitRecord& record, const Sheet& sheet) {
   panel.title = sheet.terminal ? cut(facts, 36) : facts;
   panel.x_label = strain_label(target);
   panel.y_label = fmt::format("stress, measured - fitted [{}]", unit.name);
+  // Below the lines, which many would hide.
+  panel.curves.push_back({std::move(points), "residual", kDark, Stroke::Points, 7});
   const auto [low, high] = std::ranges::minmax(measured.strain);
   for (const double side : {rms, -rms}) {
     panel.curves.push_back({{{100.0 * low, side / unit.scale}, {100.0 * high, side / unit.scale}},
@@ -212,7 +214,6 @@ PlotScript residuals_picture(const FitRecord& record, const Sheet& sheet) {
                             kBlue,
                             Stroke::Line});
   }
-  panel.curves.push_back({std::move(points), "residual", kDark, Stroke::Points, 7});
   const auto yield = yield_point(result);
   if (yield && target.loading == Loading::Monotonic) {
     panel.marks = {yield->front()};
