@@ -112,12 +112,11 @@ Stays longest_stays(const Curve& raw, const StandingRows& end, double largest) {
   return longest;
 }
 
-/// Whether a row's strain goes on from the one before as those before did.
-bool goes_on_at(std::span<const double> strain, std::size_t row, double near) {
-  constexpr std::size_t kBefore = 10;
+/// Whether a row's strain goes on from the one before as in some rows before.
+bool goes_on_at(std::span<const double> strain, std::size_t row, std::size_t before, double near) {
   constexpr double kLonger = 2.0;
   double usual = 0.0;
-  for (std::size_t i = row > kBefore ? row - kBefore : 1; i < row; ++i) {
+  for (std::size_t i = row > before ? row - before : 1; i < row; ++i) {
     usual = std::max(usual, std::abs(strain[i] - strain[i - 1]));
   }
   return std::abs(strain[row] - strain[row - 1]) <= kLonger * usual + near;
@@ -190,10 +189,15 @@ StrainEnd strain_end(const Curve& raw) {
   };
   const LoadAfter load = load_after(stress, largest);
   const bool moves = load.moves > kMoves * largest;
+  const auto goes_on = [&](std::size_t rows_before) {
+    return goes_on_at(raw.strain, begin, rows_before, rows.near);
+  };
   if ((moves && stands > before.of_rising) || (load.rises && is_long(before.of_rising))) {
     // The row before has the last strain that was measured, or the first that stands still has.
-    end.measured = goes_on_at(raw.strain, begin, rows.near) ? begin + 1 : begin;
-  } else if (is_long(before.of_any)) {
+    constexpr std::size_t kNext = 10;
+    end.measured = goes_on(kNext) ? begin + 1 : begin;
+  } else if (is_long(goes_on(3 * strain.size()) ? before.of_any : 0.0)) {
+    // No pause begins with a jump, unless it is the step of a coarse strain.
     end.unclear = strain.size();
     end.still = rows.still;
     end.within = rows.near;

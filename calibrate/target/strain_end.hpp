@@ -13,7 +13,7 @@ struct StrainEnd {
   /// and its value was recorded on. As many as there are rows: it is measured to the end.
   std::size_t measured = 0;
   /// How many rows under load have one strain to the end, where the load does not tell whether it
-  /// was measured; 0 of few, and where it tells.
+  /// was measured; 0 of few, where it tells, and where a pause before was as long.
   std::size_t unclear = 0;
   double still = 0.0;   ///< the strain of those rows [1] …
   double within = 0.0;  ///< … to both sides

@@ -85,6 +85,19 @@ TEST(StrainEnd, SaysThatABreakAtALongStandingStrainMayNotBeMeasured) {
   EXPECT_FALSE(says(10));
 }
 
+/// However long the pauses were: none begins with a jump.
+TEST(StrainEnd, IsInDoubtWhereTheStrainHasJumped) {
+  const auto breaks = [](double fraction) { return fraction == 1.0 ? -485e6 : 0.0; };
+  for (const double at : {0.1, 0.15}) {
+    Curve curve = stands_at(at, 60, 0.5e6, breaks);
+    for (int k = 0; k < 90; ++k) {  // a pause at row 30
+      curve.strain.insert(curve.strain.begin() + 31, curve.strain[30]);
+      curve.stress.insert(curve.stress.begin() + 31, curve.stress[30]);
+    }
+    EXPECT_EQ(strain_end(curve).unclear > 0, at > 0.1);
+  }
+}
+
 /// Rows that are dense on the elastic part stand still no more than others, by whatever the strain
 /// jumps to, and with noise: an extensometer that was taken off later is seen.
 TEST(StrainEnd, IsSeenBehindADenseElasticPart) {
