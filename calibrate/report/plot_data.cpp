@@ -64,6 +64,7 @@ std::string add_curve(PlotScript& script, const Curve& curve) {
 
 std::string add_curves(PlotScript& script, const std::vector<const Curve*>& curves) {
   std::vector<std::vector<std::vector<double>>> lists;
+  lists.reserve(curves.size());
   for (const Curve* curve : curves) lists.push_back(shown_points(*curve));
   return script.add_lists(lists);
 }

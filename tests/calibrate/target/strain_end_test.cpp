@@ -19,7 +19,7 @@ constexpr std::size_t kMeasured = 140;  // rows
 template <typename Further>
 Curve stands_at(double strain, std::size_t rows, double noise, const Further& further) {
   std::mt19937_64 random(4);
-  std::normal_distribution<double> normal(0.0, noise);
+  std::normal_distribution<double> normal;
   Curve curve;
   double last = 0.0;
   for (std::size_t i = 0; i < kMeasured; ++i) {
@@ -27,12 +27,12 @@ Curve stands_at(double strain, std::size_t rows, double noise, const Further& fu
     const double hardening = 180e6 * (1.0 - std::exp(-14.0 * total));
     last = std::min(200e9 * total, 350e6 + hardening);
     curve.strain.push_back(total);
-    curve.stress.push_back(last + normal(random));
+    curve.stress.push_back(last + noise * normal(random));
   }
   for (std::size_t i = 0; i < rows; ++i) {
     const double fraction = static_cast<double>(i + 1) / static_cast<double>(rows);
     curve.strain.push_back(strain);
-    curve.stress.push_back(last + further(fraction) + normal(random));
+    curve.stress.push_back(last + further(fraction) + noise * normal(random));
   }
   return curve;
 }

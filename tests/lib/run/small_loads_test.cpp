@@ -22,7 +22,8 @@ constexpr std::array kImplicit{Scheme::LinearlyImplicitEuler, Scheme::LinearlyIm
                                Scheme::GeneralizedAlpha, Scheme::EnergyMomentum};
 
 /// A steel bar that a load at its end moves from rest.
-Scene loaded_bar(std::array<double, 3> force, std::array<double, 3> moment, History history) {
+Scene loaded_bar(std::array<double, 3> force, std::array<double, 3> moment,
+                 const History& history) {
   Scene scene = cantilever_scene(12);
   scene.material.density = 7850.0;
   scene.yield_model = YieldModel::Elastic;
