@@ -38,7 +38,6 @@ RawFacts drop_missing(Target& target) {
     }
   }
   if (!all_finite) {
-    constexpr double kLoaded = 0.2;  // of the largest: what is left after a break is no load
     std::size_t removed = 0;
     bool is_loaded = false;
     for (std::size_t i = end_of_strain; i < n; ++i) {

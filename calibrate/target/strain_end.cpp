@@ -13,8 +13,7 @@ namespace {
 
 constexpr double kStillWithin = 1e-4;  // of the largest strain
 constexpr std::size_t kFewestStill = 8;
-constexpr double kLoaded = 0.2;   // of the largest stress
-constexpr double kRises = 0.002;  // the same
+constexpr double kRises = 0.002;  // of the largest stress
 
 double finite_magnitude(std::span<const double> values) {
   double largest = 0.0;
@@ -33,7 +32,7 @@ double mean_of(std::span<const double> values) {
 /// The rows under load at the end whose strain is near one value, but for a few that are missing or
 /// far off.
 struct StandingRows {
-  std::size_t begin = 0, end = 0;
+  std::size_t begin = 0;
   double still = 0.0;  // that value
   double near = 0.0;   // to both sides of it
   double noise = 0.0;  // of the strain
@@ -49,7 +48,7 @@ StandingRows standing_rows(std::span<const double> strain, std::size_t end) {
     if (std::isfinite(strain[i])) last.push_back(strain[i]);
   }
   StandingRows rows;
-  rows.begin = rows.end = end;
+  rows.begin = end;
   if (last.empty()) return rows;
   rows.noise = noise_over_rows(last);
   rows.near = std::max(kStillWithin * finite_magnitude(strain.first(end)), 6.0 * rows.noise);
@@ -157,8 +156,9 @@ StrainEnd strain_end(const Curve& raw) {
   const auto carries = [&](double least) {
     return [least](double stress) { return std::abs(stress) >= least; };  // NaN does not
   };
-  const auto behind = std::find_if(raw.stress.rbegin(), raw.stress.rend(),
-                                   carries(std::max(kLoaded * largest, 1e-300)));
+  if (!(largest > 0.0)) return end;
+  const auto behind =
+      std::find_if(raw.stress.rbegin(), raw.stress.rend(), carries(kLoaded * largest));
   const auto loaded = static_cast<std::size_t>(raw.stress.rend() - behind);
   if (loaded < 2 * kFewestStill) return end;
   const StandingRows rows = standing_rows(raw.strain, loaded);

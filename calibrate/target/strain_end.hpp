@@ -7,6 +7,9 @@
 /// Records whose strain ends before their load; not installed.
 namespace plastica::calibrate {
 
+/// Of the largest stress: what is left after a break is no load.
+inline constexpr double kLoaded = 0.2;
+
 /// How the strain of a record ends.
 struct StrainEnd {
   /// From this row on the strain is none: the extensometer was taken off, set to zero or clamped,

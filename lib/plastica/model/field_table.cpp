@@ -244,9 +244,9 @@ std::vector<Field> make_table() {
       choice<PLASTICA_REACH(solver.scheme)>("solver.scheme", "dynamics: how time is stepped"),
       number<PLASTICA_REACH(solver.time_step)>("solver.time_step", Time, kPositive,
                                                "dynamics: the step; adaptive: the largest one"),
-      number<PLASTICA_REACH(solver.step_error)>(
-          "solver.step_error", None, kNotNegative,
-          "dynamics: largest error of a segment's end in a step, over the length; 0: fixed steps"),
+      number<PLASTICA_REACH(solver.step_error)>("solver.step_error", None, kNotNegative,
+                                                "dynamics: largest error of a segment's place or "
+                                                "twist in a step, over the length; 0: fixed"),
       number<PLASTICA_REACH(solver.rho_infinity)>(
           "solver.rho_infinity", None, Range{0.0, 1.0},
           "generalized_alpha: what a step leaves of the highest frequencies"),

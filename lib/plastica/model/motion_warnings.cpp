@@ -157,7 +157,7 @@ std::optional<std::string> jumping_supports(const Facts& facts) {
   return std::nullopt;
 }
 
-/// What acts on a beam, all in one direction [N].
+/// What acts on a beam, all in one direction; where no force does, that of a strain of 1e-6 [N].
 double acting_force(const Facts& facts, double mass) {
   const Scene& scene = facts.scene;
   const auto size_of = [](const std::array<double, 3>& v) { return std::hypot(v[0], v[1], v[2]); };
@@ -165,7 +165,8 @@ double acting_force(const Facts& facts, double mass) {
   for (const Load& load : scene.loads) {
     sum += size_of(load.force) * (load.to ? scene.beam.length : 1.0);
   }
-  return sum;
+  constexpr double kHardlyAny = 1e-6;
+  return sum > 0.0 ? sum : kHardlyAny * scene.material.youngs_modulus * facts.section.area;
 }
 
 /// In a step a place is known to its rounding, so that accelerations, and with them the forces of

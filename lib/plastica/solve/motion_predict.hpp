@@ -126,8 +126,8 @@ void MotionStep<L, kElastic>::set_force_floor() {
   } else {
     E rotational = constant<E>(0.0);
     for (const auto& inertia : chain_.inertias) rotational += inertia.rotational(0, 0);
-    E turned =
-        constant<E>(1.0);  // angles of a shaft grow with its turns, and their rounding with them
+    // Angles of a shaft grow with its turns, and their rounding with them.
+    E turned = constant<E>(1.0);
     for (const std::size_t i : {std::size_t{0}, chain_.size() - 1}) {
       turned = max(turned, E(abs(begin_.frame[i].angle)));
     }

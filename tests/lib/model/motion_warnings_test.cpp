@@ -318,6 +318,9 @@ TEST(MotionWarnings, SayThatForcesOfTheShortestStepsAreNoisy) {
   EXPECT_TRUE(has(at(1e-8, 10.0), "s: f may have noise of some "));
   EXPECT_FALSE(has(at(1e-5, 10.0), "noise of some"));
   EXPECT_FALSE(has(at(1e-8, 1e9), "noise of some"));
+  // What began to move by itself is under no force that would be told.
+  EXPECT_TRUE(has(at(1e-8, 0.0), "noise of some"));
+  EXPECT_FALSE(has(at(1e-5, 0.0), "noise of some"));
 }
 
 TEST(MotionWarnings, KnowArticulatedEulerAndTheStepsThatAreTaken) {

@@ -81,7 +81,8 @@ TEST(SmallLoads, TurnAnEndAsAWaveThatRunsAlong) {
     const double polar = p.second_moment_x + p.second_moment_y;
     const double impedance = std::sqrt(bar.material.density * polar * shear * p.torsion_constant);
     const double turned = last_of(simulate(bar, options), 0);
-    EXPECT_NEAR(turned / (moment / impedance * options.duration), 1.0, 0.02) << moment;
+    EXPECT_NEAR(turned / (moment / impedance * options.duration), 1.0, testing::tolerance(1e-6))
+        << moment;
   }
 }
 
@@ -97,7 +98,8 @@ TEST(SmallLoads, LetAShaftTurnForLong) {
   options.level = Level::Twist;
   const Response response = simulate(shaft, options);
   EXPECT_EQ(response.status, Status::Completed);
-  EXPECT_NEAR(last_of(response, 0), 600.0, 1.0);
+  // It swings about by what it lagged behind at first: its speed over its lowest frequency.
+  EXPECT_NEAR(last_of(response, 0), 600.0, 0.1);
 }
 
 /// A hundredth of a load bends by a hundredth, as far as the rounding of places over the square of
