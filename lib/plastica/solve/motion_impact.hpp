@@ -200,27 +200,28 @@ mask_t<typename L::Scalar> MotionStep<L, kElastic>::fit_to_rates(Motions& motion
   }
 }
 
-/// Whether a support's speed jumps at the end of the step.
+/// What the speeds of supports do at the end of the step: the most abrupt of all.
 template <class L, bool kElastic>
-bool MotionStep<L, kElastic>::passes_corner() const {
-  const auto jumps = [&](std::size_t history) {
+SupportSpeed MotionStep<L, kElastic>::speed_of_supports() const {
+  SupportSpeed most = SupportSpeed::Kept;
+  const auto count = [&](std::size_t history) {
     const StepEnd end{w_.time, h_, reach()};
     const auto& factor = chain_.histories[history];
     if constexpr (kHasLanes<S>) {
-      return speed_jumps(*factor.history, end, rule_.midpoint);
+      most = std::max(most, speed_of_support(*factor.history, end, rule_.midpoint));
     } else {
-      return speed_jumps(factor, end, rule_.midpoint);
+      most = std::max(most, speed_of_support(factor, end, rule_.midpoint));
     }
   };
   const auto is_something = [](const S& square) { return any(square > constant<S>(0)); };
   const auto& root = chain_.root;
   const bool root_moves = is_something(dot(root.motion, root.motion)) ||
                           is_something(dot(root.rotation, root.rotation));
-  if (any(!w_.q.open[0]) && root_moves && jumps(root.history)) return true;
-  return std::any_of(chain_.constraints.begin(), chain_.constraints.end(),
-                     [&](const auto& constraint) {
-                       return is_something(abs(constraint.motion)) && jumps(constraint.history);
-                     });
+  if (any(!w_.q.open[0]) && root_moves) count(root.history);
+  for (const auto& constraint : chain_.constraints) {
+    if (is_something(abs(constraint.motion))) count(constraint.history);
+  }
+  return most;
 }
 
 /// Contacts that open and that are left, after a step. @return whether one is struck
@@ -241,12 +242,13 @@ bool MotionStep<L, kElastic>::note_contacts() {
 }
 
 /// Lets contacts that have closed bounce, or rest where they are slow or come back again and again;
-/// follows supports whose speed jumps.
+/// follows supports whose speed changes.
 template <class L, bool kElastic>
 void MotionStep<L, kElastic>::settle() {
   bool touches = false;
   if constexpr (!kHasLanes<S>) touches = note_contacts();
-  const bool corner = passes_corner();
+  const SupportSpeed speed = speed_of_supports();
+  const bool corner = speed != SupportSpeed::Kept;
   has_restarted_ = touches || corner;
   if (!has_restarted_) return;
   // What a scheme's velocities lack to fit the joints is its own affair, not the impact's.
@@ -268,7 +270,7 @@ void MotionStep<L, kElastic>::settle() {
   } else {
     flows_.external -= lost;
   }
-  jumped();
+  if (touches || speed == SupportSpeed::Jumps) jumped();
   restart();
 }
 

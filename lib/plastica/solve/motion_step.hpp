@@ -321,7 +321,7 @@ class MotionStep {
   E lost_by_struck() const;
   void book_impact(const E& lost);
   bool supports_move() const;
-  bool passes_corner() const;
+  SupportSpeed speed_of_supports() const;
   void restart();
   void note_root_wrench();
 

@@ -12,9 +12,15 @@ struct StepEnd {
   double reach = 0.0;
 };
 
-/// Whether the speed of what a history moves jumps at the end of a step, as its scheme sees it; of
-/// a smooth history where it begins or ends, whether the speed or the acceleration does.
+/// What becomes of the speed of what a history moves.
+enum class SupportSpeed {
+  Kept,   ///< the scheme's velocities follow it by themselves
+  Turns,  ///< it goes on smoothly, but they do not: they are to be fitted to it
+  Jumps,  ///< it jumps; of a smooth history where it begins or ends, or the acceleration does
+};
+
+/// What it does at the end of a step, as the step's scheme sees it.
 /// @param midpoint  whether forces act half way
-bool speed_jumps(const History& history, const StepEnd& end, bool midpoint);
+SupportSpeed speed_of_support(const History& history, const StepEnd& end, bool midpoint);
 
 }  // namespace plastica::solve

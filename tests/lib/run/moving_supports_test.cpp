@@ -159,6 +159,29 @@ TEST(MovingSupports, KeepTheOrderOfGeneralizedAlpha) {
   EXPECT_NEAR(std::log2(std::fabs((coarse - middle) / (middle - fine))), 2.0, 0.2);
 }
 
+/// Steps that follow an error are those of the scheme's order: of midpoint schemes, whose
+/// velocities are fitted to a smooth support at each step, as many as of generalized-alpha, whose
+/// are not.
+TEST(MovingSupports, TakeStepsOfTheSchemesOrder) {
+  Scene scene = testing::cantilever_scene(8);
+  scene.material.density = 7850.0;
+  scene.supports[0].translation = {0.0, 0.01, 0.0};
+  scene.supports[0].history = History::sine(0.1, 1.5);
+  add_probe(scene, ProbeQuantity::Displacement, Place::end(), Component::Y);
+  const double exact =
+      testing::last_of(completed(scene, motion_options(Scheme::EnergyMomentum, 1e-5, 10000)), 0);
+  double steps = 0.0;
+  for (const Scheme scheme :
+       {Scheme::GeneralizedAlpha, Scheme::LinearlyImplicitMidpoint, Scheme::EnergyMomentum}) {
+    SolverOptions options = motion_options(scheme, 1e-2, 10);
+    options.step_error = 1e-8;
+    const Response response = completed(scene, options);
+    EXPECT_NEAR(testing::last_of(response, 0), exact, tolerance(5e-6)) << int(scheme);
+    if (steps == 0.0) steps = response.counters.steps;
+    EXPECT_NEAR(response.counters.steps / steps, 1.0, 0.1) << int(scheme);
+  }
+}
+
 /// A lone segment that spins about its center has no linear momentum of which rounding could be
 /// all.
 TEST(MovingSupports, ALoneSegmentThatSpinsIsBalanced) {
