@@ -297,7 +297,7 @@ void explain_fit(const Target& target, const FitOptions& options, const Paramete
   Misfit::Details details = misfit.details(active);
   begin_result(details, result);
   drop_unidentifiable_yield(misfit, set, target.corrected, active, options, details);
-  details.by_shift = shift_slopes(target, options, set, active);
+  details.by_shift = shift_slopes(target, options, set, active, details.residual);
   const Uncertainty u = uncertainty(details, active, set, target, options, misfit.break_factor());
   judge_misfit(describe_misfit(details, target, result), target, options, result);
   add_parameters(set, active, u, options, result);

@@ -49,7 +49,7 @@ CouponProblem::CouponProblem(const Target& target, const FitOptions& options,
   details_ = misfit_.details(active_);
   drop_unidentifiable_yield(misfit_, set_, target.corrected, active_, options, details_);
   misfit_.end_search();
-  details_.by_shift = shift_slopes(target, options, set_, active_);
+  details_.by_shift = shift_slopes(target, options, set_, active_, details_.residual);
   uncertainty_ = uncertainty(details_, active_, set_, target, options, misfit_.break_factor());
   spread_ = spread_of(details_, active_, set_, target, options);
   for (std::size_t i = 0; i < free_.size(); ++i) {

@@ -196,17 +196,14 @@ StressErrors stress_errors(const Misfit::Details& d, std::span<const double> act
 }  // namespace
 
 std::vector<double> shift_slopes(const Target& target, const FitOptions& options,
-                                 const ParameterSet& parameters, std::span<const double> active) {
+                                 const ParameterSet& parameters, std::span<const double> active,
+                                 std::span<const double> residual) {
   if (!(target.shift_error > 0.0)) return {};
-  const auto residuals = [&](double shift) {
-    Target moved = target;
-    for (double& strain : moved.corrected.strain) strain -= shift;
-    return Misfit(moved, options, parameters).details(active).residual;
-  };
-  std::vector<double> slopes = residuals(target.shift_error);
-  const std::vector<double> before = residuals(-target.shift_error);
+  Target moved = target;
+  for (double& strain : moved.corrected.strain) strain -= target.shift_error;
+  std::vector<double> slopes = Misfit(moved, options, parameters).parts(active).residual;
   for (std::size_t i = 0; i < slopes.size(); ++i) {
-    slopes[i] = (slopes[i] - before[i]) / (2.0 * target.shift_error);
+    slopes[i] = (slopes[i] - residual[i]) / target.shift_error;
   }
   return slopes;
 }
@@ -246,7 +243,14 @@ Uncertainty uncertainty(const Misfit::Details& details, std::span<const double> 
   const MatrixXd of_prior = mapped(map, of_stress.of_prior);
   const MatrixXd of_stated = mapped(map, of_stress.of_stated);
   VectorXd of_shift = VectorXd::Zero(static_cast<Eigen::Index>(n));
-  if (of_stress.of_shift.size() > 0) of_shift = product(map, of_stress.of_shift);
+  if (of_stress.of_shift.size() > 0) {
+    of_shift = product(map, of_stress.of_shift);
+    for (std::size_t i = 0; i < n; ++i) {
+      // The strain at the break lies where the others do.
+      if (!parameters.all()[parameters.active()[i]].is_break) continue;
+      of_shift(static_cast<Eigen::Index>(i)) -= target.shift_error / break_factor;
+    }
+  }
   const MatrixXd covariance =
       of_residuals + of_prior + of_stated + product(of_shift, of_shift.transpose());
   u.standard_error.assign(n, kNan);

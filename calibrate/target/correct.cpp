@@ -164,11 +164,13 @@ double shift_strain(Target& target, const ElasticLine& line, const TargetOptions
                       : given ? curve.strain[0] - curve.stress[0] / line.modulus
                               : line.zero_strain;
   const char* why_not = nullptr;
+  bool is_within = false;
   if (total != 0.0) {
     why_not = "another strain shift is set";
   } else if (target.loading == Loading::Cyclic) {
     why_not = "a cyclic curve keeps its measured zero";
   } else if (!(std::abs(zero) > threshold)) {
+    is_within = true;
     why_not = "the elastic line meets the origin within the threshold";
   }
   // Zeroed at another load, the whole curve lies beside its place, from the first sample on.
@@ -204,6 +206,8 @@ double shift_strain(Target& target, const ElasticLine& line, const TargetOptions
     candidate.text = is_preload ? "the curve starts on an elastic line beside the origin"
                                 : "the elastic line beyond the foot misses the origin";
   }
+  // Within the threshold it may be the line or the zero that is off, and that by so much.
+  if (is_within && !given && mode == Mode::Automatic) target.shift_error = std::abs(zero);
   for (Correction* correction : {&toe, &preload}) {
     if (!correction->text.empty()) continue;
     correction->text = why_not      ? why_not

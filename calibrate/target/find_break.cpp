@@ -2,10 +2,23 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 #include "calibrate/target/characteristics.hpp"
 
 namespace plastica::calibrate {
+namespace {
+
+/// How far the strain went on from one sample to the next on the way to the last intact one: the
+/// mean of some steps, of which noise decides one. 0 if it did not.
+double step_before(std::span<const double> strain, std::size_t last) {
+  constexpr std::size_t kSteps = 4;
+  const std::size_t steps = std::min(kSteps, last);
+  if (steps == 0) return 0.0;
+  return std::max(0.0, (strain[last] - strain[last - steps]) / static_cast<double>(steps));
+}
+
+}  // namespace
 
 BreakFound broken_after(const Curve& curve, std::size_t last, Loading loading, const char* rule) {
   BreakFound found;
@@ -17,7 +30,11 @@ BreakFound broken_after(const Curve& curve, std::size_t last, Loading loading, c
   }
   found.observation.last_intact_strain = reached;
   found.observation.last_intact_stress = curve.stress[last];
-  found.observation.first_broken_strain = std::max(reached, curve.strain[last + 1]);
+  // Where the strain falls back or stands still, as that of a specimen that springs back, it does
+  // not say how far it went before: as far as in the steps before, at most.
+  const double next = curve.strain[last + 1];
+  found.observation.first_broken_strain =
+      next > reached ? next : reached + step_before(curve.strain, last);
   found.observation.rule = rule;
   return found;
 }

@@ -95,7 +95,8 @@ struct Target {
   std::vector<Correction> corrections;
   std::vector<std::string> warnings;
   Characteristics characteristics;
-  /// Standard error of the shift of the strain, where the elastic line decided it [1]; not stored.
+  /// Error of the strain's zero [1]: the standard error of its shift, where the elastic line decided
+  /// it; where the line misses the origin by too little for a shift, by how much. Not stored.
   double shift_error = 0.0;
   /// Whether samples beyond Rm, which have no true strain, were left out; not stored.
   bool ends_at_neck = false;

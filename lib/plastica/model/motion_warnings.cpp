@@ -5,12 +5,11 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
-#include <map>
 #include <numbers>
 
-#include "plastica/model/beam_axis.hpp"
 #include "plastica/model/check_parts.hpp"
 #include "plastica/model/check_value.hpp"
+#include "plastica/model/first_frequency.hpp"
 #include "plastica/model/support_kind.hpp"
 
 namespace plastica::model_detail {
@@ -21,68 +20,6 @@ using std::numbers::pi;
 /// Steps in a period that a vibration needs at least to be followed.
 constexpr double kEnoughSteps = 20.0;
 
-/// How a point of the beam is held in one plane, or against twist: `rotation` alone.
-struct Hold {
-  bool across = false;
-  bool rotation = false;
-
-  std::size_t row() const { return (across ? 1U : 0U) + (rotation ? 2U : 0U); }
-};
-
-/// beta L of the first mode that bends, by the ends: free, pinned, guided, clamped.
-constexpr std::array<std::array<double, 4>, 4> kBetaL{{{4.7300, 3.9266, 2.3650, 1.8751},
-                                                       {3.9266, pi, pi / 2.0, 3.9266},
-                                                       {2.3650, pi / 2.0, pi, 2.3650},
-                                                       {1.8751, 3.9266, 2.3650, 4.7300}}};
-
-/// Holds by their fraction of the length, both ends included.
-/// @param across, turn  the freedoms of a support that count
-std::map<double, Hold> holds_of(const Scene& scene, std::span<const double> ends,
-                                std::size_t across, std::size_t rotation) {
-  std::map<double, Hold> holds{{0.0, {}}, {1.0, {}}};
-  for (const Support& support : scene.supports) {
-    const HeldFreedoms held = support.held();
-    if (!held[across] && !held[rotation]) continue;
-    Hold& hold = holds[fraction_of(support.at, ends)];
-    hold.across = hold.across || held[across];
-    hold.rotation = hold.rotation || held[rotation];
-  }
-  return holds;
-}
-
-/// The smallest (beta L)^2 over the square of its stretch's fraction of the length.
-double bending_number(const Scene& scene, std::span<const double> ends, BendingAxis axis) {
-  const bool about_x = axis == BendingAxis::X;
-  const auto holds = holds_of(scene, ends, about_x ? 1 : 0, about_x ? 3 : 4);
-  double smallest = 0.0;
-  auto from = holds.begin();
-  for (auto to = std::next(from); to != holds.end(); ++to) {
-    const bool last = std::next(to) == holds.end();
-    if (!last && !to->second.across) continue;
-    Hold start = from->second;
-    Hold end = to->second;
-    if (from != holds.begin() && !end.across) start.rotation = true;
-    if (!last && !start.across) end.rotation = true;
-    const double stretch = to->first - from->first;
-    const double beta = kBetaL[start.row()][end.row()] / stretch;
-    if (smallest == 0.0 || beta * beta < smallest) smallest = beta * beta;
-    from = to;
-  }
-  return smallest;
-}
-
-/// omega L/c of the first twist, c the speed of torsional waves.
-double torsion_number(const Scene& scene, std::span<const double> ends) {
-  const auto holds = holds_of(scene, ends, 5, 5);
-  double smallest = 0.0;
-  for (auto from = holds.begin(), to = std::next(from); to != holds.end(); ++from, ++to) {
-    const bool same = from->second.rotation == to->second.rotation;
-    const double number = (same ? pi : pi / 2.0) / (to->first - from->first);
-    if (smallest == 0.0 || number < smallest) smallest = number;
-  }
-  return smallest;
-}
-
 double omega_of(const FirstFrequency& first) { return 2.0 * pi * first.hertz; }
 
 /// What the warnings need to know of a motion.
@@ -90,23 +27,19 @@ struct Facts {
   const Scene& scene;
   const SolverOptions& options;
   const LevelChoice& level;
-  const SectionProperties& section;       // of the scene's own
-  double duration = 0.0;                  // [s]
-  double step = 0.0;                      // of fixed steps [s]
-  std::optional<FirstFrequency> first{};  // only with fixed steps
+  const SectionProperties& section;         // of the scene's own
+  double duration = 0.0;                    // [s]
+  double step = 0.0;                        // of fixed steps [s]
+  std::optional<FirstFrequency> first{};    // only with fixed steps
+  std::optional<FirstFrequency> fastest{};  // of those that swing, too
 };
 
-std::string frequency_text(const FirstFrequency& first) {
-  return std::string("first frequency in ") + (first.torsion ? "torsion" : "bending") + ", about " +
-         figure(first.hertz) + " Hz" + (first.leaves_masses ? " without its point masses" : "");
-}
-
 std::optional<std::string> coarse_steps(const Facts& facts) {
-  if (!facts.first) return std::nullopt;
-  const double period = 1.0 / facts.first->hertz;
+  if (!facts.fastest) return std::nullopt;
+  const double period = 1.0 / facts.fastest->hertz;
   if (period >= kEnoughSteps * facts.step) return std::nullopt;
   return "steps of " + figure(facts.step) + " s are " + figure(period / facts.step) +
-         " in a period of the beam's " + frequency_text(*facts.first) +
+         " in a period of the beam's " + frequency_text(*facts.fastest) +
          " (below 20); solver.time_step = \"" + figure(period / kEnoughSteps) + " s\" makes 20";
 }
 
@@ -303,30 +236,6 @@ std::optional<std::string> late_cut(const Facts& facts) {
 
 }  // namespace
 
-std::optional<FirstFrequency> first_frequency(const Scene& scene, const LevelChoice& level,
-                                              const SectionProperties& section,
-                                              std::span<const double> ends) {
-  if (scene.beam.segments < 2) return std::nullopt;
-  const Material& material = scene.material;
-  const double length = scene.beam.length;
-  if (level.level == Level::Twist) {
-    const double polar = section.second_moment_x + section.second_moment_y;
-    const double speed = std::sqrt(resolved_shear_modulus(material) * section.torsion_constant /
-                                   (material.density * polar));
-    return FirstFrequency{torsion_number(scene, ends) * speed / length / (2.0 * pi), true,
-                          !scene.masses.empty()};
-  }
-  const auto omega = [&](BendingAxis axis, double area_moment) {
-    return bending_number(scene, ends, axis) / (length * length) *
-           std::sqrt(material.youngs_modulus * area_moment / (material.density * section.area));
-  };
-  const double about_x = omega(BendingAxis::X, section.second_moment_x);
-  const double about_y = omega(BendingAxis::Y, section.second_moment_y);
-  double first = std::min(about_x, about_y);
-  if (level.level == Level::Planar) first = level.bending == BendingAxis::X ? about_x : about_y;
-  return FirstFrequency{first / (2.0 * pi), false, !scene.masses.empty()};
-}
-
 std::optional<HistoryPeriod> shortest_history(const Scene& scene) {
   std::optional<HistoryPeriod> shortest;
   const auto look_at = [&](const History& history, const std::string& name) {
@@ -354,7 +263,10 @@ std::vector<std::string> motion_warnings(const Scene& scene, const SolverOptions
   // Steps are of one length from sample to sample.
   const double sampled = facts.duration / options.steps;
   facts.step = sampled / std::max(1.0, std::ceil(sampled / options.time_step - 1e-9));
-  if (options.step_error == 0.0) facts.first = first_frequency(scene, level, section, ends);
+  if (options.step_error == 0.0) {
+    facts.first = first_frequency(scene, level, section, ends);
+    facts.fastest = fastest_frequency(scene, options.translation, level, section, ends);
+  }
   std::vector<std::string> warnings;
   for (const auto find :
        {coarse_steps, coarse_histories, jumping_supports, first_order, undamped_alpha, ringing,

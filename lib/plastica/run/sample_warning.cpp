@@ -3,9 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <string>
 #include <vector>
 
+#include "plastica/model/beam_axis.hpp"
 #include "plastica/model/check_value.hpp"
+#include "plastica/model/first_frequency.hpp"
 #include "plastica/run/natural_frequencies.hpp"
 
 namespace plastica::run_detail {
@@ -26,16 +29,23 @@ std::optional<std::string> sample_warning(const Facts& facts) {
   using model_detail::figure;
   constexpr double kFew = 4.0;  // samples of a period
   constexpr double kEnough = 10.0;
-  const std::optional<double> frequency = lowest_frequency(facts.model);
+  std::optional<double> frequency = lowest_frequency(facts.model);
   if (!frequency) return std::nullopt;
+  std::string swing = "the unloaded beam swings at " + figure(*frequency) + " Hz and faster";
+  const auto fastest = model_detail::fastest_frequency(
+      facts.scene, JointTranslation::Rigid, facts.level, facts.section, segment_ends(facts.scene));
+  const bool twists = facts.level.level == Level::Spatial && fastest &&
+                      fastest->of == model_detail::Vibration::Torsion;
+  if (twists && fastest->hertz > *frequency) {
+    frequency = fastest->hertz;
+    swing = "the beam swings with its " + model_detail::frequency_text(*fastest);
+  }
   const double duration = facts.model.chain->stops.back();
   const double interval = duration / facts.options.steps;
   const double in_period = 1.0 / (*frequency * interval);
   if (in_period >= kFew) return std::nullopt;
-  const std::string where = "samples every " + figure(interval) +
-                            " s: the unloaded beam swings at " + figure(*frequency) +
-                            " Hz and faster, of which they keep " + figure(in_period) +
-                            " a period; ";
+  const std::string where = "samples every " + figure(interval) + " s: " + swing +
+                            ", of which they keep " + figure(in_period) + " a period; ";
   const std::string advice =
       ": solver.steps = " + figure(std::ceil(duration * *frequency * kEnough)) + " has ten";
   if (in_period < 2.0) {

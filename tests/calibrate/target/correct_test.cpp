@@ -1,11 +1,9 @@
 #include "calibrate/target/correct.hpp"
-#include "calibrate/target/find_break.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <random>
 #include <string>
 
@@ -15,17 +13,11 @@
 namespace plastica::calibrate {
 namespace {
 
-using plastica::testing::IdealPlastic;
+using plastica::testing::ending_with;
+using plastica::testing::find_correction;
 using plastica::testing::smooth_curve;
 using plastica::testing::warns_that;
 using Mode = CorrectionChoice::Mode;
-
-const Correction& find(const Target& target, const std::string& kind) {
-  for (const Correction& correction : target.corrections) {
-    if (correction.kind == kind) return correction;
-  }
-  throw std::runtime_error("no correction " + kind);
-}
 
 Curve shifted(double amount) {
   Curve curve = smooth_curve(2000);
@@ -42,48 +34,37 @@ Curve with_foot(double amount) {
   return curve;
 }
 
-/// A smooth curve that falls on from its largest stress along given fractions of it.
-Curve ending_with(std::initializer_list<double> fractions, double step = 1e-7) {
-  Curve curve = smooth_curve();
-  const double rm = curve.stress.back();
-  for (const double fraction : fractions) {
-    curve.strain.push_back(curve.strain.back() + step);
-    curve.stress.push_back(fraction * rm);
-  }
-  return curve;
-}
-
 TEST(Correction, ShiftsAFootAway) {
   const Target target = make_target("foot", with_foot(4e-4));
-  EXPECT_TRUE(find(target, "toe").applied);
-  EXPECT_FALSE(find(target, "preload-offset").applied);
-  EXPECT_NEAR(find(target, "toe").amount, 4e-4, 2e-5);
+  EXPECT_TRUE(find_correction(target, "toe").applied);
+  EXPECT_FALSE(find_correction(target, "preload-offset").applied);
+  EXPECT_NEAR(find_correction(target, "toe").amount, 4e-4, 2e-5);
   EXPECT_NEAR(target.corrected.strain.back(), target.raw.strain.back() - 4e-4, 2e-5);
 }
 
 TEST(Correction, ShiftsAnOffsetOfTheExtensometerAway) {
   const Target target = make_target("offset", shifted(6e-4));
-  EXPECT_TRUE(find(target, "preload-offset").applied);
-  EXPECT_FALSE(find(target, "toe").applied);
-  EXPECT_NEAR(find(target, "preload-offset").amount, 6e-4, 1e-6);
+  EXPECT_TRUE(find_correction(target, "preload-offset").applied);
+  EXPECT_FALSE(find_correction(target, "toe").applied);
+  EXPECT_NEAR(find_correction(target, "preload-offset").amount, 6e-4, 1e-6);
   EXPECT_NEAR(target.corrected.strain.front(), 0.0, 1e-6);
 }
 
 TEST(Correction, LeavesAShiftBelowTheThreshold) {
   // Threshold: 1 % of about 300 MPa / 70 GPa.
   const Target below = make_target("below", shifted(3e-5));
-  EXPECT_FALSE(find(below, "preload-offset").applied);
-  EXPECT_FALSE(find(below, "preload-offset").text.empty());
+  EXPECT_FALSE(find_correction(below, "preload-offset").applied);
+  EXPECT_FALSE(find_correction(below, "preload-offset").text.empty());
   EXPECT_EQ(below.corrected.strain, below.raw.strain);
-  EXPECT_TRUE(find(make_target("above", shifted(6e-5)), "preload-offset").applied);
+  EXPECT_TRUE(find_correction(make_target("above", shifted(6e-5)), "preload-offset").applied);
 }
 
 TEST(Correction, DoesNotTakeOffAToeWhereTheModulusIsGiven) {
   TargetOptions options;
   options.youngs_modulus = 70e9;
   const Target target = make_target("given", with_foot(4e-4), options);
-  EXPECT_FALSE(find(target, "toe").applied);
-  EXPECT_FALSE(find(target, "toe").text.empty());
+  EXPECT_FALSE(find_correction(target, "toe").applied);
+  EXPECT_FALSE(find_correction(target, "toe").text.empty());
   EXPECT_EQ(target.corrected.strain, target.raw.strain);
 }
 
@@ -92,10 +73,10 @@ TEST(Correction, ZeroesAGrossOffsetWhereTheModulusIsGiven) {
   options.youngs_modulus = 70e9;
   // Threshold: 10 % of about 300 MPa / 70 GPa.
   const Target gross = make_target("gross", shifted(1e-3), options);
-  EXPECT_TRUE(find(gross, "preload-offset").applied);
-  EXPECT_NEAR(find(gross, "preload-offset").amount, 1e-3, 1e-5);
+  EXPECT_TRUE(find_correction(gross, "preload-offset").applied);
+  EXPECT_NEAR(find_correction(gross, "preload-offset").amount, 1e-3, 1e-5);
   const Target small = make_target("small", shifted(2e-4), options);
-  EXPECT_FALSE(find(small, "preload-offset").applied);
+  EXPECT_FALSE(find_correction(small, "preload-offset").applied);
   EXPECT_EQ(small.corrected.strain, small.raw.strain);
 }
 
@@ -115,15 +96,15 @@ TEST(Correction, TakesOffSlackWhereTheModulusIsGiven) {
       curve.stress.push_back(smooth.stress[i]);
     }
     const Target target = make_target("slack", curve, options);
-    EXPECT_TRUE(find(target, "toe").applied) << slack;
-    EXPECT_NEAR(find(target, "toe").amount, slack, 2e-5);
+    EXPECT_TRUE(find_correction(target, "toe").applied) << slack;
+    EXPECT_NEAR(find_correction(target, "toe").amount, slack, 2e-5);
     const Target plain = make_target("plain", smooth, options);
     EXPECT_NEAR(*target.characteristics.proof_stress / *plain.characteristics.proof_stress, 1.0,
                 1e-3);
     // Of another slope than the given one nothing is known of its zero.
     TargetOptions other = options;
     other.youngs_modulus = 100e9;
-    EXPECT_FALSE(find(make_target("other", curve, other), "toe").applied);
+    EXPECT_FALSE(find_correction(make_target("other", curve, other), "toe").applied);
   }
 }
 
@@ -138,126 +119,14 @@ TEST(Correction, CanBeSwitchedOffOrSet) {
   TargetOptions options;
   options.toe.mode = Mode::Off;
   const Target off = make_target("off", with_foot(4e-4), options);
-  EXPECT_FALSE(find(off, "toe").applied);
-  EXPECT_EQ(find(off, "toe").text, "off");
+  EXPECT_FALSE(find_correction(off, "toe").applied);
+  EXPECT_EQ(find_correction(off, "toe").text, "off");
   EXPECT_EQ(off.corrected.strain, off.raw.strain);
   options.toe = {Mode::Set, 1e-3};
   const Target set = make_target("set", with_foot(4e-4), options);
-  EXPECT_TRUE(find(set, "toe").applied);
-  EXPECT_EQ(find(set, "toe").amount, 1e-3);
+  EXPECT_TRUE(find_correction(set, "toe").applied);
+  EXPECT_EQ(find_correction(set, "toe").amount, 1e-3);
   EXPECT_EQ(set.corrected.strain.back(), set.raw.strain.back() - 1e-3);
-}
-
-TEST(Correction, TrimsAtAnExplicitFallToZero) {
-  const Target target = make_target("zero", ending_with({0.0}));
-  ASSERT_TRUE(target.characteristics.observed_break.has_value());
-  EXPECT_EQ(target.characteristics.observed_break->rule, "fall-to-zero");
-  EXPECT_EQ(target.corrected.size(), 500U);
-  EXPECT_EQ(find(target, "trim-at-break").amount, 1.0);
-}
-
-TEST(Correction, TrimsAtASteepDropOfTheLoadThatDecaysOverManySamples) {
-  const Target target = make_target("decay", ending_with({0.97, 0.9, 0.7, 0.4, 0.3, 0.2, 0.15}));
-  ASSERT_TRUE(target.characteristics.observed_break.has_value());
-  const BreakObservation& observed = *target.characteristics.observed_break;
-  EXPECT_EQ(observed.rule, "load-drop");
-  EXPECT_EQ(target.corrected.size(), 502U);  // 0.97 and 0.9 still carry load
-  EXPECT_NEAR(observed.first_broken_strain - observed.last_intact_strain, 1e-7, 1e-12);
-}
-
-TEST(Correction, TakesSlowSofteningForANeckNotForABreak) {
-  const Target target = make_target("neck", ending_with({0.99, 0.97, 0.95, 0.93, 0.91}, 0.005));
-  EXPECT_FALSE(target.characteristics.observed_break.has_value());
-  EXPECT_EQ(target.corrected.size(), 505U);
-}
-
-TEST(Correction, TakesTheEndOfTheDataForTheBreakOfANeckedSpecimen) {
-  const Target target = make_target("end", ending_with({0.97, 0.92, 0.86}, 0.005));
-  ASSERT_TRUE(target.characteristics.observed_break.has_value());
-  const BreakObservation& observed = *target.characteristics.observed_break;
-  EXPECT_EQ(observed.rule, "end-of-data");
-  EXPECT_EQ(target.corrected.size(), 503U);
-  EXPECT_NEAR(observed.half_interval(), 0.0025, 1e-12);
-}
-
-TEST(Correction, DoesNotTakeTheEndOfAYieldPlateauForABreak) {
-  Curve curve;
-  for (int i = 0; i <= 200; ++i) {
-    const double strain = 1e-4 * i;
-    curve.strain.push_back(strain);
-    curve.stress.push_back(strain <= 0.002 ? 200e9 * strain : 340e6);
-  }
-  const Target plateau = make_target("plateau", curve);
-  EXPECT_FALSE(plateau.characteristics.observed_break.has_value());
-  EXPECT_EQ(plateau.corrected.size(), 201U);
-  // Hardened up to 380 MPa, below the upper yield point of 400 MPa, then necked.
-  for (int i = 1; i <= 100; ++i) {
-    curve.strain.push_back(0.02 + 1e-3 * i);
-    curve.stress.push_back(340e6 + 0.4e6 * i);
-  }
-  Curve necked = curve;
-  for (int i = 1; i <= 50; ++i) {
-    necked.strain.push_back(0.12 + 1e-3 * i);
-    necked.stress.push_back(380e6 - 0.5e6 * i);
-  }
-  EXPECT_FALSE(make_target("355 of 380", necked).characteristics.observed_break.has_value());
-  for (int i = 1; i <= 50; ++i) {
-    necked.strain.push_back(0.17 + 1e-3 * i);
-    necked.stress.push_back(355e6 - 0.5e6 * i);
-  }
-  const auto broken = make_target("330 of 380", necked).characteristics.observed_break;
-  ASSERT_TRUE(broken.has_value());
-  EXPECT_EQ(broken->rule, "end-of-data");
-}
-
-TEST(Correction, TakesADropForABreakOnlyIfTheLoadStaysDown) {
-  Curve curve = smooth_curve();
-  for (std::size_t i = 250; i < 253; ++i) curve.stress[i] = 0.0;
-  const Target dropped = make_target("dropped", curve);
-  EXPECT_FALSE(dropped.characteristics.observed_break.has_value());
-  EXPECT_EQ(dropped.corrected.size(), 500U);
-  for (std::size_t i = 253; i < 500; ++i) curve.stress[i] = 0.5 * curve.stress[249];
-  const Target broken = make_target("broken", curve);
-  ASSERT_TRUE(broken.characteristics.observed_break.has_value());
-  EXPECT_EQ(broken.corrected.size(), 250U);
-}
-
-TEST(Correction, TheBreakComesNoEarlierThanTheLargestWholeStrain) {
-  Curve curve = ending_with({0.0});
-  curve.strain[499] = curve.strain[498] - 8e-6;  // within the tolerance
-  curve.strain[500] = curve.strain[498] - 9e-6;
-  const Target target = make_target("back", curve);
-  ASSERT_TRUE(target.characteristics.observed_break.has_value());
-  EXPECT_EQ(target.characteristics.observed_break->first_broken_strain, curve.strain[498]);
-  EXPECT_GE(*target.characteristics.break_strain, target.characteristics.largest_strain);
-}
-
-TEST(Correction, DoesNotTakeTheEndOfTheStrainForABreakWhenTheLoadGoesOn) {
-  Curve curve = ending_with({0.97, 0.92, 0.86, 0.5}, 0.005);
-  curve.strain.back() = std::numeric_limits<double>::quiet_NaN();
-  const Target target = make_target("removed", curve);
-  EXPECT_FALSE(target.characteristics.observed_break.has_value());
-  EXPECT_EQ(find(target, "trim-at-break").text, "the strain ends before the break");
-}
-
-TEST(Correction, TrimCanBeSwitchedOffOrSet) {
-  TargetOptions options;
-  options.trim.mode = Mode::Off;
-  const Target off = make_target("off", ending_with({0.0}), options);
-  EXPECT_EQ(off.corrected.size(), 501U);
-  EXPECT_FALSE(off.characteristics.observed_break.has_value());
-  options.trim = {Mode::Set, 0.05};
-  const Target set = make_target("set", ending_with({0.0}), options);
-  EXPECT_EQ(set.corrected.size(), 250U);
-  EXPECT_EQ(set.characteristics.observed_break->rule, "set");
-}
-
-TEST(Correction, CutsACyclicCurveOnlyAtAFinalFallToZero) {
-  TargetOptions options;
-  options.loading = Loading::Cyclic;
-  EXPECT_EQ(make_target("zero", ending_with({0.0}), options).corrected.size(), 500U);
-  EXPECT_EQ(make_target("near", ending_with({0.02}), options).corrected.size(), 500U);
-  EXPECT_EQ(make_target("low", ending_with({0.1}), options).corrected.size(), 501U);
 }
 
 TEST(Correction, ConvertsToTrueUpToRmAndRefusesTheNeck) {
@@ -286,44 +155,11 @@ TEST(Correction, ConvertsCompressionByTheStrainAsItWas) {
   EXPECT_NEAR(target.corrected.stress.back(), curve.stress[499] * 0.9, 1.0);
 }
 
-TEST(Correction, SeesTheBreakOfACyclicCurveThatIsRecordedOnAfterIt) {
-  TargetOptions options;
-  options.loading = Loading::Cyclic;
-  for (const Curve& curve : {ending_with({0.0, 0.0}), ending_with({0.0, 0.01, -0.01, 0.0})}) {
-    const Target target = make_target("zeros", curve, options);
-    EXPECT_EQ(target.corrected.size(), 500U);
-    EXPECT_TRUE(target.characteristics.observed_break.has_value());
-  }
-}
-
 TEST(Correction, RefusesToConvertATorsionCurve) {
   TargetOptions options;
   options.convert_to_true = true;
   options.test = calibrate::Test::Torsion;
   EXPECT_EQ(make_target("torsion", smooth_curve(), options).status, TargetStatus::Rejected);
-}
-
-TEST(Correction, FindsTheBreakOfANoisyPlateauToTheSample) {
-  IdealPlastic test;
-  test.noise = 0.01;
-  for (unsigned seed = 0; seed < 50; ++seed) {
-    const Curve curve = test.curve(seed);
-    const auto found = find_break(curve, Loading::Monotonic, test.modulus, false, {});
-    ASSERT_TRUE(found.has_value()) << seed;
-    EXPECT_EQ(found->intact, test.intact()) << seed;
-  }
-}
-
-/// What the report proposes where a record ends under load.
-TEST(Correction, TakesTheEndForTheBreakWhereTheUserSaysSo) {
-  const Curve curve = plastica::testing::smooth_curve();
-  EXPECT_FALSE(make_target("ends", curve).characteristics.break_strain.has_value());
-  TargetOptions options;
-  options.end_fraction = 1.0;
-  const Target target = make_target("broke", curve, options);
-  ASSERT_TRUE(target.characteristics.observed_break.has_value());
-  EXPECT_EQ(target.characteristics.observed_break->rule, "end-of-data");
-  EXPECT_EQ(target.characteristics.observed_break->last_intact_strain, curve.strain.back());
 }
 
 /// Stress of a stretched rubber over its strain, which breaks between its last two samples.
@@ -350,7 +186,7 @@ TEST(Correction, DoesNotTakeAConcaveCurveForAFoot) {
       return 0.5e6 * (stretch - 1.0 / (stretch * stretch)) + noise(random);
     };
     const Target target = make_target("rubber", rubber(end, neo_hooke));
-    EXPECT_FALSE(find(target, "toe").applied) << end;
+    EXPECT_FALSE(find_correction(target, "toe").applied) << end;
     ASSERT_TRUE(target.characteristics.break_strain) << end;
     EXPECT_NEAR(*target.characteristics.break_strain, 1.001 * end, 2e-3 * end) << end;
     EXPECT_TRUE(warns_that(target, "the curve begins steeper") ||
@@ -368,8 +204,8 @@ TEST(Correction, ShiftsACurveWhoseStrainStuckAtFirst) {
     curve.stress.push_back(std::min(69e9 * true_strain, 250e6 + 1e9 * true_strain));
   }
   const Target target = make_target("stuck", curve);
-  EXPECT_TRUE(find(target, "toe").applied);
-  EXPECT_NEAR(find(target, "toe").amount, -5e-4, 0.3e-4);
+  EXPECT_TRUE(find_correction(target, "toe").applied);
+  EXPECT_NEAR(find_correction(target, "toe").amount, -5e-4, 0.3e-4);
 }
 
 /// A steel whose slope rises as E (1 - exp(-strain/foot)) and whose foot ends within the window.

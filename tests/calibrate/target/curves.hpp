@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <initializer_list>
 #include <limits>
 #include <random>
+#include <stdexcept>
 #include <string>
 #include <string_view>
 
@@ -71,6 +73,26 @@ inline calibrate::Curve smooth_curve(std::size_t samples = 500, double end = 0.1
     out.stress.push_back(elastic / std::pow(1.0 + std::pow(elastic / plastic, 12.0), 1.0 / 12.0));
   }
   return out;
+}
+
+/// A smooth curve that falls on from its largest stress along given fractions of it.
+inline calibrate::Curve ending_with(std::initializer_list<double> fractions, double step = 1e-7) {
+  calibrate::Curve curve = smooth_curve();
+  const double rm = curve.stress.back();
+  for (const double fraction : fractions) {
+    curve.strain.push_back(curve.strain.back() + step);
+    curve.stress.push_back(fraction * rm);
+  }
+  return curve;
+}
+
+/// A target's correction of a kind. @throws std::runtime_error if it has none
+inline const calibrate::Correction& find_correction(const calibrate::Target& target,
+                                                    const std::string& kind) {
+  for (const calibrate::Correction& correction : target.corrections) {
+    if (correction.kind == kind) return correction;
+  }
+  throw std::runtime_error("no correction " + kind);
 }
 
 /// Whether one of a target's warnings begins with these words.

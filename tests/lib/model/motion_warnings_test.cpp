@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "plastica/model/beam_axis.hpp"
+#include "plastica/model/first_frequency.hpp"
 #include "plastica/run/scene_warnings.hpp"
 #include "plastica/run/simulate.hpp"
 #include "tests/lib/model/chain_scenes.hpp"
@@ -52,7 +53,7 @@ double beta_l(const std::vector<Support>& supports) {
   const Material& m = scene.material;
   const double radius = 0.02 / std::sqrt(12.0);
   const double wave = radius * std::sqrt(m.youngs_modulus / m.density);  // sqrt(EI/(rho A))
-  EXPECT_TRUE(first && !first->torsion);
+  EXPECT_TRUE(first && first->of == model_detail::Vibration::Bending);
   return std::sqrt(2.0 * pi * first->hertz / wave);
 }
 
@@ -117,7 +118,7 @@ TEST(FirstFrequency, OfATwistIsThatOfTorsionalWaves) {
   const double speed = std::sqrt(resolved_shear_modulus(scene.material) / scene.material.density);
   const auto hertz = [&] { return frequency_of(scene, {Level::Twist, {}, ""})->hertz; };
   EXPECT_NEAR(hertz(), speed / 4.0, 1e-9 * speed);
-  EXPECT_TRUE(frequency_of(scene, {Level::Twist, {}, ""})->torsion);
+  EXPECT_EQ(frequency_of(scene, {Level::Twist, {}, ""})->of, model_detail::Vibration::Torsion);
   scene.supports.push_back({Place::end(), SupportKind::Clamp});
   EXPECT_NEAR(hertz(), speed / 2.0, 1e-9 * speed);
   scene.supports.clear();
@@ -152,6 +153,42 @@ TEST(MotionWarnings, SayHowFewStepsAreInAPeriod) {
               o.step_error = 1e-4;
             }),
             std::vector<std::string>{});
+}
+
+/// A twist or a stretch that a load sets swinging is faster than the first bending.
+TEST(MotionWarnings, CountTheStepsOfASwingingTwistAndStretch) {
+  const auto twisted = [](const History& history, double across) {
+    return warnings_of([&](Scene& scene, SolverOptions& o) {
+      o.time_step = 1e-3;
+      o.steps = 1000;
+      scene.loads.push_back({.moment = {across, 0.0, 10.0}, .history = history});
+    });
+  };
+  // sqrt(80.8 GPa 0.1406 0.02^4/(7850 2 0.02^4/12))/(4 m) = 740 Hz; the scene bends, too.
+  const auto is_of_twist = [](const std::vector<std::string>& warnings) {
+    return has(warnings,
+               "are 1.36 in a period of the beam's first frequency in torsion, about 737 Hz");
+  };
+  EXPECT_TRUE(is_of_twist(twisted(History::constant(), 1.0)));
+  EXPECT_TRUE(is_of_twist(twisted({{0.0, 1e-3}, {0.0, 1.0}}, 1.0)));
+  // Neither what grows slowly, nor a trifle.
+  EXPECT_FALSE(is_of_twist(twisted(History::smooth_step(0.0, 0.5), 1.0)));
+  EXPECT_FALSE(is_of_twist(twisted({{0.0, 0.5}, {0.0, 1.0}}, 1.0)));
+  EXPECT_FALSE(is_of_twist(twisted(History::constant(), 200.0)));
+  const auto pulled = [](JointTranslation translation) {
+    return warnings_of([&](Scene& scene, SolverOptions& o) {
+      o.time_step = 1e-3;
+      o.steps = 1000;
+      o.translation = translation;
+      scene.loads.push_back({.force = {0.0, 0.0, 10.0}, .history = History::constant()});
+    });
+  };
+  // sqrt(210e9/7850)/4 m = 1293 Hz.
+  const auto stretched = pulled(JointTranslation::Elastic);
+  ASSERT_FALSE(stretched.empty());
+  EXPECT_NE(stretched[0].find("first frequency in stretching, about 1293 Hz"), std::string::npos)
+      << stretched[0];
+  EXPECT_EQ(pulled(JointTranslation::Rigid), std::vector<std::string>{});
 }
 
 TEST(MotionWarnings, SayWhatAFirstOrderSchemeTakes) {
