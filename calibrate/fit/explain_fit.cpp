@@ -12,6 +12,7 @@
 #include "calibrate/inference/lack_of_fit.hpp"
 #include "calibrate/inference/material_interval.hpp"
 #include "calibrate/inference/modulus_warning.hpp"
+#include "calibrate/inference/strain_errors.hpp"
 #include "calibrate/inference/uncertainty.hpp"
 
 namespace plastica::calibrate {
@@ -227,7 +228,7 @@ void warn_of_held_break(const Target& target, const ParameterSet& set, double fa
   const FittedParameter& p = result.parameters[decides->index];
   if (p.role == ParameterRole::Free && !p.at_lower && !p.at_upper) return;
   const double own = permanent / factor;
-  if (std::fabs(p.value - own) <= std::fabs(observed->half_interval()) / factor) return;
+  if (std::fabs(p.value - own) <= observed->half_interval() / factor) return;
   result.warnings.push_back(
       fmt::format("{} is held at {:.4g} %, but the specimen broke at {:.4g} % permanent strain",
                   p.name(), 100.0 * p.value, 100.0 * own));
@@ -252,7 +253,7 @@ void warn_of_late_break(const Target& target, const BreakEvent& event, FitResult
   const auto& observed = target.characteristics.observed_break;
   if (!observed || event.sample < target.corrected.size()) return;
   const double late = std::fabs(event.strain) - std::fabs(observed->strain());
-  if (late <= std::fabs(observed->half_interval()) + kLate * std::fabs(observed->strain())) return;
+  if (late <= observed->half_interval() + kLate * std::fabs(observed->strain())) return;
   result.warnings.push_back(
       fmt::format("the fitted model breaks at {:.4g} % strain in total, and the specimen broke at "
                   "{:.4g} %",
@@ -297,7 +298,7 @@ void explain_fit(const Target& target, const FitOptions& options, const Paramete
   Misfit::Details details = misfit.details(active);
   begin_result(details, result);
   drop_unidentifiable_yield(misfit, set, target.corrected, active, options, details);
-  details.by_shift = shift_slopes(target, options, set, active, details.residual);
+  add_strain_errors(target, options, set, active, details);
   const Uncertainty u = uncertainty(details, active, set, target, options, misfit.break_factor());
   judge_misfit(describe_misfit(details, target, result), target, options, result);
   add_parameters(set, active, u, options, result);

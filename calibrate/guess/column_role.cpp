@@ -57,6 +57,11 @@ constexpr std::array<std::string_view, 27> kNot{
     "querdehn",  "width strain",    "radial",    "circumf",  "hoop",       "volum",
     "corr coef", "count",           "torque",    "fraction", "temperatur", "températur",
     "work",      "residual",        "drehmoment"};
+/// Of torsion, and of bending.
+constexpr std::array<std::string_view, 8> kShear{
+    "shear", "scher", "schub", "cisaillement", "cortant", "di taglio", "torsional", "剪"};
+constexpr std::array<std::string_view, 5> kFlexural{"flexur", "flexion", "biege", "flessione",
+                                                    "弯曲"};
 /// What is wanted of the machine, taken out of the curve, or part of it.
 constexpr std::array<std::string_view, 16> kLesser{
     "set ",  "setpoint", "soll",      "command",    "target",  "demand",  "peak",      "max",
@@ -252,6 +257,10 @@ ColumnMeaning meaning_of(std::string_view name, std::string_view unit) {
       (meaning.role == ColumnRole::Strain &&
        (said.travel || lower.find("nominal") != std::string::npos) && !said.elongation);
   meaning.is_plastic = meaning.role == ColumnRole::Strain && is_plastic_strain(lower);
+  if (meaning.role == ColumnRole::Strain || meaning.role == ColumnRole::Stress) {
+    if (has(lower, kShear)) meaning.test = Deformation::Torsion;
+    if (has(lower, kFlexural)) meaning.test = Deformation::Bending;
+  }
   meaning.why = meaning.is_weak ? "unit" : meaning.unit ? "name, unit" : "name";
   return meaning;
 }

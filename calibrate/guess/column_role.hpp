@@ -4,6 +4,8 @@
 #include <string>
 #include <string_view>
 
+#include "plastica/model/drive.hpp"
+
 namespace plastica::calibrate {
 
 /// What a column of a file of curves holds.
@@ -27,6 +29,7 @@ struct ColumnMeaning {
   bool is_plastic = false;      ///< a strain without its elastic part
   bool is_lesser = false;  ///< wanted of the machine ("set", "soll"), an extreme, an error, a part
   bool is_weak = false;    ///< its unit alone says so, not its name
+  std::optional<Deformation> test;  ///< of a strain or stress of bending or torsion, by its name
   std::optional<std::string> unit;  ///< the file's own, or the one that ends the name
   std::string why;                  ///< "name", "name, unit", "unit", "place"
 };

@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "calibrate/inference/identifiable_yield.hpp"
+#include "calibrate/inference/strain_errors.hpp"
 #include "calibrate/problem/weighed_priors.hpp"
 
 namespace plastica::calibrate {
@@ -49,7 +50,7 @@ CouponProblem::CouponProblem(const Target& target, const FitOptions& options,
   details_ = misfit_.details(active_);
   drop_unidentifiable_yield(misfit_, set_, target.corrected, active_, options, details_);
   misfit_.end_search();
-  details_.by_shift = shift_slopes(target, options, set_, active_, details_.residual);
+  add_strain_errors(target, options, set_, active_, details_);
   uncertainty_ = uncertainty(details_, active_, set_, target, options, misfit_.break_factor());
   spread_ = spread_of(details_, active_, set_, target, options);
   for (std::size_t i = 0; i < free_.size(); ++i) {

@@ -32,6 +32,7 @@ struct StressErrors {
   MatrixXd inverse, weighted, prior, stated;
   VectorXd stated_in_a;      ///< the stated priors' part of the diagonal of A
   VectorXd of_shift;         ///< g, SI; empty where the strain was not shifted
+  MatrixXd of_turns;         ///< of errors of the strain where it turns, SI
   std::vector<double> size;  ///< of the active parameters, SI (n)
   double variance = 0.0;     ///< of the noise [Pa^2]
   double degrees_of_freedom = 1.0;
@@ -54,6 +55,29 @@ VectorXd shift_effect(const Misfit::Details& d, double error, const StressErrors
                                           std::span(d.by_shift));
   }
   return -error * sizes.cwiseProduct(product(of_stress.inverse, pull).col(0));
+}
+
+/// What the errors of the strain where it turns make of the parameters: the sum of the products of
+/// what each of them moves.
+MatrixXd turn_covariance(const Misfit::Details& d, const StressErrors& of_stress) {
+  const auto m = static_cast<Eigen::Index>(of_stress.columns.size());
+  const std::size_t samples = d.residual.size();
+  MatrixXd pull = MatrixXd::Zero(m, static_cast<Eigen::Index>(d.turns.at.size()));
+  VectorXd sizes(m);
+  for (Eigen::Index k = 0; k < m; ++k) {
+    const std::size_t column = of_stress.columns[static_cast<std::size_t>(k)];
+    sizes(k) = of_stress.size[column];
+    for (std::size_t turn = 0; turn < d.turns.at.size(); ++turn) {
+      const std::size_t end = turn + 1 < d.turns.at.size() ? d.turns.at[turn + 1] : samples;
+      double sum = 0.0;
+      for (std::size_t s = d.turns.at[turn]; s < end; ++s) {
+        sum += d.weight[s] * d.jacobian[column * samples + s] * d.turns.slopes[s];
+      }
+      pull(k, static_cast<Eigen::Index>(turn)) = d.turns.error * sizes(k) * sum;
+    }
+  }
+  const MatrixXd moved = sizes.asDiagonal() * product(of_stress.inverse, pull);
+  return moved * moved.transpose();
 }
 
 /// Those samples whose weight is above 0.
@@ -153,7 +177,8 @@ StressErrors stress_errors(const Misfit::Details& d, std::span<const double> act
   of_stress.has_break = normal.determine(d.permanent_gradient, size);
 
   const auto m = static_cast<Eigen::Index>(of_stress.columns.size());
-  of_stress.covariance = of_stress.of_prior = of_stress.of_stated = MatrixXd::Zero(m, m);
+  of_stress.covariance = of_stress.of_prior = of_stress.of_stated = of_stress.of_turns =
+      MatrixXd::Zero(m, m);
   double squares = 0.0;
   double counted = 0.0;
   for (std::size_t s = 0; s < d.residual.size(); ++s) {
@@ -174,6 +199,7 @@ StressErrors stress_errors(const Misfit::Details& d, std::span<const double> act
   of_stress.stated = between(of_stress.inverse, normal.stated);
   of_stress.stated_in_a = normal.stated_in_a;
   if (!d.by_shift.empty()) of_stress.of_shift = shift_effect(d, target.shift_error, of_stress);
+  if (!d.turns.slopes.empty()) of_stress.of_turns = turn_covariance(d, of_stress);
   VectorXd sizes(m);
   for (Eigen::Index i = 0; i < m; ++i) {
     sizes(i) = size[of_stress.columns[static_cast<std::size_t>(i)]];
@@ -194,19 +220,6 @@ StressErrors stress_errors(const Misfit::Details& d, std::span<const double> act
 }
 
 }  // namespace
-
-std::vector<double> shift_slopes(const Target& target, const FitOptions& options,
-                                 const ParameterSet& parameters, std::span<const double> active,
-                                 std::span<const double> residual) {
-  if (!(target.shift_error > 0.0)) return {};
-  Target moved = target;
-  for (double& strain : moved.corrected.strain) strain -= target.shift_error;
-  std::vector<double> slopes = Misfit(moved, options, parameters).parts(active).residual;
-  for (std::size_t i = 0; i < slopes.size(); ++i) {
-    slopes[i] = (slopes[i] - residual[i]) / target.shift_error;
-  }
-  return slopes;
-}
 
 Uncertainty uncertainty(const Misfit::Details& details, std::span<const double> active,
                         const ParameterSet& parameters, const Target& target,
@@ -242,6 +255,7 @@ Uncertainty uncertainty(const Misfit::Details& details, std::span<const double> 
   const MatrixXd of_residuals = mapped(map, of_stress.covariance);
   const MatrixXd of_prior = mapped(map, of_stress.of_prior);
   const MatrixXd of_stated = mapped(map, of_stress.of_stated);
+  const MatrixXd of_turns = mapped(map, of_stress.of_turns);
   VectorXd of_shift = VectorXd::Zero(static_cast<Eigen::Index>(n));
   if (of_stress.of_shift.size() > 0) {
     of_shift = product(map, of_stress.of_shift);
@@ -252,7 +266,7 @@ Uncertainty uncertainty(const Misfit::Details& details, std::span<const double> 
     }
   }
   const MatrixXd covariance =
-      of_residuals + of_prior + of_stated + product(of_shift, of_shift.transpose());
+      of_residuals + of_prior + of_stated + of_turns + product(of_shift, of_shift.transpose());
   u.standard_error.assign(n, kNan);
   u.noise_error.assign(n, kNan);
   u.residual_error.assign(n, kNan);
@@ -264,8 +278,8 @@ Uncertainty uncertainty(const Misfit::Details& details, std::span<const double> 
     const double half = std::fabs(sampling(row));
     u.residual_error[i] = std::sqrt(std::max(0.0, of_residuals(row, row)));
     const double of_curve = u.residual_error[i] + std::sqrt(std::max(0.0, of_prior(row, row)));
-    u.noise_error[i] =
-        std::hypot(of_curve, of_shift(row), std::sqrt(std::max(0.0, of_stated(row, row))));
+    const double beside = std::max(0.0, of_stated(row, row)) + std::max(0.0, of_turns(row, row));
+    u.noise_error[i] = std::hypot(of_curve, of_shift(row), std::sqrt(beside));
     u.sampling[i] = half;
     u.standard_error[i] = std::hypot(u.noise_error[i], half / std::sqrt(3.0));
   }

@@ -61,14 +61,6 @@ struct Uncertainty {
   std::vector<double> own_variance;
 };
 
-/// How the residuals of a fit change with the shift of the target's strain [Pa] (n_samples), by
-/// differences over its error; empty where it has none.
-/// @param active  solution, SI (n)
-/// @param residual  of the fit there [Pa] (n_samples)
-std::vector<double> shift_slopes(const Target& target, const FitOptions& options,
-                                 const ParameterSet& parameters, std::span<const double> active,
-                                 std::span<const double> residual);
-
 /// @param active  solution, SI (n)
 Uncertainty uncertainty(const Misfit::Details& details, std::span<const double> active,
                         const ParameterSet& parameters, const Target& target,

@@ -123,8 +123,15 @@ class Misfit {
     /// d model stress / d active, of each parameter all samples in a row (n_active x n_samples).
     std::vector<double> jacobian;
     /// d residual / d shift of the strain [Pa] (n_samples); empty where the target was not shifted.
-    /// Filled by `shift_slopes`.
+    /// Filled by `add_strain_errors`, as what follows.
     std::vector<double> by_shift;
+    /// Of cyclic curves whose strain has noise: errors of the strain where it turns.
+    struct Turns {
+      std::vector<std::size_t> at;  ///< samples, rising
+      /// d residual / d strain at the last turn before it [Pa] (n_samples; empty: no such errors).
+      std::vector<double> slopes;
+      double error = 0.0;  ///< standard error of the strain of each [1]
+    } turns;
     double permanent = 0.0;                  ///< p above [1]
     std::vector<double> permanent_gradient;  ///< dp / d active (n_active)
     struct ActivePrior {

@@ -207,7 +207,9 @@ double shift_strain(Target& target, const ElasticLine& line, const TargetOptions
                                 : "the elastic line beyond the foot misses the origin";
   }
   // Within the threshold it may be the line or the zero that is off, and that by so much.
-  if (is_within && !given && mode == Mode::Automatic) target.shift_error = std::abs(zero);
+  if (is_within && mode == Mode::Automatic) {
+    target.shift_error = given ? std::abs(zero) : std::max(std::abs(zero), line.zero_strain_stderr);
+  }
   for (Correction* correction : {&toe, &preload}) {
     if (!correction->text.empty()) continue;
     correction->text = why_not      ? why_not

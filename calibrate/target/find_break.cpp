@@ -7,34 +7,41 @@
 #include "calibrate/target/characteristics.hpp"
 
 namespace plastica::calibrate {
-namespace {
-
-/// How far the strain went on from one sample to the next on the way to the last intact one: the
-/// mean of some steps, of which noise decides one. 0 if it did not.
-double step_before(std::span<const double> strain, std::size_t last) {
+double step_before(std::span<const double> path, std::size_t last) {
   constexpr std::size_t kSteps = 4;
   const std::size_t steps = std::min(kSteps, last);
   if (steps == 0) return 0.0;
-  return std::max(0.0, (strain[last] - strain[last - steps]) / static_cast<double>(steps));
+  const double mean = (path[last] - path[last - steps]) / static_cast<double>(steps);
+  const double own = path[last] - path[last - 1];
+  return own * mean > 0.0 && std::abs(own) > std::abs(mean) ? own : mean;
 }
 
-}  // namespace
+double end_of_break(double reached, double next, double step, double even) {
+  if (step == 0.0) return std::max(reached, next);
+  return (next - reached) * step < even * step * step ? reached + step : next;
+}
 
 BreakFound broken_after(const Curve& curve, std::size_t last, Loading loading, const char* rule) {
   BreakFound found;
   found.intact = last + 1;
   // A strain once reached under load was intact, also where it ran back a little since.
   double reached = curve.strain[last];
+  double step = step_before(curve.strain, last);
   if (loading == Loading::Monotonic) {
     for (std::size_t i = 0; i < last; ++i) reached = std::max(reached, curve.strain[i]);
+    step = std::max(step, 0.0);
   }
+  const double next = curve.strain[last + 1];
+  constexpr double kNothing = 0.05;  // of the load before
+  constexpr double kEven = 0.9;      // an extensometer springs back by any part of a step
+  const bool falls_at_once =
+      std::abs(curve.stress[last + 1]) <= kNothing * std::abs(curve.stress[last]);
+  const bool goes_on = (next - reached) * step > 0.0;
   found.observation.last_intact_strain = reached;
   found.observation.last_intact_stress = curve.stress[last];
-  // Where the strain falls back or stands still, as that of a specimen that springs back, it does
-  // not say how far it went before: as far as in the steps before, at most.
-  const double next = curve.strain[last + 1];
+  // Of a load that falls in several rows the next one is still of the specimen that breaks.
   found.observation.first_broken_strain =
-      next > reached ? next : reached + step_before(curve.strain, last);
+      goes_on && !falls_at_once ? next : end_of_break(reached, next, step, kEven);
   found.observation.rule = rule;
   return found;
 }

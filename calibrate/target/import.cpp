@@ -174,6 +174,7 @@ Target import_curve(const Block& block, const SpecimenTable* specimens, const Cs
     return rejected(std::move(target), error);
   }
   warn_of_named_measure(block.source, table, strain.index, stress.index, target.warnings);
+  warn_of_named_test(block.source, table, strain.index, stress.index, target.warnings);
   warn_of_unit(table, strain, target.warnings);
   warn_of_unit(table, stress, target.warnings);
   if (target.test == Test::Tension) {

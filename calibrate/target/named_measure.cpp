@@ -4,6 +4,7 @@
 
 #include "calibrate/guess/column_role.hpp"
 #include "plastica/base/check.hpp"
+#include "plastica/model/field.hpp"
 
 namespace plastica::calibrate {
 namespace {
@@ -50,6 +51,27 @@ void warn_of_named_measure(const TargetSource& source, const io::CsvTable& table
                 : fmt::format("\"{}\" is true by its name, and is taken for engineering: if strain "
                               "and stress are both true, write measure = \"true\" (--measure true)",
                               name));
+  }
+}
+
+namespace {
+
+std::string_view word_of(Test test) {
+  return find_field("drive.deformation").choices[static_cast<std::size_t>(test)];
+}
+
+}  // namespace
+
+void warn_of_named_test(const TargetSource& source, const io::CsvTable& table, std::size_t strain,
+                        std::size_t stress, std::vector<std::string>& warnings) {
+  for (const std::size_t column : {strain, stress}) {
+    const std::optional<Test> test = meaning_in(table, column).test;
+    if (!test || *test == source.test) continue;
+    warnings.push_back(
+        fmt::format("\"{0}\" is of {1} by its name, and is taken for {2}: if it is of "
+                    "{1}, write test = \"{1}\" (--test {1})",
+                    table.names()[column], word_of(*test), word_of(source.test)));
+    return;  // one says it for both
   }
 }
 

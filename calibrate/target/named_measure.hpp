@@ -7,7 +7,8 @@
 #include "calibrate/target/import.hpp"
 #include "plastica/io/csv.hpp"
 
-/// What the names of columns say of the measure, against what the block says; not installed.
+/// What the names of columns say of the measure and the test, against what the block says; not
+/// installed.
 namespace plastica::calibrate {
 
 /// Refuses "True strain" and "True stress" of a tension test in a block that does not say which
@@ -25,5 +26,9 @@ void check_total_strain(const io::CsvTable& table, std::size_t strain, std::stri
 void warn_of_named_measure(const TargetSource& source, const io::CsvTable& table,
                            std::size_t strain, std::size_t stress,
                            std::vector<std::string>& warnings);
+
+/// Warns of columns of strain and stress that are of another test by their names.
+void warn_of_named_test(const TargetSource& source, const io::CsvTable& table, std::size_t strain,
+                        std::size_t stress, std::vector<std::string>& warnings);
 
 }  // namespace plastica::calibrate

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "calibrate/target/find_break.hpp"
+
 namespace plastica::calibrate {
 namespace {
 
@@ -59,9 +61,17 @@ void cut_at_break(SceneTarget& target, const CorrectionChoice& trim, double tole
   if (!intact) return;
   double last = target.abscissa[*intact - 1];
   double next = target.abscissa[*intact];
+  double step = step_before(target.abscissa, *intact - 1);
   if (!is_driven(target.kind)) {
     const auto end = target.abscissa.begin() + static_cast<std::ptrdiff_t>(*intact);
     last = *std::max_element(target.abscissa.begin(), end);
+    step = std::max(step, 0.0);
+  }
+  constexpr double kNoise = 0.1;  // of a step: a displacement that stands still
+  // A set place cuts where the load goes on, and time goes on by itself.
+  if (trim.mode == Mode::Automatic && target.kind != Abscissa::Time) {
+    next = end_of_break(last, next, step, kNoise);
+  } else if (!is_driven(target.kind)) {
     next = std::max(last, next);
   }
   const double half = 0.5 * (next - last);

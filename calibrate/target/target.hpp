@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <cstddef>
 #include <optional>
 #include <string>
@@ -29,14 +30,16 @@ struct Correction {
 
 /// When the specimen broke, between two samples.
 struct BreakObservation {
-  double last_intact_strain = 0.0;   ///< [1] largest that still carries load; cyclic: the last
-  double last_intact_stress = 0.0;   ///< [Pa]
-  double first_broken_strain = 0.0;  ///< [1] first sample after; never below last_intact_strain
-  std::string rule;                  ///< "fall-to-zero", "load-drop", "end-of-data"
+  double last_intact_strain = 0.0;  ///< [1] largest that still carries load; cyclic: the last
+  double last_intact_stress = 0.0;  ///< [Pa]
+  /// [1] of the first sample after it, or a step on (find_break.hpp): never below
+  /// last_intact_strain, but of a cyclic test that breaks on its way down.
+  double first_broken_strain = 0.0;
+  std::string rule;  ///< "fall-to-zero", "load-drop", "end-of-data"
   /// Middle of the sampling interval, the measured break strain [1].
   double strain() const { return 0.5 * (last_intact_strain + first_broken_strain); }
   /// Half of the interval: the break is known to +- this [1].
-  double half_interval() const { return 0.5 * (first_broken_strain - last_intact_strain); }
+  double half_interval() const { return 0.5 * std::fabs(first_broken_strain - last_intact_strain); }
 };
 
 /// Characteristics after ISO 6892-1 / ASTM E8, from the corrected curve. What a curve does not
@@ -95,8 +98,9 @@ struct Target {
   std::vector<Correction> corrections;
   std::vector<std::string> warnings;
   Characteristics characteristics;
-  /// Error of the strain's zero [1]: the standard error of its shift, where the elastic line decided
-  /// it; where the line misses the origin by too little for a shift, by how much. Not stored.
+  /// Error of the strain's zero [1]: the standard error of its shift, where the elastic line
+  /// decided it; where the line misses the origin by too little for a shift, by how much. Not
+  /// stored.
   double shift_error = 0.0;
   /// Whether samples beyond Rm, which have no true strain, were left out; not stored.
   bool ends_at_neck = false;

@@ -7,6 +7,7 @@
 #include <limits>
 #include <random>
 #include <string>
+#include <vector>
 
 #include "calibrate/target/make.hpp"
 #include "tests/calibrate/target/curves.hpp"
@@ -118,14 +119,47 @@ TEST(FindBreak, ABreakAtWhichTheStrainFallsBackLiesWithinAStep) {
     }
     return *make_target("back", curve).characteristics.observed_break;
   };
-  for (const double back : {0.0, 1e-4, 6e-3, 0.05}) {
+  for (const double back : {0.05, 6e-3, 1e-4, 0.0, -1e-6, -7e-4}) {
     for (const std::size_t after : {1U, 3U}) {
       const BreakObservation found = broken(back, after);
       EXPECT_EQ(found.last_intact_strain, 0.1) << back;
       EXPECT_NEAR(found.first_broken_strain, 0.101, 1e-12) << back;
     }
   }
-  EXPECT_NEAR(broken(-7e-4, 1).first_broken_strain, 0.1007, 1e-12);
+  EXPECT_NEAR(broken(-9.5e-4, 1).first_broken_strain, 0.10095, 1e-12);
+  EXPECT_NEAR(broken(-3e-3, 1).first_broken_strain, 0.103, 1e-12);
+}
+
+/// A cyclic test breaks on its way down as on its way up.
+TEST(FindBreak, IsAlikeOnBothStrokesOfACycle) {
+  for (const double onwards : {1.0, 0.0, -3.0}) {
+    std::vector<BreakObservation> found;
+    for (const double sign : {1.0, -1.0}) {
+      Curve curve;
+      double stress = 0.0;
+      const auto go_to = [&](double end) {
+        const double begin = curve.strain.empty() ? 0.0 : curve.strain.back();
+        for (int i = 1; i <= 40; ++i) {
+          const double strain = begin + (end - begin) * i / 40.0;
+          const double before = curve.strain.empty() ? 0.0 : curve.strain.back();
+          stress = std::clamp(stress + 200e9 * (strain - before), -300e6, 300e6);
+          curve.strain.push_back(strain);
+          curve.stress.push_back(stress);
+        }
+      };
+      for (const double end : {0.01, -0.01, 0.02}) go_to(sign * end);
+      curve.strain.push_back(sign * (0.02 + onwards * 7.5e-4));
+      curve.stress.push_back(0.0);
+      TargetOptions options;
+      options.loading = Loading::Cyclic;
+      found.push_back(*make_target("cycle", curve, options).characteristics.observed_break);
+    }
+    EXPECT_NEAR(found[0].last_intact_strain, 0.02, 1e-15);
+    EXPECT_NEAR(found[0].first_broken_strain, 0.02075, 1e-12) << onwards;
+    EXPECT_NEAR(found[1].last_intact_strain, -found[0].last_intact_strain, 1e-15);
+    EXPECT_NEAR(found[1].first_broken_strain, -found[0].first_broken_strain, 1e-15) << onwards;
+    EXPECT_NEAR(found[1].half_interval(), found[0].half_interval(), 1e-15);
+  }
 }
 
 TEST(FindBreak, DoesNotTakeTheEndOfTheStrainForABreakWhenTheLoadGoesOn) {

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <optional>
 #include <string>
 #include <vector>
@@ -114,6 +115,25 @@ TEST(NamedMeasure, OfPlasticStrainAloneIsRefused) {
     EXPECT_EQ(import_targets(source_of(files, {name, "Stress"})).at(0).status, TargetStatus::Ready)
         << name;
   }
+}
+
+TEST(NamedTest, IsDoubtedWhereTheBlockSaysAnother) {
+  const CurveFiles files("named_test");
+  const auto doubts = [&](const Named& named, Deformation test) {
+    TargetSource source = source_of(files, named);
+    source.test = test;
+    const std::vector<std::string> warnings = import_targets(source).at(0).warnings;
+    return std::ranges::count_if(warnings, [](const std::string& warning) {
+      return warning.find("by its name, and is taken for") != std::string::npos;
+    });
+  };
+  const Named shear{"Shear strain", "Shear stress (MPa)"};
+  EXPECT_EQ(doubts(shear, Deformation::Tension), 1);
+  EXPECT_EQ(doubts(shear, Deformation::Torsion), 0);
+  EXPECT_EQ(doubts({"Strain", "Flexural stress"}, Deformation::Tension), 1);
+  EXPECT_EQ(doubts({"Strain", "Biegespannung"}, Deformation::Bending), 0);
+  EXPECT_EQ(doubts({"Strain", "Scherspannung"}, Deformation::Bending), 1);
+  EXPECT_EQ(doubts({"Strain", "Stress"}, Deformation::Tension), 0);
 }
 
 }  // namespace

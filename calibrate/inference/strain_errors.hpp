@@ -1,0 +1,29 @@
+#pragma once
+
+#include <span>
+
+#include "calibrate/fit/options.hpp"
+#include "calibrate/problem/misfit.hpp"
+#include "calibrate/problem/parameter_set.hpp"
+#include "calibrate/target/target.hpp"
+
+/// What errors of a coupon's strain that many samples have in common do to its residuals; not
+/// installed.
+namespace plastica::calibrate {
+
+/// The standard deviation of the noise of a strain that goes to and fro [1], by its fourth
+/// differences where it goes one way: these leave nothing of a smooth course, and of noise the root
+/// of 70 times as much. 0 where there are fewer than 20 of them.
+double noise_of_strain(std::span<const double> strain);
+
+/// Fills `by_shift` of what a misfit says at its solution, and the members of `turns`, by
+/// differences over these errors.
+///
+/// The noise of the strain where a cyclic test turns back shifts all of the elastic branch that
+/// follows: the model goes on from the stress of the strain that was measured.
+/// @param active  solution, SI (n)
+void add_strain_errors(const Target& target, const FitOptions& options,
+                       const ParameterSet& parameters, std::span<const double> active,
+                       Misfit::Details& details);
+
+}  // namespace plastica::calibrate
