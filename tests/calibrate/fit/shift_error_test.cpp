@@ -78,7 +78,7 @@ Curve beside(unsigned seed, double shift, double scatter = 3e6) {
 }
 
 // A zero that is off by too little for a correction: counted as nothing, the intervals of E hold it
-// in 26, 1 and 22 of 100 curves. One of the size of its own error is the least well held.
+// in 26, 1 and 22 of 100 curves.
 TEST(ShiftError, IsWhatTheLineMissesTheOriginBy) {
   const FitOptions options = elastic_fit();
   constexpr int kCurves = testing::kSanitized ? 20 : 100;
@@ -90,7 +90,7 @@ TEST(ShiftError, IsWhatTheLineMissesTheOriginBy) {
       const FittedParameter e = fit_target(target, options).parameter("youngs_modulus");
       holds += e.interval_low <= kModulus && kModulus <= e.interval_high ? 1 : 0;
     }
-    EXPECT_GE(holds, 7 * kCurves / 10) << shift;
+    EXPECT_GE(holds, 9 * kCurves / 10) << shift;
   }
 }
 
