@@ -15,16 +15,18 @@ bool turns_at(std::span<const double> strain, std::size_t i) {
   return (strain[i] - strain[i - 1]) * (strain[i + 1] - strain[i]) < 0.0;
 }
 
-/// How the residuals change with what is added to the strain [Pa] (n_samples).
-/// @param add  changes a strain by about as much as `size`
-template <typename Add>
-std::vector<double> slopes_by(const Target& target, const FitOptions& options,
-                              const ParameterSet& parameters, std::span<const double> active,
-                              std::span<const double> residual, double size, const Add& add) {
-  Target moved = target;
-  add(moved.corrected.strain);
-  std::vector<double> slopes = Misfit(moved, options, parameters).parts(active).residual;
-  for (std::size_t i = 0; i < slopes.size(); ++i) slopes[i] = (slopes[i] - residual[i]) / size;
+/// How the residuals change with what is taken off all strains [Pa] (n_samples): by the slope of
+/// the model's curve there, which a strain that only rises makes a function of it.
+std::vector<double> slopes_of_shift(const Curve& measured, std::span<const double> residual) {
+  const std::size_t n = residual.size();
+  const std::vector<double>& strain = measured.strain;
+  const auto model = [&](std::size_t i) { return residual[i] + measured.stress[i]; };
+  std::vector<double> slopes(n, 0.0);
+  for (std::size_t i = 1; i < n; ++i) {
+    const double step = strain[i] - strain[i - 1];
+    slopes[i] = step > 0.0 ? (model(i - 1) - model(i)) / step : slopes[i - 1];
+  }
+  if (n > 1) slopes[0] = slopes[1];
   return slopes;
 }
 
@@ -48,13 +50,8 @@ void add_strain_errors(const Target& target, const FitOptions& options,
                        Misfit::Details& details) {
   details.by_shift.clear();
   details.turns = {};
-  const auto slopes = [&](double size, const auto& add) {
-    return slopes_by(target, options, parameters, active, details.residual, size, add);
-  };
-  if (const double error = target.shift_error; error > 0.0) {
-    details.by_shift = slopes(error, [&](std::vector<double>& strain) {
-      for (double& one : strain) one -= error;
-    });
+  if (target.shift_error > 0.0) {
+    details.by_shift = slopes_of_shift(target.corrected, details.residual);
   }
   if (target.loading != Loading::Cyclic) return;
   const std::vector<double>& strain = target.corrected.strain;
@@ -66,9 +63,12 @@ void add_strain_errors(const Target& target, const FitOptions& options,
   }
   if (turns.at.empty()) return;
   // What follows a turn hangs on the noise of that one alone, once it flows again.
-  turns.slopes = slopes(turns.error, [&](std::vector<double>& moved) {
-    for (const std::size_t i : turns.at) moved[i] += turns.error;
-  });
+  Target moved = target;
+  for (const std::size_t i : turns.at) moved.corrected.strain[i] += turns.error;
+  turns.slopes = Misfit(moved, options, parameters).parts(active).residual;
+  for (std::size_t i = 0; i < turns.slopes.size(); ++i) {
+    turns.slopes[i] = (turns.slopes[i] - details.residual[i]) / turns.error;
+  }
   // What its own noise does to a sample is noise like that of any other.
   for (const std::size_t i : turns.at) turns.slopes[i] = 0.0;
   details.turns = std::move(turns);

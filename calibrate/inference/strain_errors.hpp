@@ -16,8 +16,8 @@ namespace plastica::calibrate {
 /// of 70 times as much. 0 where there are fewer than 20 of them.
 double noise_of_strain(std::span<const double> strain);
 
-/// Fills `by_shift` of what a misfit says at its solution, and the members of `turns`, by
-/// differences over these errors.
+/// Fills `by_shift` of what a misfit says at its solution, and `turns`, by differences along its
+/// curve and over the noise.
 ///
 /// The noise of the strain where a cyclic test turns back shifts all of the elastic branch that
 /// follows: the model goes on from the stress of the strain that was measured.
