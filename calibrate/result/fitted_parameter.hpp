@@ -25,7 +25,9 @@ struct FittedParameter {
   /// As one of the material: from noise, sampling, misfit and segments, whose squares add up; NaN
   /// for fixed parameters, at a bound, and where the curves do not determine it.
   double standard_error = kNone;
-  double noise_error = kNone;  ///< what of it is the noise's, as if residuals were independent
+  /// What of it is the noise's, as if residuals were independent, and of coupons the errors of the
+  /// strain that many samples share (strain_errors.hpp).
+  double noise_error = kNone;
   /// What of it is a break's, which lies anywhere between two samples: half its interval over the
   /// root of 3; 0 of all others.
   double sampling_error = 0.0;

@@ -32,6 +32,9 @@ class CurveSpool {
   void get(const PlaceOfCurve& place, std::span<double> strain, std::span<double> stress) const;
 
  private:
+  /// Both from the file by one call. @return false if they are not both there now
+  bool read_together(const PlaceOfCurve& place, std::span<double> strain,
+                     std::span<double> stress) const;
   /// From the file. @param offset  of the first number
   void read(std::uint64_t offset, std::span<double> numbers) const;
   int file();
