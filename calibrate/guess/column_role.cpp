@@ -57,11 +57,12 @@ constexpr std::array<std::string_view, 27> kNot{
     "querdehn",  "width strain",    "radial",    "circumf",  "hoop",       "volum",
     "corr coef", "count",           "torque",    "fraction", "temperatur", "températur",
     "work",      "residual",        "drehmoment"};
-/// Of torsion, and of bending.
-constexpr std::array<std::string_view, 8> kShear{
-    "shear", "scher", "schub", "cisaillement", "cortant", "di taglio", "torsional", "剪"};
-constexpr std::array<std::string_view, 5> kFlexural{"flexur", "flexion", "biege", "flessione",
-                                                    "弯曲"};
+/// Of torsion, and of bending; "elastischer" and "Vorschub" are of neither.
+constexpr std::array<std::string_view, 12> kShear{
+    "shear",        "scherspann", "scherdehn", "scherung", "schubspann", "schubverz",
+    "cisaillement", "taglio",     "cortante",  "torsion",  "gleitung",   "剪"};
+constexpr std::array<std::string_view, 8> kFlexural{"flexur",  "flexion", "biegespann", "biegedehn",
+                                                    "bending", "biegung", "flessione",  "弯曲"};
 /// What is wanted of the machine, taken out of the curve, or part of it.
 constexpr std::array<std::string_view, 16> kLesser{
     "set ",  "setpoint", "soll",      "command",    "target",  "demand",  "peak",      "max",

@@ -1,5 +1,6 @@
 #include "calibrate/inference/strain_errors.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <utility>
@@ -10,9 +11,32 @@
 namespace plastica::calibrate {
 namespace {
 
-/// Whether the strain turns back at an inner sample.
-bool turns_at(std::span<const double> strain, std::size_t i) {
-  return (strain[i] - strain[i - 1]) * (strain[i + 1] - strain[i]) < 0.0;
+/// Samples at which a strain turns back, by more than a part of its range: shorter ways back are
+/// noise, or cycles that count for little.
+std::vector<std::size_t> turns_of(std::span<const double> strain) {
+  std::vector<std::size_t> turns;
+  if (strain.empty()) return turns;
+  const auto [least, most] = std::ranges::minmax(strain);
+  const double back = 0.05 * (most - least);
+  int way = 0;                    // up, down, or not known yet
+  std::size_t high = 0, low = 0;  // since the last turn
+  const auto turn = [&](std::size_t at) {
+    if (at > 0) turns.push_back(at);
+  };
+  for (std::size_t i = 1; i < strain.size(); ++i) {
+    if (strain[i] > strain[high]) high = i;
+    if (strain[i] < strain[low]) low = i;
+    if (way >= 0 && strain[high] - strain[i] > back) {
+      turn(high);
+      way = -1;
+      low = i;
+    } else if (way <= 0 && strain[i] - strain[low] > back) {
+      turn(low);
+      way = 1;
+      high = i;
+    }
+  }
+  return turns;
 }
 
 /// How the residuals change with what is taken off all strains [Pa] (n_samples): by the slope of
@@ -35,9 +59,12 @@ std::vector<double> slopes_of_shift(const Curve& measured, std::span<const doubl
 double noise_of_strain(std::span<const double> strain) {
   constexpr std::size_t kFew = 20;
   constexpr double kOfNormal = 0.6745;  // the median of the magnitude of a normal number
+  const std::vector<std::size_t> turns = turns_of(strain);
   std::vector<double> differences;
+  auto turn = turns.begin();
   for (std::size_t i = 2; i + 2 < strain.size(); ++i) {
-    if (turns_at(strain, i - 1) || turns_at(strain, i) || turns_at(strain, i + 1)) continue;
+    while (turn != turns.end() && *turn + 2 < i) ++turn;
+    if (turn != turns.end() && *turn <= i + 2) continue;
     differences.push_back(std::fabs(strain[i - 2] - 4.0 * strain[i - 1] + 6.0 * strain[i] -
                                     4.0 * strain[i + 1] + strain[i + 2]));
   }
@@ -58,9 +85,7 @@ void add_strain_errors(const Target& target, const FitOptions& options,
   Misfit::Details::Turns turns;
   turns.error = noise_of_strain(strain);
   if (!(turns.error > 0.0)) return;
-  for (std::size_t i = 1; i + 1 < strain.size(); ++i) {
-    if (turns_at(strain, i)) turns.at.push_back(i);
-  }
+  turns.at = turns_of(strain);
   if (turns.at.empty()) return;
   // What follows a turn hangs on the noise of that one alone, once it flows again.
   Target moved = target;

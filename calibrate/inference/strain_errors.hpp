@@ -12,8 +12,8 @@
 namespace plastica::calibrate {
 
 /// The standard deviation of the noise of a strain that goes to and fro [1], by its fourth
-/// differences where it goes one way: these leave nothing of a smooth course, and of noise the root
-/// of 70 times as much. 0 where there are fewer than 20 of them.
+/// differences away from where it turns. Of a smooth course they leave nothing, and the root of 70
+/// times the noise. 0 where there are fewer than 20 of them.
 double noise_of_strain(std::span<const double> strain);
 
 /// Fills `by_shift` of what a misfit says at its solution, and `turns`, by differences along its

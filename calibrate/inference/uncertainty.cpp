@@ -31,7 +31,7 @@ struct StressErrors {
   /// A^-1, J^T W^2 J, P of the slope's prior and of stated ones, over the sizes of both.
   MatrixXd inverse, weighted, prior, stated;
   VectorXd stated_in_a;      ///< the stated priors' part of the diagonal of A
-  VectorXd of_shift;         ///< g, SI; empty where the strain was not shifted
+  VectorXd of_shift;         ///< g, SI; empty where the strain's zero has no error
   MatrixXd of_turns;         ///< of errors of the strain where it turns, SI
   std::vector<double> size;  ///< of the active parameters, SI (n)
   double variance = 0.0;     ///< of the noise [Pa^2]
@@ -257,8 +257,8 @@ Uncertainty uncertainty(const Misfit::Details& details, std::span<const double> 
   const MatrixXd of_stated = mapped(map, of_stress.of_stated);
   const MatrixXd of_turns = mapped(map, of_stress.of_turns);
   VectorXd of_shift = VectorXd::Zero(static_cast<Eigen::Index>(n));
-  if (of_stress.of_shift.size() > 0) {
-    of_shift = product(map, of_stress.of_shift);
+  if (of_stress.of_shift.size() > 0) of_shift = product(map, of_stress.of_shift);
+  if (target.shift_error > 0.0) {
     for (std::size_t i = 0; i < n; ++i) {
       // The strain at the break lies where the others do.
       if (!parameters.all()[parameters.active()[i]].is_break) continue;

@@ -122,7 +122,7 @@ class Misfit {
   struct Details : Parts {
     /// d model stress / d active, of each parameter all samples in a row (n_active x n_samples).
     std::vector<double> jacobian;
-    /// d residual / d shift of the strain [Pa] (n_samples); empty where the target was not shifted.
+    /// d residual / d shift of the strain [Pa] (n_samples); empty where its zero has no error.
     /// Filled by `add_strain_errors`, as what follows.
     std::vector<double> by_shift;
     /// Of cyclic curves whose strain has noise: errors of the strain where it turns.

@@ -207,7 +207,8 @@ double shift_strain(Target& target, const ElasticLine& line, const TargetOptions
                                 : "the elastic line beyond the foot misses the origin";
   }
   // Within the threshold it may be the line or the zero that is off, and that by so much.
-  if (is_within && mode == Mode::Automatic) {
+  if (is_within &&
+      (options.toe.mode == Mode::Automatic || options.preload.mode == Mode::Automatic)) {
     target.shift_error = given ? std::abs(zero) : std::max(std::abs(zero), line.zero_strain_stderr);
   }
   for (Correction* correction : {&toe, &preload}) {

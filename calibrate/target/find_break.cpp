@@ -2,18 +2,30 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <span>
+#include <vector>
 
 #include "calibrate/target/characteristics.hpp"
 
 namespace plastica::calibrate {
+
 double step_before(std::span<const double> path, std::size_t last) {
   constexpr std::size_t kSteps = 4;
-  const std::size_t steps = std::min(kSteps, last);
+  double own = 0.0;   // the last step that went anywhere
+  double span = 0.0;  // of those that went the same way
+  std::size_t steps = 0;
+  for (std::size_t i = last; i > 0 && steps < kSteps; --i) {
+    const double step = path[i] - path[i - 1];
+    if (step == 0.0) continue;
+    if (own == 0.0) own = step;
+    if (step * own < 0.0) break;  // it turned there
+    span += step;
+    ++steps;
+  }
   if (steps == 0) return 0.0;
-  const double mean = (path[last] - path[last - steps]) / static_cast<double>(steps);
-  const double own = path[last] - path[last - 1];
-  return own * mean > 0.0 && std::abs(own) > std::abs(mean) ? own : mean;
+  const double mean = span / static_cast<double>(steps);
+  return std::abs(own) > std::abs(mean) ? own : mean;
 }
 
 double end_of_break(double reached, double next, double step, double even) {
@@ -24,24 +36,23 @@ double end_of_break(double reached, double next, double step, double even) {
 BreakFound broken_after(const Curve& curve, std::size_t last, Loading loading, const char* rule) {
   BreakFound found;
   found.intact = last + 1;
+  const auto end = curve.strain.begin() + static_cast<std::ptrdiff_t>(last + 1);
+  std::vector<double> path(curve.strain.begin(), end);
   // A strain once reached under load was intact, also where it ran back a little since.
-  double reached = curve.strain[last];
-  double step = step_before(curve.strain, last);
   if (loading == Loading::Monotonic) {
-    for (std::size_t i = 0; i < last; ++i) reached = std::max(reached, curve.strain[i]);
-    step = std::max(step, 0.0);
+    std::partial_sum(path.begin(), path.end(), path.begin(),
+                     [](double a, double b) { return std::max(a, b); });
   }
+  const double reached = path.back();
   const double next = curve.strain[last + 1];
-  constexpr double kNothing = 0.05;  // of the load before
-  constexpr double kEven = 0.9;      // an extensometer springs back by any part of a step
-  const bool falls_at_once =
-      std::abs(curve.stress[last + 1]) <= kNothing * std::abs(curve.stress[last]);
-  const bool goes_on = (next - reached) * step > 0.0;
+  // An extensometer springs back by any part of a step as the load goes; of a load that falls in
+  // several rows the next one is still of the specimen that breaks, if it goes on at all.
+  const bool falls_at_once = std::abs(curve.stress[last + 1]) <= 0.5 * std::abs(curve.stress[last]);
+  const double even = falls_at_once ? 0.9 : 1e-6;
   found.observation.last_intact_strain = reached;
   found.observation.last_intact_stress = curve.stress[last];
-  // Of a load that falls in several rows the next one is still of the specimen that breaks.
   found.observation.first_broken_strain =
-      goes_on && !falls_at_once ? next : end_of_break(reached, next, step, kEven);
+      end_of_break(reached, next, step_before(path, last), even);
   found.observation.rule = rule;
   return found;
 }

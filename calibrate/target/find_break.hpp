@@ -20,17 +20,16 @@ struct BreakFound {
 std::optional<BreakFound> find_break(const Curve& curve, Loading loading, double modulus,
                                      bool goes_on, const TargetOptions& options);
 
-/// How far a strain, or another path, goes on from one sample to the next at a sample: the last
-/// step, or, where that is shorter or goes the other way, the mean of the last four, of which noise
-/// decides one. 0 for the first sample.
+/// How far a strain, or another path, went on from one sample to the next on the way to a sample:
+/// the last step, or the mean of the last four, if that is larger. Steps of nothing do not count,
+/// nor what came before a turn. 0 if it has stood still so far.
 double step_before(std::span<const double> path, std::size_t last);
 
-/// The end of the interval in which a break lies that left nothing of the load: the next sample.
-/// Where that falls back, or goes on by less than a fraction of a step, it does not say how far the
-/// specimen went: a step.
+/// The end of the interval in which a break lies: the next sample. Where that falls back, or goes
+/// on by less than a part of the step before, it does not say how far the specimen went: a step.
 /// @param reached  of the last intact sample
 /// @param step  of `step_before`
-/// @param even  the fraction [1]
+/// @param even  that part [1]
 double end_of_break(double reached, double next, double step, double even);
 
 /// A curve that carries load up to and with its sample `last`, which another follows.

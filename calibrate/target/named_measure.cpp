@@ -13,6 +13,10 @@ ColumnMeaning meaning_in(const io::CsvTable& table, std::size_t column) {
   return meaning_of(table.names()[column], table.units()[column]);
 }
 
+std::string_view word_of(Test test) {
+  return find_field("drive.deformation").choices[static_cast<std::size_t>(test)];
+}
+
 }  // namespace
 
 void check_named_measure(const TargetSource& source, const io::CsvTable& table, std::size_t strain,
@@ -53,14 +57,6 @@ void warn_of_named_measure(const TargetSource& source, const io::CsvTable& table
                               name));
   }
 }
-
-namespace {
-
-std::string_view word_of(Test test) {
-  return find_field("drive.deformation").choices[static_cast<std::size_t>(test)];
-}
-
-}  // namespace
 
 void warn_of_named_test(const TargetSource& source, const io::CsvTable& table, std::size_t strain,
                         std::size_t stress, std::vector<std::string>& warnings) {

@@ -67,12 +67,13 @@ void cut_at_break(SceneTarget& target, const CorrectionChoice& trim, double tole
     last = *std::max_element(target.abscissa.begin(), end);
     step = std::max(step, 0.0);
   }
-  constexpr double kNoise = 0.1;  // of a step: a displacement that stands still
-  // A set place cuts where the load goes on, and time goes on by itself.
-  if (trim.mode == Mode::Automatic && target.kind != Abscissa::Time) {
-    next = end_of_break(last, next, step, kNoise);
-  } else if (!is_driven(target.kind)) {
-    next = std::max(last, next);
+  // Time goes on by itself, and a place that is set cuts where the load goes on.
+  const bool is_found = trim.mode == Mode::Automatic && target.kind != Abscissa::Time;
+  constexpr double kStill = 0.1;  // of a step: what is driven moves by less
+  if (is_driven(target.kind)) {
+    if (is_found && std::abs(next - last) < kStill * std::abs(step)) next = last + step;
+  } else {
+    next = is_found ? end_of_break(last, next, step, kStill) : std::max(last, next);
   }
   const double half = 0.5 * (next - last);
   target.broke = SceneBreak{

@@ -21,8 +21,8 @@ std::optional<std::size_t> intact_samples(const SceneTarget& target, const Corre
                                           double tolerance = 0.0);
 
 /// Cuts a curve at its break, which lies anywhere between the last intact sample and the next, or a
-/// step on (`end_of_break`); of an abscissa that is not driven, from the largest that was intact
-/// on.
+/// step on where that stands still (`end_of_break`); of an abscissa that is not driven, from the
+/// largest that was intact on.
 void cut_at_break(SceneTarget& target, const CorrectionChoice& trim, double tolerance);
 
 }  // namespace plastica::calibrate

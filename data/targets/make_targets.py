@@ -8,9 +8,9 @@
 Reads the corrected curves (toe and preload offset taken off, cut at the break) and the table of
 specimens that `plastica export` writes. Below the knee the stresses of all specimens of the group
 are averaged at equal strain. From there to the break they are averaged at equal fractions of the way
-from the knee to each specimen's own break, so that the mean curve breaks at the mean break strain;
-with --end, or for specimens without a break, at equal strain up to there. A last row says that the
-load fell to zero 0.01 % after the break. Written with four digits, 80 rows at most.
+from the knee to each specimen's own break, so that the mean curve breaks at the mean break strain,
+half way between the last row with a load and one more, of no load; with --end, or for specimens
+without a break, at equal strain up to there. Written with four digits, 80 rows at most.
 """
 import argparse
 import csv
@@ -70,8 +70,11 @@ def main():
     points = 46
     broken = arguments.end is None and all(breaks[n] for n in names)
     mean_end = sum(breaks[n] for n in names) / len(names) if broken else 0.01 * arguments.end
-    for i in range(1, points + 1):
-        fraction = i / points
+    fractions = [i / points for i in range(1, points + 1)]
+    if broken:  # half a step before the break, and half a step behind it
+        fractions[-1] -= 0.5 / points
+        gone = mean_end + 0.5 / points * (mean_end - knee)
+    for fraction in fractions:
         strain = knee + fraction * (mean_end - knee)
         own = [knee + fraction * ((breaks[n] if broken else mean_end) - knee) for n in names]
         rows.append((strain, [interpolate(curves[n], s) for n, s in zip(names, own)]))
@@ -81,7 +84,7 @@ def main():
             mean = sum(stresses) / len(stresses)
             out.write(f"{100.0 * strain:.4g},{mean / 1e6:.4g}\n")
         if broken:
-            out.write(f"{100.0 * mean_end + 0.01:.4g},0\n")
+            out.write(f"{100.0 * gone:.4g},0\n")
     print(f"{arguments.name}: {len(names)} specimens, {len(rows) + broken} rows")
 
 

@@ -35,7 +35,7 @@ constexpr std::array<std::array<double, 4>, 4> kBetaL{{{4.7300, 3.9266, 2.3650, 
                                                        {1.8751, 3.9266, 2.3650, 4.7300}}};
 
 /// Holds by their fraction of the length, both ends included.
-/// @param across, turn  the freedoms of a support that count
+/// @param across, rotation  the freedoms of a support that count
 std::map<double, Hold> holds_of(const Scene& scene, std::span<const double> ends,
                                 std::size_t across, std::size_t rotation) {
   std::map<double, Hold> holds{{0.0, {}}, {1.0, {}}};
@@ -96,6 +96,16 @@ FirstFrequency stretch_of(const Scene& scene, std::span<const double> ends) {
   const double speed = std::sqrt(scene.material.youngs_modulus / scene.material.density);
   return {rod_number(scene, ends, kAlong) * speed / scene.beam.length / (2.0 * pi),
           Vibration::Stretch, !scene.masses.empty()};
+}
+
+/// Whether point masses make of a beam a spring, whose own swings are small beside theirs.
+bool is_spring_of_masses(const Scene& scene, const SectionProperties& section, bool twists) {
+  double all = 0.0;
+  for (const PointMass& one : scene.masses) {
+    all += twists ? *std::ranges::max_element(one.inertia) : one.mass;
+  }
+  const double polar = section.second_moment_x + section.second_moment_y;
+  return all > scene.material.density * scene.beam.length * (twists ? polar : section.area);
 }
 
 /// Whether the part of a vector along the axis at a place is a notable one.
@@ -196,7 +206,9 @@ std::optional<FirstFrequency> fastest_frequency(const Scene& scene, JointTransla
                                                 std::span<const double> ends) {
   auto fastest = first_frequency(scene, level, section, ends);
   const auto look_at = [&](const FirstFrequency& first) {
-    if (first.hertz > fastest->hertz && is_excited(scene, first, ends)) fastest = first;
+    const bool twists = first.of == Vibration::Torsion;
+    if (first.hertz <= fastest->hertz || is_spring_of_masses(scene, section, twists)) return;
+    if (is_excited(scene, first, ends)) fastest = first;
   };
   if (!fastest || level.level == Level::Twist) return fastest;
   if (level.level == Level::Spatial) look_at(torsion_of(scene, section, ends));

@@ -23,18 +23,19 @@ struct FirstFrequency {
 /// clamp. Springs and pillars count as nothing. Empty for a single segment.
 ///
 /// Bending: omega = (beta L)^2 sqrt(E I/(rho A L^4)), in the weaker of the planes of the level.
-/// @param section  of the scene's own
-/// @param ends     of `segment_ends`
 /// Torsion of a beam that only twists: omega = (pi/L, one end free of two: pi/2L)
 /// sqrt(G J/(rho (I_x + I_y))); stretching: with sqrt(E/rho).
 /// Source: Blevins, Formulas for Natural Frequency and Mode Shape (1979), ch. 8.
+/// @param section  of the scene's own
+/// @param ends     of `segment_ends`
 std::optional<FirstFrequency> first_frequency(const Scene& scene, const LevelChoice& level,
                                               const SectionProperties& section,
                                               std::span<const double> ends);
 
 /// The fastest of that and of what is excited besides: the first twist in space, and the first
-/// stretch of joints that stretch, where something acts about or along the axis that makes it
-/// swing.
+/// stretch of joints that stretch, where a load, a support or an initial motion about or along the
+/// axis makes it swing, and the beam is no spring of point masses. Gravity stretches by next to
+/// nothing.
 std::optional<FirstFrequency> fastest_frequency(const Scene& scene, JointTranslation translation,
                                                 const LevelChoice& level,
                                                 const SectionProperties& section,

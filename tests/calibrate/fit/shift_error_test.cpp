@@ -123,8 +123,8 @@ TEST(ShiftError, CountsWhatAShiftMoves) {
                                    std::pow(without.parameter(name).standard_error, 2.0));
     return added / std::fabs(off);
   };
-  // The sample at the knee is elastic on one side of it: 3.5 % of E, of which the break strain has
-  // 1.5 - 1 parts.
+  // The sample at the knee is elastic on one side of it, which makes 3.5 % of E. The break strain
+  // moves by 1.5 shifts with E and back by one with its own strain: three times as much of it.
   EXPECT_NEAR(ratio("youngs_modulus"), 1.0, 0.05);
   EXPECT_NEAR(ratio("break_strain"), 1.0, 0.15);
 }

@@ -38,6 +38,22 @@ TEST(StrainErrors, TellNoiseFromACourse) {
   EXPECT_EQ(noise_of_strain(std::vector<double>{0.0, 1.0}), 0.0);
 }
 
+/// Noise that is as large as the steps, and turns whose peak stands twice.
+TEST(StrainErrors, TellNoiseOfTheSizeOfSteps) {
+  std::mt19937 random(2);
+  for (const double noise : {1e-5, 1e-4, 2e-4}) {
+    std::normal_distribution<double> normal(0.0, noise);
+    std::vector<double> strain;
+    for (int i = 0; i < 4000; ++i) {
+      const double there = 0.01 * std::asin(std::sin(2.0 * std::numbers::pi * i / 200.0));
+      for (int twice = i % 200 == 50 ? 2 : 1; twice > 0; --twice) {
+        strain.push_back(there + normal(random));
+      }
+    }
+    EXPECT_NEAR(noise_of_strain(strain), noise, 0.12 * noise);
+  }
+}
+
 /// Four cycles of 1 % of an ideal-plastic steel, 100 samples from turn to turn.
 /// @param noise  of the strain
 Target cycles(unsigned seed, double noise) {

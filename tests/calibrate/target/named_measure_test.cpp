@@ -133,7 +133,14 @@ TEST(NamedTest, IsDoubtedWhereTheBlockSaysAnother) {
   EXPECT_EQ(doubts({"Strain", "Flexural stress"}, Deformation::Tension), 1);
   EXPECT_EQ(doubts({"Strain", "Biegespannung"}, Deformation::Bending), 0);
   EXPECT_EQ(doubts({"Strain", "Scherspannung"}, Deformation::Bending), 1);
-  EXPECT_EQ(doubts({"Strain", "Stress"}, Deformation::Tension), 0);
+  for (const char* name : {"Stress", "Elastischer Spannungsanteil", "Technischer Spannungswert",
+                           "Mechanischer Spannungswert", "Stress Fischer", "Spannung Vorschub"}) {
+    EXPECT_EQ(doubts({"Strain", name}, Deformation::Tension), 0) << name;
+  }
+  for (const char* name :
+       {"Torsion stress", "Torsionsspannung", "Schubspannung", "Bending stress"}) {
+    EXPECT_EQ(doubts({"Strain", name}, Deformation::Tension), 1) << name;
+  }
 }
 
 }  // namespace
