@@ -151,11 +151,11 @@ class Fits(Report):
             "return unpack(panel.curves[0].points); })()")
         strains, stresses = zip(*measured)
         # The files' units are not looked at: what is known is the largest strain and stress.
-        x_scale, y_scale = 16.31 / max(strains), 326.5 / max(stresses)
+        x_scale, y_scale = 16.47 / max(strains), 326.5 / max(stresses)
         line = list(zip(*curve))
         for strain, stress in measured:
-            self.assertLess(distance((x_scale * strain / 16.31, y_scale * stress / 326.5),
-                                     [(x / 16.31, y / 326.5) for x, y in line]), 0.001)
+            self.assertLess(distance((x_scale * strain / 16.47, y_scale * stress / 326.5),
+                                     [(x / 16.47, y / 326.5) for x, y in line]), 0.001)
 
     def test_hostile_names_stay_texts(self):
         curve = self.write("c.csv", "name,strain,stress [MPa]\n" + "".join(
