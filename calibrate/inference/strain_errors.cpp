@@ -89,7 +89,12 @@ void add_strain_errors(const Target& target, const FitOptions& options,
   if (turns.at.empty()) return;
   // What follows a turn hangs on the noise of that one alone, once it flows again.
   Target moved = target;
-  for (const std::size_t i : turns.at) moved.corrected.strain[i] += turns.error;
+  std::size_t before = 0;
+  for (const std::size_t i : turns.at) {
+    // Outwards, where it stays the turn.
+    moved.corrected.strain[i] += std::copysign(turns.error, strain[i] - strain[before]);
+    before = i;
+  }
   turns.slopes = Misfit(moved, options, parameters).parts(active).residual;
   for (std::size_t i = 0; i < turns.slopes.size(); ++i) {
     turns.slopes[i] = (turns.slopes[i] - details.residual[i]) / turns.error;

@@ -30,7 +30,7 @@ inline constexpr auto kDescribeCharacteristics = [](auto& d) {
           "largest strain that still carried load");
     inner("last_intact_stress", "Pa", PLASTICA_MEMBER(last_intact_stress), "stress there");
     inner("first_broken_strain", "1", PLASTICA_MEMBER(first_broken_strain),
-          "strain of the first sample after the break");
+          "strain of the first sample after the break, or a step on where that does not say it");
     inner("break_rule", "", PLASTICA_MEMBER(rule), "by which the break was found");
   });
 };

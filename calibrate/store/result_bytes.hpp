@@ -12,7 +12,7 @@ namespace plastica::calibrate {
 
 /// Version of the records below: to be raised whenever a field of a result is added, removed or
 /// moved, or fits get other numbers, however little. Records of another version are refused.
-inline constexpr std::uint32_t kResultVersion = 17;
+inline constexpr std::uint32_t kResultVersion = 18;
 
 /// A result as bytes, with every field: what the journal keeps of a finished fit.
 std::vector<std::byte> bytes_of(const FitResult& result);

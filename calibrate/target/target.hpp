@@ -99,8 +99,8 @@ struct Target {
   std::vector<std::string> warnings;
   Characteristics characteristics;
   /// Error of the strain's zero [1]: the standard error of its shift, where the elastic line
-  /// decided it; where the line misses the origin by too little for a shift, by how much. Not
-  /// stored.
+  /// decided it; where the line misses the origin by too little for a shift, by how much, or the
+  /// error of that, if it is larger. Not stored.
   double shift_error = 0.0;
   /// Whether samples beyond Rm, which have no true strain, were left out; not stored.
   bool ends_at_neck = false;
