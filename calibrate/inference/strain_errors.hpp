@@ -13,7 +13,8 @@ namespace plastica::calibrate {
 
 /// The standard deviation of the noise of a strain that goes to and fro [1], by its fourth
 /// differences away from where it turns. Of a smooth course they leave nothing, and the root of 70
-/// times the noise. 0 where there are fewer than 20 of them.
+/// times the noise. Rows that repeat a strain are left out. 0 where there are fewer than 20 of
+/// them.
 double noise_of_strain(std::span<const double> strain);
 
 /// Fills `by_shift` of what a misfit says at its solution, and `turns`, by differences along its
