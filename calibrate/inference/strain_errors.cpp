@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <iterator>
 #include <utility>
 #include <vector>
 
@@ -56,7 +55,7 @@ std::vector<double> slopes_of_shift(const Curve& measured, std::span<const doubl
 }
 
 /// The largest noise of the strain that the residuals of elastic branches leave room for [1]: rows
-/// that are unevenly spaced look like noise.
+/// that repeat or are unevenly spaced look like noise.
 /// @param slopes  by the strain where it turns: of elastic branches Young's modulus [Pa] (n)
 double most_noise(std::span<const double> slopes, std::span<const double> residual) {
   double modulus = 0.0;
@@ -72,12 +71,9 @@ double most_noise(std::span<const double> slopes, std::span<const double> residu
 
 }  // namespace
 
-double noise_of_strain(std::span<const double> all) {
+double noise_of_strain(std::span<const double> strain) {
   constexpr std::size_t kFew = 20;
   constexpr double kOfNormal = 0.6745;  // the median of the magnitude of a normal number
-  // Rows that repeat a strain are no samples of its course.
-  std::vector<double> strain;
-  std::ranges::unique_copy(all, std::back_inserter(strain));
   const std::vector<std::size_t> turns = turns_of(strain);
   std::vector<double> differences;
   auto turn = turns.begin();
