@@ -11,8 +11,37 @@
 namespace plastica::calibrate {
 namespace {
 
-/// Samples at which a strain turns back, by more than a part of its range: shorter ways back are
-/// noise, or cycles that count for little.
+/// How the residuals change with what is taken off all strains [Pa] (n_samples): by the slope of
+/// the model's curve there, which a strain that only rises makes a function of it.
+std::vector<double> slopes_of_shift(const Curve& measured, std::span<const double> residual) {
+  const std::size_t n = residual.size();
+  const std::vector<double>& strain = measured.strain;
+  const auto model = [&](std::size_t i) { return residual[i] + measured.stress[i]; };
+  std::vector<double> slopes(n, 0.0);
+  for (std::size_t i = 1; i < n; ++i) {
+    const double step = strain[i] - strain[i - 1];
+    slopes[i] = step > 0.0 ? (model(i - 1) - model(i)) / step : slopes[i - 1];
+  }
+  if (n > 1) slopes[0] = slopes[1];
+  return slopes;
+}
+
+/// The largest noise of the strain that the residuals of elastic branches leave room for [1].
+/// @param slopes  by the strain where it turns: of elastic branches Young's modulus [Pa] (n)
+double most_noise(std::span<const double> slopes, std::span<const double> residual) {
+  double modulus = 0.0;
+  for (const double slope : slopes) modulus = std::max(modulus, std::fabs(slope));
+  double squares = 0.0, count = 0.0;
+  for (std::size_t i = 0; i < slopes.size(); ++i) {
+    if (std::fabs(slopes[i]) < 0.5 * modulus) continue;
+    squares += residual[i] * residual[i];
+    count += 1.0;
+  }
+  return modulus > 0.0 ? std::sqrt(squares / count) / modulus : 0.0;
+}
+
+}  // namespace
+
 std::vector<std::size_t> turns_of(std::span<const double> strain) {
   std::vector<std::size_t> turns;
   if (strain.empty()) return turns;
@@ -39,42 +68,9 @@ std::vector<std::size_t> turns_of(std::span<const double> strain) {
   return turns;
 }
 
-/// How the residuals change with what is taken off all strains [Pa] (n_samples): by the slope of
-/// the model's curve there, which a strain that only rises makes a function of it.
-std::vector<double> slopes_of_shift(const Curve& measured, std::span<const double> residual) {
-  const std::size_t n = residual.size();
-  const std::vector<double>& strain = measured.strain;
-  const auto model = [&](std::size_t i) { return residual[i] + measured.stress[i]; };
-  std::vector<double> slopes(n, 0.0);
-  for (std::size_t i = 1; i < n; ++i) {
-    const double step = strain[i] - strain[i - 1];
-    slopes[i] = step > 0.0 ? (model(i - 1) - model(i)) / step : slopes[i - 1];
-  }
-  if (n > 1) slopes[0] = slopes[1];
-  return slopes;
-}
-
-/// The largest noise of the strain that the residuals of elastic branches leave room for [1]: rows
-/// that repeat or are unevenly spaced look like noise.
-/// @param slopes  by the strain where it turns: of elastic branches Young's modulus [Pa] (n)
-double most_noise(std::span<const double> slopes, std::span<const double> residual) {
-  double modulus = 0.0;
-  for (const double slope : slopes) modulus = std::max(modulus, std::fabs(slope));
-  double squares = 0.0, count = 0.0;
-  for (std::size_t i = 0; i < slopes.size(); ++i) {
-    if (std::fabs(slopes[i]) < 0.5 * modulus) continue;
-    squares += residual[i] * residual[i];
-    count += 1.0;
-  }
-  return modulus > 0.0 ? std::sqrt(squares / count) / modulus : 0.0;
-}
-
-}  // namespace
-
-double noise_of_strain(std::span<const double> strain) {
+double noise_of_strain(std::span<const double> strain, std::span<const std::size_t> turns) {
   constexpr std::size_t kFew = 20;
   constexpr double kOfNormal = 0.6745;  // the median of the magnitude of a normal number
-  const std::vector<std::size_t> turns = turns_of(strain);
   std::vector<double> differences;
   auto turn = turns.begin();
   for (std::size_t i = 2; i + 2 < strain.size(); ++i) {
@@ -98,10 +94,9 @@ void add_strain_errors(const Target& target, const FitOptions& options,
   if (target.loading != Loading::Cyclic) return;
   const std::vector<double>& strain = target.corrected.strain;
   Misfit::Details::Turns turns;
-  turns.error = noise_of_strain(strain);
-  if (!(turns.error > 0.0)) return;
   turns.at = turns_of(strain);
-  if (turns.at.empty()) return;
+  turns.error = noise_of_strain(strain, turns.at);
+  if (turns.at.empty() || !(turns.error > 0.0)) return;
   // What follows a turn hangs on the noise of that one alone, once it flows again.
   Target moved = target;
   std::size_t before = 0;

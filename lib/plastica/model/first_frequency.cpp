@@ -130,10 +130,13 @@ bool is_along_axis(const Scene& scene, const std::array<double, 3>& vector, cons
 /// Whether what follows a history makes a beam swing with a period about the equilibrium that it
 /// asks for. Where the factor f jumps the amplitude is the jump, where its slope jumps by s it is
 /// s T/(2 pi): that of an oscillator without damping.
-bool shakes(const History& history, double period) {
+/// @param duration  of the motion [s]: what comes later neither shakes nor is it reached
+bool shakes(const History& history, double period, double duration) {
   constexpr double kNotable = 0.02;  // of the largest
-  double largest = 0.0;
-  for (const double factor : history.factor) largest = std::max(largest, std::fabs(factor));
+  double largest = std::fabs(history.at(duration));
+  for (std::size_t i = 0; i < history.time.size() && history.time[i] < duration; ++i) {
+    largest = std::max(largest, std::fabs(history.factor[i]));
+  }
   double amplitude = std::fabs(history.at(0.0));
   double before = 0.0;
   const auto look_at = [&](double slope) {
@@ -142,6 +145,7 @@ bool shakes(const History& history, double period) {
   look_at(history.slope_at(0.0));
   for (const double time : history.time) {
     if (time <= 0.0) continue;
+    if (time >= duration) break;
     const History::SlopeChange change = history.slopes_about(time, 1e-9 * time);
     before = change.before;
     look_at(change.after);
@@ -150,18 +154,20 @@ bool shakes(const History& history, double period) {
 }
 
 /// Whether loads, supports or an initial motion make the beam twist or stretch in swings.
-bool is_excited(const Scene& scene, const FirstFrequency& first, std::span<const double> ends) {
+bool is_excited(const Scene& scene, const FirstFrequency& first, double duration,
+                std::span<const double> ends) {
   const bool twists = first.of == Vibration::Torsion;
   const double period = 1.0 / first.hertz;
   for (const Load& load : scene.loads) {
     const bool acts = is_along_axis(scene, twists ? load.moment : load.force, load.at, ends);
-    if (acts && shakes(load.history, period)) return true;
+    if (acts && shakes(load.history, period, duration)) return true;
   }
   bool is_held = false;
   for (const Support& support : scene.supports) {
     is_held = is_held || support.held()[twists ? kTwist : kAlong];
     const auto& motion = twists ? support.rotation : support.translation;
-    if (is_along_axis(scene, motion, support.at, ends) && shakes(support.history, period)) {
+    if (is_along_axis(scene, motion, support.at, ends) &&
+        shakes(support.history, period, duration)) {
       return true;
     }
   }
@@ -200,20 +206,19 @@ std::optional<FirstFrequency> first_frequency(const Scene& scene, const LevelCho
   return FirstFrequency{first / (2.0 * pi), Vibration::Bending, !scene.masses.empty()};
 }
 
-std::optional<FirstFrequency> fastest_frequency(const Scene& scene, JointTranslation translation,
-                                                const LevelChoice& level,
+std::vector<FirstFrequency> excited_frequencies(const Scene& scene, const LevelChoice& level,
+                                                const ExcitedMotion& motion,
                                                 const SectionProperties& section,
                                                 std::span<const double> ends) {
-  auto fastest = first_frequency(scene, level, section, ends);
+  std::vector<FirstFrequency> all;
+  if (scene.beam.segments < 2 || level.level == Level::Twist) return all;
   const auto look_at = [&](const FirstFrequency& first) {
-    const bool twists = first.of == Vibration::Torsion;
-    if (first.hertz <= fastest->hertz || is_spring_of_masses(scene, section, twists)) return;
-    if (is_excited(scene, first, ends)) fastest = first;
+    const bool is_spring = is_spring_of_masses(scene, section, first.of == Vibration::Torsion);
+    if (!is_spring && is_excited(scene, first, motion.duration, ends)) all.push_back(first);
   };
-  if (!fastest || level.level == Level::Twist) return fastest;
   if (level.level == Level::Spatial) look_at(torsion_of(scene, section, ends));
-  if (translation == JointTranslation::Elastic) look_at(stretch_of(scene, ends));
-  return fastest;
+  if (motion.translation == JointTranslation::Elastic) look_at(stretch_of(scene, ends));
+  return all;
 }
 
 }  // namespace plastica::model_detail

@@ -3,6 +3,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "plastica/model/choose_level.hpp"
 #include "plastica/model/scene.hpp"
@@ -32,12 +33,17 @@ std::optional<FirstFrequency> first_frequency(const Scene& scene, const LevelCho
                                               const SectionProperties& section,
                                               std::span<const double> ends);
 
-/// The fastest of that and of what is excited besides: the first twist in space, and the first
-/// stretch of joints that stretch, where a load, a support or an initial motion about or along the
-/// axis makes it swing, and the beam is no spring of point masses. Gravity stretches by next to
-/// nothing.
-std::optional<FirstFrequency> fastest_frequency(const Scene& scene, JointTranslation translation,
-                                                const LevelChoice& level,
+/// What of a motion says which of its vibrations are excited.
+struct ExcitedMotion {
+  JointTranslation translation = JointTranslation::Rigid;
+  double duration = 0.0;  ///< [s]
+};
+
+/// What is excited besides: the first twist in space, and the first stretch of joints that stretch,
+/// where a load, a support or an initial motion about or along the axis makes it swing, and the
+/// beam is no spring of point masses. Gravity stretches by next to nothing.
+std::vector<FirstFrequency> excited_frequencies(const Scene& scene, const LevelChoice& level,
+                                                const ExcitedMotion& motion,
                                                 const SectionProperties& section,
                                                 std::span<const double> ends);
 

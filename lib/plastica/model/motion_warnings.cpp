@@ -31,7 +31,7 @@ struct Facts {
   double duration = 0.0;                    // [s]
   double step = 0.0;                        // of fixed steps [s]
   std::optional<FirstFrequency> first{};    // only with fixed steps
-  std::optional<FirstFrequency> fastest{};  // of those that swing, too
+  std::optional<FirstFrequency> fastest{};  // of that and of what is excited
 };
 
 std::optional<std::string> coarse_steps(const Facts& facts) {
@@ -265,7 +265,11 @@ std::vector<std::string> motion_warnings(const Scene& scene, const SolverOptions
   facts.step = sampled / std::max(1.0, std::ceil(sampled / options.time_step - 1e-9));
   if (options.step_error == 0.0) {
     facts.first = first_frequency(scene, level, section, ends);
-    facts.fastest = fastest_frequency(scene, options.translation, level, section, ends);
+    facts.fastest = facts.first;
+    for (const FirstFrequency& one :
+         excited_frequencies(scene, level, {options.translation, facts.duration}, section, ends)) {
+      if (!facts.fastest || one.hertz > facts.fastest->hertz) facts.fastest = one;
+    }
   }
   std::vector<std::string> warnings;
   for (const auto find :

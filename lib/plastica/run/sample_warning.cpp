@@ -32,15 +32,15 @@ std::optional<std::string> sample_warning(const Facts& facts) {
   std::optional<double> frequency = lowest_frequency(facts.model);
   if (!frequency) return std::nullopt;
   std::string swing = "the unloaded beam swings at " + figure(*frequency) + " Hz and faster";
-  const auto fastest = model_detail::fastest_frequency(
-      facts.scene, JointTranslation::Rigid, facts.level, facts.section, segment_ends(facts.scene));
-  const bool twists = facts.level.level == Level::Spatial && fastest &&
-                      fastest->of == model_detail::Vibration::Torsion;
-  if (twists && fastest->hertz > *frequency) {
-    frequency = fastest->hertz;
-    swing = "the beam swings with its " + model_detail::frequency_text(*fastest);
-  }
   const double duration = facts.model.chain->stops.back();
+  // Of twists alone: few ask for the swings of a stretch, which takes too many samples.
+  for (const auto& one : model_detail::excited_frequencies(
+           facts.scene, facts.level, {JointTranslation::Rigid, duration}, facts.section,
+           segment_ends(facts.scene))) {
+    if (one.hertz <= *frequency) continue;
+    frequency = one.hertz;
+    swing = "the beam swings with its " + model_detail::frequency_text(one);
+  }
   const double interval = duration / facts.options.steps;
   const double in_period = 1.0 / (*frequency * interval);
   if (in_period >= kFew) return std::nullopt;

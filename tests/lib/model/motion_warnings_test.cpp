@@ -85,6 +85,14 @@ TEST(MotionWarnings, CountTheStepsOfASwingingTwistAndStretch) {
                   "samples every 0.001 s: the beam swings with its first frequency in torsion"));
   EXPECT_FALSE(has(twisted(History::smooth_step(0.0, 0.5), 1.0), "samples every"));
   EXPECT_TRUE(is_of_twist(twisted({{0.0, 1e-3}, {0.0, 1.0}}, 1.0)));
+  // A ramp that has hardly begun by the end of the motion.
+  EXPECT_TRUE(has(warnings_of([](Scene& scene, SolverOptions& o) {
+                    o.duration = 0.01;
+                    o.steps = 10;
+                    o.time_step = 1e-3;
+                    scene.loads.push_back({.moment = {1.0, 0.0, 10.0}});
+                  }),
+                  "first frequency in torsion"));
   // Neither what grows slowly, nor a trifle.
   EXPECT_FALSE(is_of_twist(twisted(History::smooth_step(0.0, 0.5), 1.0)));
   EXPECT_FALSE(is_of_twist(twisted({{0.0, 0.5}, {0.0, 1.0}}, 1.0)));
